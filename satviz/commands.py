@@ -395,7 +395,8 @@ def explain(args: argparse.Namespace) -> int:
     found = paste(_text_of(args.file), args.as_)
     number = args.pair - 1
     if args.to in (None, "json", "wkt"):
-        out_json(found.to_json()) if args.to == "json" else out(found.wkt if args.to == "wkt" else str(found))
+        said = found.report(sentence=bool(found.traces))  # without an answer the sentence is the error line
+        out_json(found.to_json()) if args.to == "json" else out(found.wkt if args.to == "wkt" else said)
     elif number >= len(found.pairs):
         raise Refused(f"there is no pair {args.pair}: {found.sentence}")
     elif args.to == "link":

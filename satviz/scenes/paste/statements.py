@@ -39,6 +39,7 @@ class Statements(Names):
     def __init__(self, text: str) -> None:
         super().__init__(text)
         self.runs: list[Run] = []
+        self.named: list[tuple[int, int]] = []  # where short parts stand that a problem quotes in full
         self.taken: set[int] = set()  # values that a run has
         self.modes: list[tuple[int, str]] = []  # rectMode(CENTER), where it stands
         self._open: dict[str, Obj] = {}  # runs that may go on
