@@ -5,7 +5,8 @@ import re
 import shutil
 import threading
 from contextlib import contextmanager
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from functools import partial
+from http.server import BaseHTTPRequestHandler, SimpleHTTPRequestHandler, ThreadingHTTPServer
 from xml.etree import ElementTree
 
 import pytest
@@ -603,6 +604,27 @@ def test_a_challenge_is_chosen_undone_and_kept_in_the_address(visit):
     goal.get_by_text("Make the shapes touch").wait_for()
     choice.select_option("")
     goal.wait_for(state="hidden")
+
+
+# -- in a folder of any server
+
+
+def test_in_a_folder_of_a_plain_server_all_is_as_it_is_at_its_root(built, visit, tmp_path):
+    """No setting, no header of satviz's: what Python's own server sends is enough."""
+    (tmp_path / "courses").mkdir()
+    (tmp_path / "courses" / "sat").symlink_to(built)
+    handler = partial(SimpleHTTPRequestHandler, directory=str(tmp_path))
+    with ThreadingHTTPServer(("127.0.0.1", 0), handler) as serving:
+        thread = threading.Thread(target=serving.serve_forever, daemon=True)
+        thread.start()
+        at = f"http://127.0.0.1:{serving.server_address[1]}/courses/sat/"
+        for path in "", "2-sat.html", "scene.html?embed#circles":
+            page = visit(path, at=at)  # and no request leaves the folder
+            page.locator('.live.ready [data-handle="B-move"]').first.press("ArrowLeft")
+            page.wait_for_function("() => document.querySelector('.live.ready .sv-sentence').textContent.length > 10")
+            page.context.close()
+        serving.shutdown()
+        thread.join()
 
 
 # -- a scene in a frame of another page

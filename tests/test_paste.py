@@ -112,6 +112,7 @@ def test_a_number_that_float64_cannot_hold_has_a_reason(text):
         ("1e400", "beyond float64"),
         ("0.5.sin()", "not evaluated"),
         ("0.04-", "not evaluated"),
+        ("', 3'000", "not a number"),
     ],
 )
 def test_what_is_no_number_is_never_taken_for_one(bad, why):
@@ -415,6 +416,11 @@ def test_an_unknown_reading_is_refused():
             "corner-for-center",
             "Rectangle(0, 0, 4, 4) circle((-1, -1), 1)",
             "Rectangle(0, 0, 4, 4) circle((9, 9), 1)",
+        ),
+        (
+            "corner-for-center",
+            "Rectangle(10, 10, 20, 20) Rectangle(25, 15, 29, 25)",
+            "Rectangle(10, 10, 20, 20) Rectangle(15, 15, 29, 25)",
         ),
         (
             "swapped-arguments",
@@ -782,8 +788,9 @@ def test_explain_says_in_one_line_why_there_is_no_answer(tmp_path, capsys):
     ):
         path.write_text(text, encoding="utf-8")
         assert main(["explain", str(path)]) == 2
-        err = capsys.readouterr().err
+        out, err = capsys.readouterr()
         assert line in err and err.count("\n") == 1
+        assert err.partition(": ")[2].strip() not in out, "said once"
     path.write_bytes(b"\xff\xfe\x00\xd8")
     assert main(["explain", str(path)]) == 2
     assert main(["explain", str(tmp_path / "none")]) == 2

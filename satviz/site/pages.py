@@ -22,7 +22,7 @@ from ..scenes.named import ALL_SCENES, scene
 from ..scenes.scenefile import Scene
 from ..widgets.explorer_model import ExplorerModel
 from ..widgets.goals import GOAL_TASKS, challenges, level
-from . import parts
+from . import hosting, parts
 from .chapters import GLOSSARY, lead
 from .first_minute import SENTENCES, first_minute
 from .guides import INDEX as GUIDES
@@ -56,7 +56,8 @@ FAILING_ON_FRONT = "aabb-turned", "no-nearest-vertex", "far-centers", "box-in-u"
 class Frame(NamedTuple):
     """What all pages of a site share: chapters, guides, the version of its files, and whether it has Python.
 
-    `guides` begins with their index; `reference` says whether the site has the reference.
+    `guides` begins with their index; `reference` says whether the site has the reference; `url` is the address of
+    its folder, or empty if that is not known.
     """
 
     chapters: Sequence[Chapter]
@@ -64,6 +65,7 @@ class Frame(NamedTuple):
     version: str
     python: bool
     reference: bool
+    url: str = ""
 
 
 def html_page(
@@ -103,6 +105,7 @@ def html_page(
         f'<meta name="generator" content="{MADE_BY}">',
         f'<meta name="description" content="{escape(describe.printable(description))}">',
         f"<title>{escape(title)}</title>",
+        *hosting.head_lines(frame.chapters, frame.url, path, title, describe.printable(description)),
         f'<link rel="stylesheet" href="site.css?{frame.version}">',
         '<link rel="icon" href="icon.svg" type="image/svg+xml">',
         f'<script defer src="site.js?{frame.version}"></script>',
@@ -211,6 +214,19 @@ triangles. The <a href="gallery.html">gallery</a> has a still picture of every s
     description = "Drag two shapes and see every axis."
     title = "Explorer: drag two shapes"
     return html_page(frame, PAGE, title, body, description=description, kind="explorer", script="embed.js")
+
+
+def not_found_page(frame: Frame) -> bytes:
+    """Return the page for an address that leads to no page."""
+    body = """
+<h1>There is no such page</h1>
+<p class="lead">The address may be old, or a letter of it may be missing.</p>
+<ul><li><a href="index.html">The front page</a> has a list of the chapters and of the guides.</li>
+<li>The <a href="gallery.html">gallery</a> shows every scene.</li></ul>
+"""
+    title, description = "There is no such page", "This address leads to no page of the site."
+    page = html_page(frame, hosting.NOT_FOUND, title, body, description=description)
+    return hosting.from_anywhere(page, frame.url)
 
 
 def challenges_page(frame: Frame) -> bytes:

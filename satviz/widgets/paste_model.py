@@ -8,7 +8,7 @@ from ..pictures.outlines import outlines_picture
 from ..scenes.link import fragment
 from ..scenes.minimal_test import LANGUAGES
 from ..scenes.paste.exact import crossing
-from ..scenes.paste.findings import Pair
+from ..scenes.paste.pair_findings import Pair
 from ..scenes.paste.pasted import Pasted, paste
 from ..scenes.scenefile import Scene
 from ..scenes.strictjson import require_type
