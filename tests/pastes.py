@@ -2477,4 +2477,36 @@ circle((20, 0), 1)""",
 (9.00, 4.00)""",
         ((0, 0, 4, 3), (5, 0, 9, 4)),
     ),
+    # -- whole bodies as printed
+    Paste(
+        "a body of p2 as JSON",
+        """{"mass":1,"position":[3,4],"angle":0,"shapes":[{"type":8,"width":2,"height":1,"position":[0,0],"angle":0}]}
+{"mass":1,"position":[5,4],"angle":0,"shapes":[{"type":1,"radius":1,"position":[0,0],"angle":0}]}""",
+        ((2, 3.5, 4, 4.5), (4, 3, 6, 5)),
+        as_="center-size",
+    ),
+    Paste(
+        "a body of planck as JSON",
+        """{"type":"dynamic","position":{"x":3,"y":4},"angle":0,
+ "fixtures":[{"density":1,"shape":{"type":"polygon","vertices":[{"x":-1,"y":-1},{"x":1,"y":-1},{"x":1,"y":1}]}}]}
+{"type":"static","position":{"x":0,"y":0},"angle":0,
+ "fixtures":[{"shape":{"type":"circle","p":{"x":0,"y":0},"radius":1}}]}""",
+        ((2, 3, 4, 5), (-1, -1, 1, 1)),
+        says="density",
+    ),
+    Paste(
+        "a body with an angle",
+        """{"position":{"x":3,"y":4},"angle":90,
+ "fixtures":[{"shape":{"type":"polygon","vertices":[{"x":-1,"y":-1},{"x":2,"y":-1},{"x":2,"y":1}]}}]}
+circle((0,0),1)""",
+        ((2, 3, 4, 6), (-1, -1, 1, 1)),
+        as_="degrees y-up",
+    ),
+    Paste(
+        "quoted words that begin with M",
+        """{"shape": "mast", "math": "mlh", "x": 0, "y": 0, "radius": 5, "mass": 3}
+{"shape": 'Mat', "x": 9, "y": 0, "radius": 5, "mass": 3}""",
+        ((-5, -5, 5, 5), (4, -5, 14, 5)),
+        says="mass 3",
+    ),
 )
