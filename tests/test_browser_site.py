@@ -538,9 +538,9 @@ def test_where_the_kept_memory_does_not_load_python_starts_anew(built, visit, tm
 def test_where_pyodide_keeps_no_memory_a_site_is_built_and_all_of_it_works(visit, tmp_path, monkeypatch):
     """As a whole: the function that keeps it is private, and may be gone in another Pyodide."""
     core = runtime._core_from_npm()
-    script = core["pyodide.mjs"]
+    script = core["pyodide.asm.mjs"]
     assert b"makeMemorySnapshot" in script
-    renamed = core | {"pyodide.mjs": script.replace(b"makeMemorySnapshot", b"somethingElse")}
+    renamed = core | {"pyodide.asm.mjs": script.replace(b"makeMemorySnapshot", b"somethingElse")}
     monkeypatch.setattr(runtime, "_core_from_npm", lambda: renamed)
     found, lacks = site()
     assert len(lacks) == 1 and "pages start slower" in lacks[0] and "makeMemorySnapshot" in lacks[0]
