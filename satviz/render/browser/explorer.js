@@ -76,24 +76,28 @@ export class Explorer {
     this.handles = new Handles(this.pen, keysHelp.id);
     this.board = element("div", { class: "sv-board" }, this.svg, this.handles.element);
     this.sentence = element("p", { class: "sv-sentence" });
-    this.enough = element("p", { class: "sv-enough" });
+    this.enough = element("p", { class: "sv-enough", hidden: true });
     this.announcement = element("div", { class: "sv-said", role: "status" });
     this.heading = element("p", { class: "sv-heading", hidden: true });
-    this.goal = new GoalPanel();
+    this.goal = new GoalPanel(() => this.chooseGoal(""));
     this.map = element("p", { class: "sv-map", hidden: true });
     this.refusal = element("p", { class: "sv-why", role: "alert", hidden: true });
     this.hint = element("p", { class: "sv-hint" }, HINT);
+    const tip = element("div", { class: "sv-tip" }, this.hint, this.enough); // one place: the hint goes, and what is enough comes
     this.table = new LiveTable(this.state.names, { pick: (row) => this.change({ pinned: this.pose.pinned === row ? null : row }) });
     this.controls = new ExplorerControls(this);
     const side = element("div", { class: "sv-side" }, this.curve, this.difference, element("div", { class: "sv-fold" }, this.table.element));
-    this.stage = element("div", { class: "sv-stage" }, this.goal.element, this.heading, this.board, this.line, this.map, this.hint, this.refusal, this.sentence, this.enough, this.announcement, keysHelp, this.controls.element);
-    this.columns = element("div", { class: "sv-columns" }, this.stage, side);
+    this.stage = element("div", { class: "sv-stage" }, this.goal.element, this.heading, this.board, this.line, this.sentence, tip, this.map, this.announcement, keysHelp);
+    const tools = element("div", { class: "sv-tools" }, this.controls.scenes, this.controls.element);
+    this.columns = element("div", { class: "sv-columns sv-bench" }, tools, this.stage, side);
+    this.board.append(this.refusal); // over the picture, so that nothing jumps
     root.classList.add("satviz");
     root.setAttribute("data-lm-suppress-shortcuts", "true");
     root.append(this.columns);
     this.editor = new ShapeEditor(this);
     this.pasteBox = new PasteBox(this);
-    this.stage.append(this.editor.element, this.pasteBox.element);
+    tools.append(this.editor.element);
+    this.stage.append(this.pasteBox.element);
 
     this.board.addEventListener("pointerdown", (event) => this.pointerDown(event));
     this.board.addEventListener("pointermove", (event) => this.pointerMove(event));
@@ -171,8 +175,8 @@ export class Explorer {
   show(state) {
     this.pen.draw(state.picture);
     this.handles.avoid(state.picture);
-    this.board.style.setProperty("--sv-width", String(this.pen.width));
-    this.board.style.setProperty("--sv-height", String(this.pen.height));
+    this.columns.style.setProperty("--sv-width", String(this.pen.width));
+    this.columns.style.setProperty("--sv-height", String(this.pen.height));
     if (!this.ahead) this.pose = { ...this.pose, a: state.a, b: state.b };
     this.heading.textContent = (state.heading ?? []).join(" ");
     this.heading.hidden = !state.heading;
@@ -264,7 +268,7 @@ export class Explorer {
     if (handle || this.handles.of(event.target)) event.preventDefault(); // a handle that is not meant gets no focus either
     if (!handle) return;
     clearTimeout(this.announcing);
-    this.hint.hidden = true;
+    this.used();
     handle.element.focus({ preventScroll: true });
     this.board.setPointerCapture(event.pointerId);
     this.board.classList.add("sv-dragging");
@@ -342,7 +346,7 @@ export class Explorer {
   take(event) {
     event.preventDefault();
     event.stopPropagation();
-    this.hint.hidden = true;
+    this.used();
   }
 
   /**
@@ -360,7 +364,7 @@ export class Explorer {
   /** @param {Pose} pose */
   remember(pose) {
     this.history.remember(pose);
-    this.hint.hidden = true;
+    this.used();
   }
 
   /** @param {Partial<Pose>} changes */
@@ -390,6 +394,12 @@ export class Explorer {
     this.controls.follow(this);
   }
 
+  // The first use: the hint gives way to the sentence on how many axes are enough.
+  used() {
+    this.hint.hidden = true;
+    this.enough.hidden = false;
+  }
+
   /** @param {string} name */
   choosePreset(name) {
     if (name) this.choose({ kind: "preset", name });
@@ -403,7 +413,7 @@ export class Explorer {
 
   /** @param {Record<string, unknown>} request */
   choose(request) {
-    this.hint.hidden = true;
+    this.used();
     this.sender.discard(); // a pose that still waits is of the scene that leaves
     this.drag = null;
     this.choosing = true;

@@ -70,7 +70,7 @@ export class ShapeEditor {
     this.help.hidden = !tool;
     this.help.textContent = tool ? TOOL_HELP[tool] : "";
     if (tool) {
-      this.explorer.hint.hidden = true;
+      this.explorer.used();
       const { pen } = this.explorer;
       this.cross = this.snapped(pen.toScene([pen.width / 2, pen.height / 2]));
       this.plane.focus({ preventScroll: true });
