@@ -1,6 +1,7 @@
 // The explorer: handles over the picture of a scene.  The dragged outline and handle move here, in the same frame;
 // Python answers each pose with the picture that follows from it.
 
+import { AxisDial } from "./axis_dial.js";
 import { download } from "./download.js";
 import { element } from "./elements.js";
 import { ExplorerControls } from "./explorer_controls.js";
@@ -60,6 +61,7 @@ export class Explorer {
     this.drag = null;
     this.choosing = false; // is another scene on its way?
     this.refused = false;
+    this.keepsRefusal = false; // a refused outline stays on the screen until the next change
     this.announcing = 0;
     /** @type {number | null} Of the place for the picture, in points; null: as wide as a picture ever is. */
     this.width = null;
@@ -86,7 +88,8 @@ export class Explorer {
     const tip = element("div", { class: "sv-tip" }, this.hint, this.enough); // one place: the hint goes, and what is enough comes
     this.table = new LiveTable(this.state.names, { pick: (row) => this.change({ pinned: this.pose.pinned === row ? null : row }) });
     this.controls = new ExplorerControls(this);
-    const side = element("div", { class: "sv-side" }, this.curve, this.difference, element("div", { class: "sv-fold" }, this.table.element));
+    this.dial = new AxisDial(this);
+    const side = element("div", { class: "sv-side" }, this.dial.element, this.curve, this.difference, element("div", { class: "sv-fold" }, this.table.element));
     this.stage = element("div", { class: "sv-stage" }, this.goal.element, this.heading, this.board, this.line, this.sentence, tip, this.map, this.announcement, keysHelp);
     const tools = element("div", { class: "sv-tools" }, this.controls.scenes, this.controls.element);
     this.columns = element("div", { class: "sv-columns sv-bench" }, tools, this.stage, side);
@@ -122,11 +125,12 @@ export class Explorer {
   /**
    * @param {Pose} pose
    * @param {boolean} final False for one of many poses of a drag.
+   * @param {"a" | "b" | null} [snapping] The shape that may be moved to where it touches the other.
    */
-  send(pose, final) {
+  send(pose, final, snapping = null) {
     if (this.choosing) return; // the shapes of the pose are leaving
     this.pose = pose;
-    this.sender.push(pose, final, this.width);
+    this.sender.push(pose, final, this.width, snapping);
     this.follow();
   }
 
@@ -154,7 +158,8 @@ export class Explorer {
       this.editor.showRefused(this.pose);
       if (!this.ahead) this.show(this.state);
     } else if (content.kind === "state") {
-      this.refusal.hidden = true;
+      this.refusal.hidden = !this.keepsRefusal;
+      if (content.snapped) this.controls.status.textContent = content.snapped;
       this.refused = false;
       this.state = content;
       if (!content.n) {
@@ -189,6 +194,7 @@ export class Explorer {
     this.table.update(state.names, state.rows, state.lit);
     this.line.classList.toggle("sv-empty", !state.line);
     if (state.line) this.linePen.draw(state.line);
+    this.dial.show(state.dial);
     this.curve.toggleAttribute("hidden", !state.curve);
     if (state.curve) this.curvePen.draw(state.curve);
     this.difference.toggleAttribute("hidden", !state.difference);
@@ -269,6 +275,8 @@ export class Explorer {
     if (!handle) return;
     clearTimeout(this.announcing);
     this.used();
+    this.forgetRefused();
+    this.controls.status.textContent = "";
     handle.element.focus({ preventScroll: true });
     this.board.setPointerCapture(event.pointerId);
     this.board.classList.add("sv-dragging");
@@ -295,12 +303,29 @@ export class Explorer {
 
   pointerUp() {
     if (!this.drag) return;
-    const before = this.drag.pose;
+    const { pose: before, spec } = this.drag;
     this.drag = null;
     this.board.classList.remove("sv-dragging");
     const to = this.refused ? this.valid : this.pose;
     if (JSON.stringify(to) !== JSON.stringify(before)) this.remember(before);
-    this.send(to, true);
+    if (this.refused) this.keepRefused(this.pose);
+    this.send(to, true, this.controls.snap.box.checked && spec.action === "move" ? spec.key : null);
+  }
+
+  /**
+   * A refused outline stays on the screen, with the reason, until something else is changed.
+   * @param {Pose} pose
+   */
+  keepRefused(pose) {
+    this.keepsRefusal = true;
+    this.editor.showRefused(pose);
+  }
+
+  forgetRefused() {
+    if (!this.keepsRefusal) return;
+    this.keepsRefusal = false;
+    this.refusal.hidden = true;
+    this.editor.clear();
   }
 
   /** @param {KeyboardEvent} event */
@@ -369,6 +394,7 @@ export class Explorer {
 
   /** @param {Partial<Pose>} changes */
   change(changes) {
+    this.forgetRefused();
     this.remember(this.pose);
     this.send({ ...this.pose, ...changes }, true);
     this.controls.follow(this);
@@ -390,6 +416,7 @@ export class Explorer {
   /** @param {Pose | undefined} pose */
   restore(pose) {
     if (!pose) return;
+    this.forgetRefused();
     this.send(pose, true);
     this.controls.follow(this);
   }
@@ -413,6 +440,7 @@ export class Explorer {
 
   /** @param {Record<string, unknown>} request */
   choose(request) {
+    this.forgetRefused();
     this.used();
     this.sender.discard(); // a pose that still waits is of the scene that leaves
     this.drag = null;
@@ -428,6 +456,7 @@ export class Explorer {
     this.root.removeEventListener("keydown", this.onkey);
     this.model.off("msg:custom", this.onmessage);
     this.pen.remove();
+    this.dial.remove();
     this.editor.remove();
     this.pasteBox.remove();
     this.root.replaceChildren();
