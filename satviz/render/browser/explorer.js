@@ -92,7 +92,7 @@ export class Explorer {
     const side = element("div", { class: "sv-side" }, this.dial.element, this.curve, this.difference, element("div", { class: "sv-fold" }, this.table.element));
     this.stage = element("div", { class: "sv-stage" }, this.goal.element, this.heading, this.board, this.line, this.sentence, tip, this.map, this.announcement, keysHelp);
     const tools = element("div", { class: "sv-tools" }, this.controls.scenes, this.controls.element);
-    this.columns = element("div", { class: "sv-columns sv-bench" }, tools, this.stage, side);
+    this.columns = element("div", { class: "sv-columns sv-bench" }, this.stage, tools, side);
     this.board.append(this.refusal); // over the picture, so that nothing jumps
     root.classList.add("satviz");
     root.setAttribute("data-lm-suppress-shortcuts", "true");
@@ -100,7 +100,7 @@ export class Explorer {
     this.editor = new ShapeEditor(this);
     this.pasteBox = new PasteBox(this);
     tools.append(this.editor.element);
-    this.stage.append(this.pasteBox.element);
+    this.columns.append(this.pasteBox.element);
 
     this.board.addEventListener("pointerdown", (event) => this.pointerDown(event));
     this.board.addEventListener("pointermove", (event) => this.pointerMove(event));
