@@ -67,6 +67,19 @@ def test_a_report_is_explained(desk, width, thread):
 
 
 @WIDTHS
+def test_the_bundle_holds_a_picture_of_the_pair(desk, width):
+    desk.paste("circle((0, 0), 2) circle((9, 9), 1) [0,0, 4,0, 0,4]")
+    desk.page.get_by_text("send it on").click()
+    for form, begins in ("SVG", b"<svg"), ("PNG", b"\x89PNG"):
+        with desk.page.expect_download() as found:
+            desk.page.get_by_role("button", name=f"save picture as {form}").click()
+        data = found.value.path().read_bytes()
+        assert found.value.suggested_filename == f"satviz.{form.lower()}" and data.startswith(begins)
+        assert form == "PNG" or b"A and C overlap" in data
+    assert desk.page.evaluate("document.documentElement.scrollWidth <= innerWidth"), "nothing is wider than the page"
+
+
+@WIDTHS
 def test_a_question_is_asked_with_both_answers(desk, width):
     desk.paste(BY_THREAD["nenjack/check2d#52"].text)
     buttons = desk.page.locator(".sv-question button").all_inner_texts()

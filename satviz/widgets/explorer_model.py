@@ -72,6 +72,7 @@ class ExplorerModel(PlayerModel):
     """
 
     def __init__(self, shown: Scene, goal: str | None = None) -> None:
+        self._first = shown
         self._degree: float | None = None
         self._largest = canvas_size(None)
         self._show_mtv = self._show_difference = self._won = False
@@ -191,9 +192,7 @@ class ExplorerModel(PlayerModel):
         if pinned is not None and not isinstance(pinned, int):
             raise InvalidScene("pinned must be the number of a row in the table of axes, or null")
         text = content.get("scene")
-        begun = (
-            self.scene if text in (None, self._start_json) else Scene.from_json(require_type(text, "the scene", str))
-        )
+        begun = self.scene if text in (None, self._start_json) else self._scene_of(text)
         a, b, snap_words = self._snapped(a, b, content.get("snap"))
         changed = replace(begun, a=a, b=b)
         trace = _trace(changed)
@@ -235,6 +234,12 @@ class ExplorerModel(PlayerModel):
         if found is None:
             return a, b, NO_TOUCH
         return (found, b, SNAPPED) if key == "a" else (a, found, SNAPPED)
+
+    def _scene_of(self, text: Any) -> Scene:
+        """Return the scene with which a pose began, read strictly; the first one may have axes without a name."""
+        if text == self._first.to_json():
+            return self._first
+        return Scene.from_json(require_type(text, "the scene", str))
 
     def _set_run(self, scene: Scene, run: Trace, view: str | None, met: ChallengeResult | None) -> None:
         """Store the scene, its run, the view with the trace it shows, and the challenge's result."""

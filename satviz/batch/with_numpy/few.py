@@ -1,21 +1,24 @@
 """Few shapes, in NumPy: which boxes meet by comparing all or by sorting and sweeping, and all collisions of few."""
 
+from collections.abc import Sequence
 from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 
 from ...engine.relate import ERROR_FACTOR_F64, MAX_ERROR_BOUND, MIN_ERROR_BOUND
-from ..array_types import Array, Indices, Mask, Pairs, Signs
+from ..array_types import Array, Indices, Pairs, Signs
 from ..arrays import Shapes
 from ..broad_rule import ALL_PAIRS, GRID, MAX_ALL_PAIRS, MAX_SWEEP_COMPARISONS, MAX_SWEEP_NUMPY, SWEEP
 from ..codes import APART, OVERLAPPING, UNDECIDED
 from .filter import circle_polygon_gaps, circles, classify_clearances
 from .indexed import relations
 
-MAX_WHOLE_SHAPES = 12  # shapes up to which all pairs are tested by their edges without comparing boxes first
+MAX_WHOLE_NUMBERS = 480  # coordinates up to which all pairs of polygons are tested without comparing boxes first
 MAX_SHAPES, MAX_CORNERS = 1 << 12, 8  # above these, blocks of pairs in float32 are faster
 MAX_PRODUCTS = 1 << 17  # of normals and corners at a time, so that they stay in the second-level cache
+# row V: the corners of an outline with V corners, again and again
+CLOSING = np.arange(MAX_CORNERS + 1) % np.maximum(1, np.arange(MAX_CORNERS + 1))[:, None]
 OUTWARD = np.array([1.0, -1.0])[:, None, None]  # turns (dy, dx) of a counter-clockwise edge into its outward normal
 
 
@@ -52,10 +55,12 @@ def choose(bounds: Array, max_sweep: int = MAX_SWEEP_NUMPY) -> tuple[int, int, S
 
 def candidate_pairs(bounds: Array) -> Pairs | None:
     """Return the pairs i < j of boxes that share a point; None where a grid is chosen."""
+    return _meeting_of_all(bounds.T[:2], bounds.T[2:]) if len(bounds) <= MAX_ALL_PAIRS else _swept_pairs(bounds)
+
+
+def _swept_pairs(bounds: Array) -> Pairs | None:
+    """Return the pairs i < j of boxes that share a point, by sorting and sweeping; None where a grid is chosen."""
     way, _, sweep = choose(bounds)
-    if way == ALL_PAIRS:
-        i, j = _all_pairs(len(bounds))
-        return np.stack([i, j], axis=1)[_meet(bounds[i], bounds[j])]
     if way == GRID or sweep is None:
         return None
     first = np.arange(1, len(bounds) + 1)
@@ -68,14 +73,19 @@ def candidate_pairs(bounds: Array) -> Pairs | None:
 
 
 @lru_cache(maxsize=MAX_ALL_PAIRS + 1)
-def _all_pairs(n: int) -> tuple[Indices, Indices]:
-    """Return the first and the second indices of all pairs i < j of n boxes, in order."""
-    return np.triu_indices(n, 1)
+def _all_pairs(n: int) -> tuple[Pairs, Indices]:
+    """Return the pairs i < j of n boxes in order, and the place of each in an (n, n) array."""
+    i, j = np.triu_indices(n, 1)
+    return np.stack([i, j], axis=1), i * n + j
 
 
-def _meet(a: Array, b: Array) -> Mask:
-    """Return a mask: do the boxes of each row share a point?"""
-    return np.asarray(((a[:, :2] <= b[:, 2:]) & (b[:, :2] <= a[:, 2:])).all(axis=1))
+def _meeting_of_all(low: Array, high: Array) -> Pairs:
+    """Return the pairs i < j of boxes that share a point, in order, by comparing all; low, high: (2, n) sides."""
+    before = low[:, :, None] <= high[:, None]  # does box i begin on this axis before box j ends?
+    meet = before[0] & before[1]
+    meet &= meet.T
+    pairs, places = _all_pairs(low.shape[1])
+    return pairs.take(np.flatnonzero(meet.take(places)), axis=0)
 
 
 def colliding_pairs(shapes: Shapes) -> Pairs | None:
@@ -86,64 +96,90 @@ def colliding_pairs(shapes: Shapes) -> Pairs | None:
     closed, radius = _closed_columns(shapes)
     if closed is None:
         return None
+    found: Signs | None
     n = closed.shape[2]
     with np.errstate(all="ignore"):
-        if n <= MAX_WHOLE_SHAPES:
-            i, j = _all_pairs(n)
+        is_upright = radius is None and _are_upright(closed)
+        if radius is None and not is_upright and n <= MAX_ALL_PAIRS and closed.size <= MAX_WHOLE_NUMBERS:
+            pairs, found = _all_pairs(n)[0], _relate_polygons(closed, None)
         else:
-            box = np.concatenate([closed.min(axis=1), closed.max(axis=1)])
+            low, high = np.minimum.reduce(closed, axis=1), np.maximum.reduce(closed, axis=1)
             if radius is not None:
-                box[:2], box[2:] = np.nextafter(box[:2] - radius, -np.inf), np.nextafter(box[2:] + radius, np.inf)
-            if (pairs := candidate_pairs(box.T)) is None:
+                low, high = np.nextafter(low - radius, -np.inf), np.nextafter(high + radius, np.inf)
+            meeting = _meeting_of_all(low, high) if n <= MAX_ALL_PAIRS else _swept_pairs(np.concatenate([low, high]).T)
+            if meeting is None:
                 return None
-            i, j = pairs.T
-        found = _relations(closed, radius, i, j)
-    rest = np.flatnonzero(found == UNDECIDED)
-    if rest.size:
-        settled = np.empty(len(rest), np.int8)
-        relations(shapes.flat, i[rest], shapes.flat, j[rest], settled)
-        if settled.min() == UNDECIDED:  # circles that nearly touch
-            return None
-        found[rest] = settled
-    hits = np.flatnonzero(found != APART)
-    i, j = i[hits], j[hits]
-    if n > MAX_ALL_PAIRS:
-        order = np.lexsort((j, i))
-        i, j = i[order], j[order]
-    out = np.empty((len(i), 2), np.intp)
-    out[:, 0], out[:, 1] = i, j
-    return out
+            pairs, found = meeting, None if is_upright else _relations(closed, radius, *meeting.T)
+    if found is not None:
+        rest = np.flatnonzero(found == UNDECIDED)
+        if rest.size:
+            settled = np.empty(len(rest), np.int8)
+            relations(shapes.flat, pairs[rest, 0], shapes.flat, pairs[rest, 1], settled)
+            if settled.min() == UNDECIDED:  # circles that nearly touch
+                return None
+            found[rest] = settled
+        pairs = pairs.take(np.flatnonzero(found != APART), axis=0)
+    return pairs if n <= MAX_ALL_PAIRS else np.asarray(pairs[np.lexsort((pairs[:, 1], pairs[:, 0]))])
+
+
+def _are_upright(closed: Array) -> bool:
+    """Return whether all outlines are boxes with sides along x and y: four corners, and each step along an axis."""
+    if closed.shape[1] != 5 or (closed[0, 0, 0] != closed[0, 1, 0] and closed[1, 0, 0] != closed[1, 1, 0]):
+        return False  # mostly the first outline tells
+    level = closed[:, 1:] == closed[:, :-1]
+    return bool((level[0] != level[1]).all())
 
 
 def _relations(closed: Array, radius: Array | None, i: Indices, j: Indices) -> Signs:
     """Return the relations of shapes i[k] and j[k], UNDECIDED within the error bound."""
-    found = np.empty(len(i), np.int8)
     if radius is None:
-        _relate_polygons(closed, i, j, found)
-        return found
+        return _relate_polygons(closed, (i, j))
+    found = np.empty(len(i), np.int8)
     x, y, is_circle = closed[0, 0], closed[1, 0], radius > 0
-    first, second = is_circle[i], is_circle[j]
-    for mask, kind in ((~(first | second), 0), (first & second, 1), (first & ~second, 2), (second & ~first, 3)):
-        where = np.flatnonzero(mask)
+    circle_count = is_circle[i].view(np.int8) + is_circle[j].view(np.int8)
+    for kind in (0, 1, 2):
+        where = np.flatnonzero(circle_count == kind)
         if not where.size:
             continue
-        a, b = (j[where], i[where]) if kind == 3 else (i[where], j[where])
-        out = np.empty(len(where), np.int8)
+        a, b = i[where], j[where]
         if kind == 0:
-            _relate_polygons(closed, a, b, out)
-        elif kind == 1:
+            found[where] = _relate_polygons(closed, (a, b))
+            continue
+        out = np.empty(len(where), np.int8)
+        if kind == 2:
             circles(x[a], y[a], radius[a], x[b], y[b], radius[b], 0, out)
         else:
+            a, b = np.where(is_circle[a], (a, b), (b, a))
             classify_clearances(*circle_polygon_gaps(x[a], y[a], radius[a], closed.take(b, axis=2)), out)
         found[where] = out
     return found
 
 
-def _relate_polygons(closed: Array, i: Indices, j: Indices, out: Signs) -> None:
-    """Fill `out` with the relations of polygons i[k] and j[k], UNDECIDED within the error bound."""
-    corners, edges = closed[:, :-1], closed[:, 1:] - closed[:, :-1]
-    own, other = np.concatenate([i, j]), np.concatenate([j, i])
+def _relate_polygons(closed: Array, pairs: tuple[Indices, Indices] | None) -> Signs:
+    """Return the relations of polygons i[k] and j[k], UNDECIDED within the error bound; None: of all pairs i < j."""
+    edges = closed[:, 1:] - closed[:, :-1]
+    if pairs is None:
+        (i, j), places = _all_pairs(closed.shape[2])[0].T, _all_pairs(closed.shape[2])[1]
+        gap = _gaps_of_all(closed[:, :-1], edges).take(places)
+    else:
+        i, j = pairs
+        gap = _gaps(closed[:, :-1], edges, i, j)
+    largest = [np.abs(c) for c in (edges, closed)]
+    error_bound: Array = 4 * largest[0].max() * largest[1].max() * ERROR_FACTOR_F64  # of all, then pair by pair
+    if MIN_ERROR_BOUND < error_bound < MAX_ERROR_BOUND and (np.abs(gap) > error_bound).all():
+        return np.multiply(gap < 0, OVERLAPPING, dtype=np.int8)
+    out = np.empty(len(i), np.int8)
+    edge, coordinate = (c.max(axis=(0, 1)) for c in largest)
+    error_bound = (edge[i] + edge[j]) * (coordinate[i] + coordinate[j]) * ERROR_FACTOR_F64
+    error_bound[~((error_bound > MIN_ERROR_BOUND) & (error_bound < MAX_ERROR_BOUND))] = np.inf
+    classify_clearances(gap, error_bound, out)
+    return out
+
+
+def _gaps(corners: Array, edges: Array, i: Indices, j: Indices) -> Array:
+    """Return for polygons i[k] and j[k] the largest clearance of an edge of one over the corners of the other."""
     normals = edges[::-1] * OUTWARD
+    own, other = np.concatenate([i, j]), np.concatenate([j, i])
     at = normals * corners
     at = at[0] + at[1]
     gap = np.empty(len(own))
@@ -155,16 +191,19 @@ def _relate_polygons(closed: Array, i: Indices, j: Indices, out: Signs) -> None:
         least = np.minimum.reduce(values, axis=1)
         least -= at.take(own[part], axis=1)
         np.maximum.reduce(least, axis=0, out=gap[part])
-    gap = np.maximum(gap[: len(i)], gap[len(i) :])
-    largest = [np.abs(c) for c in (edges, closed)]
-    error_bound: Array = 4 * largest[0].max() * largest[1].max() * ERROR_FACTOR_F64  # of all, then pair by pair
-    if MIN_ERROR_BOUND < error_bound < MAX_ERROR_BOUND and (np.abs(gap) > error_bound).all():
-        np.multiply(gap < 0, OVERLAPPING, out=out)
-        return
-    edge, coordinate = (c.max(axis=(0, 1)) for c in largest)
-    error_bound = (edge[i] + edge[j]) * (coordinate[i] + coordinate[j]) * ERROR_FACTOR_F64
-    error_bound[~((error_bound > MIN_ERROR_BOUND) & (error_bound < MAX_ERROR_BOUND))] = np.inf
-    classify_clearances(gap, error_bound, out)
+    return np.asarray(np.maximum(gap[: len(i)], gap[len(i) :]))
+
+
+def _gaps_of_all(corners: Array, edges: Array) -> Array:
+    """Return what `_gaps` returns for all pairs of n polygons, (n, n): each normal with each corner in one product."""
+    _, many, n = corners.shape
+    normals = edges[::-1] * OUTWARD
+    at = normals * corners
+    values = corners.reshape(2, -1).T @ normals.reshape(2, -1)  # corner by corner of each shape, edge by edge of each
+    least = np.minimum.reduce(values.reshape(many, n, many, n), axis=0)
+    least -= at[0] + at[1]
+    gap = np.maximum.reduce(least, axis=1)
+    return np.asarray(np.maximum(gap, gap.T))
 
 
 def _closed_columns(shapes: Shapes) -> tuple[Array | None, Array | None]:
@@ -177,11 +216,26 @@ def _closed_columns(shapes: Shapes) -> tuple[Array | None, Array | None]:
         corners, n = group.x.shape
         if corners > MAX_CORNERS or not 1 < n <= MAX_SHAPES:
             return None, None
-        closed = np.empty((2, corners + 1, n))
-        closed[0, :-1], closed[1, :-1], closed[:, -1] = group.x, group.y, (group.x[0], group.y[0])
-        return closed, group.r
-    if not 1 < len(shapes.count) <= MAX_SHAPES or shapes.max_corners > MAX_CORNERS:
+        xy = np.stack([group.x, group.y]) if group.block is None else group.block[:2]
+        return xy.take(CLOSING[corners, : corners + 1], axis=1), group.r
+    if not 1 < shapes.part_count <= MAX_SHAPES:
+        return None, None
+    if "blocks" in vars(shapes):
+        return _closed_blocks(shapes.blocks)
+    if shapes.max_corners > MAX_CORNERS:
         return None, None
     x, y, start = shapes.rings
     places = start[:-1] + np.arange(shapes.max_corners + 1)[:, None] % shapes.count
     return np.stack([x[places], y[places]]), shapes.radius if shapes.radius.any() else None
+
+
+def _closed_blocks(blocks: Sequence[Array]) -> tuple[Array | None, Array | None]:
+    """Return what `_closed_columns` returns, for the shapes of blocks of groups, which follow each other."""
+    most = max(block.shape[1] for block in blocks)
+    if most > MAX_CORNERS:
+        return None, None
+    closed = [block[:2].take(CLOSING[block.shape[1], : most + 1], axis=1) for block in blocks]
+    if all(len(block) == 2 for block in blocks):
+        return np.concatenate(closed, axis=2), None
+    radius = [block[2, 0] if len(block) == 3 else np.zeros(block.shape[2]) for block in blocks]
+    return np.concatenate(closed, axis=2), np.concatenate(radius)

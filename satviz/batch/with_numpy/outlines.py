@@ -21,7 +21,9 @@ def certified_group(vertices: Array) -> Group | None:
         for start in range(0, n, size):
             part = columns[:, :, start : start + size]
             np.add(vertices[start : start + size].transpose(2, 1, 0), 0.0, out=part)  # -0.0 becomes 0.0
-            left, right = _turns_one_way(part)
+            if (ways := _turns_one_way(part)) is None:
+                continue
+            left, right = ways
             if right.any():
                 part[:, :, right] = part[:, ::-1, right]
             if not (left | right).all():
@@ -37,25 +39,30 @@ def certified_circles(centers: Array, radii: Array) -> Group | None:
     return Group(block[0], block[1], block[2, 0], block) if np.isfinite(block).all() and (radii > 0).all() else None
 
 
-def _turns_one_way(xy: Array) -> tuple[Mask, Mask]:
-    """Return two masks of outlines (2, V, n): certified to turn left at each corner and go round once; or right."""
-    edges = np.empty_like(xy)
-    np.subtract(xy[:, 1:], xy[:, :-1], out=edges[:, :-1])
-    np.subtract(xy[:, 0], xy[:, -1], out=edges[:, -1])
+def _turns_one_way(xy: Array) -> tuple[Mask, Mask] | None:
+    """Return two masks of outlines (2, V, n): certified to turn left at each corner and go round once; or right.
+
+    Return None if all turn left: for few outlines the masks would take as long as the rest.
+    """
+    _, corners, n = xy.shape
+    edges = np.empty((2, corners + 1, n))  # the last is the first one again
+    np.subtract(xy[:, 1:], xy[:, :-1], out=edges[:, :-2])
+    np.subtract(xy[:, 0], xy[:, -1], out=edges[:, -2])
+    edges[:, -1] = edges[:, 0]
     dx, dy = edges
-    ahead, behind = np.empty((2, *dx.shape))
-    for product, first, second in ((ahead, dx, dy), (behind, dy, dx)):
-        np.multiply(first[:-1], second[1:], out=product[:-1])
-        np.multiply(first[-1], second[0], out=product[-1])
+    ahead, behind = dx[:-1] * dy[1:], dy[:-1] * dx[1:]
     turn = ahead - behind
     size = np.abs(ahead, out=ahead)
     size += np.abs(behind, out=behind)
-    certified = np.ones(xy.shape[2], bool)
+    certified = None  # all
     if not (size.min(initial=1.0) > MIN_SAFE_PRODUCT and size.max(initial=1.0) < MAX_SAFE_PRODUCT):
         certified = ((size > MIN_SAFE_PRODUCT) & (size < MAX_SAFE_PRODUCT)).all(axis=0)
-    if len(dx) > 4:  # with 3 or 4 turns of one sign there is no going round twice
+    if corners > 4:  # with 3 or 4 turns of one sign there is no going round twice
         rises = (dx > 0) | ((dx == 0) & (dy > 0))
-        certified &= (rises[1:] != rises[:-1]).sum(axis=0) + (rises[0] != rises[-1]) == 2
+        once = np.count_nonzero(rises[1:] != rises[:-1], axis=0) == 2
+        certified = once if certified is None else certified & once
     size *= ERRBOUND_A
-    left, right = ((way > size).all(axis=0) & certified for way in (turn, -turn))
-    return left, right
+    if (certified is None or certified.all()) and (turn > size).all():
+        return None
+    left, right = ((way > size).all(axis=0) for way in (turn, -turn))
+    return (left, right) if certified is None else (left & certified, right & certified)

@@ -64,6 +64,7 @@
  * @property {string} [json]
  * @property {string} [scene]
  * @property {string} [link]
+ * @property {Picture | null} [picture] The pair, to be saved.
  * @property {Record<string, string>} [tests] Minimal tests, by language.
  */
 /** @typedef {{ kind: "pasted", n?: undefined, pasted: Pasted }} PastedMessage A text without a pair to show. */

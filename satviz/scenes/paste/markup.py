@@ -6,13 +6,15 @@ from fractions import Fraction
 from itertools import islice
 
 from ...engine.geometry import InvalidScene
+from .prose import fields, sentences
 from .svg_path import PATH_DATA, path_tokens
+from .tables import tables
 from .tokens import CLOSE, FIELD, MARK, MAX_TOKENS, NAME, NUMBER, OPEN, TOO_MANY, Token, tokens
 
 _QUOTED = r"\"[^\"<>]*\"|'[^'<>]*'"
 _ELEMENT = re.compile(rf"<(circle|ellipse|rect|polygon|polyline|path)\b((?:[^<>\"']|{_QUOTED})*)>")
 _ATTRIBUTE = re.compile(rf"([\w:-]+)[ \t\r\n]*=[ \t\r\n]*({_QUOTED})")
-_BARE = re.compile(rf"([\"'`])(?=\s*[Mm])({PATH_DATA.pattern})\1")
+_BARE = re.compile(rf"([\"'`])({PATH_DATA.pattern})\1")
 _TRANSFORM = re.compile(r"(\w+)\s*\(([^()]*)\)")
 _VIEW = re.compile(r"\bviewBox\s*=\s*(?:\"[^\"<>]*\"|'[^'<>]*')", re.IGNORECASE)
 # The attributes that are numbers of a shape; 0 is what SVG takes for a place that is not given.
@@ -25,7 +27,7 @@ _PLACES = frozenset(["x", "y", "cx", "cy"])
 
 
 def all_tokens(text: str) -> list[Token]:
-    """Return the tokens of a text, with those of SVG elements and of path data as calls and lists."""
+    """Return the tokens of a text, with SVG elements, path data and tables as calls and lists."""
     plain = tokens(text)
     parts = [(m.start(), m.end(), list(_element(m))) for m in _ELEMENT.finditer(text)]
     ends = [(start, end) for start, end, _ in parts]
@@ -38,6 +40,7 @@ def all_tokens(text: str) -> list[Token]:
             found = [_mark(OPEN, "[", m.start()), *path_tokens(m[2], m.start(2)), _mark(CLOSE, "]", m.end())]
             parts.append((m.start(), m.end(), found))
     parts += [(m.start(), m.end(), []) for m in _VIEW.finditer(text)]
+    parts += [*tables(text), *sentences(text), *fields(text)]
     if not parts:
         return plain
     parts.sort(key=lambda part: part[0])
