@@ -19,6 +19,7 @@ if TYPE_CHECKING:  # what `__getattr__` loads at first use, for type checkers
     from .engine.sat import AxisTest, axis_tests
     from .engine.shortcut import Shortcut
     from .engine.trace import Trace, record
+    from .lessons.handout import handout
     from .pictures import Picture, Stage, Step, picture, steps
     from .pictures.curve import gap_curve
     from .pictures.difference_steps import difference_steps
@@ -29,7 +30,7 @@ if TYPE_CHECKING:  # what `__getattr__` loads at first use, for type checkers
     from .render.embed import embed
     from .render.page import page
     from .scenes.link import link
-    from .scenes.named import scene
+    from .scenes.named import scene, scenes
     from .scenes.paste.pasted import Pasted, paste
     from .scenes.scenefile import Scene
     from .widgets import explore, play
@@ -66,6 +67,7 @@ __all__ = [
     "embed",
     "explore",
     "gap_curve",
+    "handout",
     "link",
     "page",
     "parts",
@@ -75,6 +77,7 @@ __all__ = [
     "record",
     "relate",
     "scene",
+    "scenes",
     "sheet",
     "steps",
     "sweep",
@@ -109,6 +112,7 @@ _MODULE_OF = {
     "embed": "render.embed",
     "explore": "widgets",
     "gap_curve": "pictures.curve",
+    "handout": "lessons.handout",
     "link": "scenes.link",
     "page": "render.page",
     "parts": "engine.convex_parts",
@@ -123,7 +127,7 @@ _MODULE_OF = {
 }
 
 # Public modules that are loaded at first use.
-_MODULES = {"batch": "satviz.batch", "testing": "satviz.testing"}
+_MODULES = {"batch": "satviz.batch", "scenes": "satviz.scenes", "testing": "satviz.testing"}  # scenes() is called
 
 
 def __getattr__(name: str) -> object:

@@ -24,6 +24,7 @@ from .terminal import interrupted, open_streams, out, remembering_interrupts, sa
 MAX_SPEED = 20.0
 
 THEMES = ("light", "dark")
+PAPERS = ("A4", "letter")
 EXPLAIN_FORMS = ("json", "scene", "wkt", "link", "svg", *LANGUAGES)
 DRAW_FORMATS = (*FORMATS, "html", "link", "embed")  # a page of the run; its link and a frame with it are printed
 PRINTED_FORMATS = {"link", "embed"}
@@ -237,6 +238,22 @@ def _parser() -> argparse.ArgumentParser:
     check.add_argument("--force", action="store_true", help="overwrite what satviz did not make")
     check.set_defaults(run=commands.check, clash=_clash_of_check)
 
+    handout = command.add_parser(
+        "handout",
+        help="questions to print for a class, and their solutions on a sheet of their own",
+        epilog="A scene has its picture, empty number lines and a table to fill in. The files are HTML in black and "
+        "white: print them, or save them as PDF, from any browser.",
+    )
+    handout.add_argument(
+        "what", nargs="+", metavar="CHAPTER|SCENE", help="a chapter (2 or 2-sat), a scene's name, or a scene file"
+    )
+    handout.add_argument("--paper", choices=PAPERS, default="A4", help="(default: A4)")
+    handout.add_argument(
+        "--out", type=_folder, default=Path("satviz-handout"), metavar="DIR", help="(default: satviz-handout)"
+    )
+    handout.add_argument("--force", action="store_true", help="overwrite files that satviz did not make")
+    handout.set_defaults(run=commands.handout)
+
     notebook = command.add_parser("notebook", help="copy the walkthrough's notebooks and open them in JupyterLab")
     notebook.add_argument(
         "out",
@@ -291,6 +308,8 @@ def _parser() -> argparse.ArgumentParser:
         "out", nargs="?", type=_folder, default=Path("satviz-site"), metavar="DIR", help="(default: satviz-site)"
     )
     site.add_argument("--open", action="store_true", help="serve it on this machine and open it, until Ctrl-C")
+    site.add_argument("--zip", action="store_true", help="write DIR.zip, a package for a learning platform, instead")
+    site.add_argument("--url", default="", metavar="URL", help="the address it will have: for the sitemap and previews")
     site.add_argument("--pyodide", type=_folder, metavar="DIR", help="Pyodide's core, if npm is not to fetch it")
     site.add_argument("--still", action="store_true", help="without Python in the page: pictures do not move")
     site.add_argument("--force", action="store_true", help="overwrite files that satviz did not make")
@@ -423,6 +442,8 @@ def _clash_of_check(args: argparse.Namespace) -> str | None:
 
 def _clash_of_site(args: argparse.Namespace) -> str | None:
     """Return an error line for options of `site` that cannot be given together, or None."""
+    if args.zip and args.open:
+        return "--zip writes no folder that could be served: give it without --open"
     return "--still has no Python in the page: give it without --pyodide" if args.still and args.pyodide else None
 
 

@@ -29,6 +29,9 @@ if TYPE_CHECKING:
 MAX_STEP_FILES = 120  # a longer run is drawn as one sheet unless --steps asks for a file of each step
 
 
+MAX_STEM = 80  # letters of a handout's file name
+
+
 class Refused(Exception):
     """The input is bad: `main` prints one line and returns exit code 2."""
 
@@ -41,15 +44,20 @@ def _load(args: argparse.Namespace) -> "Scene":
     """Return the scene of that name or file, with --axes and --every-axis applied; Refused for an unknown name."""
     from dataclasses import replace
 
+    found = _scene_named(args.scene)
+    return replace(found, axes=args.axes or found.axes, every_axis=args.every_axis or found.every_axis)
+
+
+def _scene_named(name: str) -> "Scene":
+    """Return the scene of that name or file; Refused for an unknown name."""
     from .scenes.named import names, scene
     from .scenes.scenefile import load
 
-    is_file = any(c in args.scene for c in "./\\") or os.path.exists(args.scene)
+    is_file = any(c in name for c in "./\\") or os.path.exists(name)
     known = names()
-    if args.scene not in known and not is_file:
-        raise Refused(f"no scene {args.scene!r}{_did_you_mean(args.scene, known)}, or give a file")
-    found = scene(args.scene) if args.scene in known else load(args.scene)
-    return replace(found, axes=args.axes or found.axes, every_axis=args.every_axis or found.every_axis)
+    if name not in known and not is_file:
+        raise Refused(f"no scene {name!r}{_did_you_mean(name, known)}, or give a file")
+    return scene(name) if name in known else load(name)
 
 
 def _did_you_mean(name: str, known: Iterable[str]) -> str:
@@ -292,11 +300,31 @@ def _progress(paths: Sequence[Path]) -> Iterator[Path]:
             stop_if_interrupted()
 
 
+def handout(args: argparse.Namespace) -> int:
+    """Write the questions of chapters and scenes as one HTML file to print, and their solutions as another."""
+    from .lessons.handout import chapter_named, handout
+
+    given: list[Scene | str] = []
+    for name in args.what:
+        chapter = chapter_named(name)
+        given.append(chapter.title.split()[0] if chapter else _scene_named(name))
+    try:
+        texts = [handout(*given, paper=args.paper, solutions=solutions) for solutions in (False, True)]
+    except ImportError as error:
+        raise Failed(str(error)) from None
+    stem = "-".join(["handout", *(each if isinstance(each, str) else each.name for each in given)])[:MAX_STEM]
+    files = {f"{stem}.html": texts[0].encode(), f"{stem}-solutions.html": texts[1].encode()}
+    _write_all(args, files)
+    for path in files:
+        out(visible(str(args.out / path)))
+    return 0
+
+
 def notebook(args: argparse.Namespace) -> int:
     """Copy the walkthrough's notebooks, without outputs, to a folder, and open them in JupyterLab."""
     from importlib.util import find_spec
 
-    from .site.shipped import shipped_notebooks
+    from .lessons.shipped import shipped_notebooks
 
     sources = shipped_notebooks()
     safe_write.make_folder(args.out)
@@ -367,7 +395,8 @@ def explain(args: argparse.Namespace) -> int:
     found = paste(_text_of(args.file), args.as_)
     number = args.pair - 1
     if args.to in (None, "json", "wkt"):
-        out_json(found.to_json()) if args.to == "json" else out(found.wkt if args.to == "wkt" else str(found))
+        said = found.report(sentence=bool(found.traces))  # without an answer the sentence is the error line
+        out_json(found.to_json()) if args.to == "json" else out(found.wkt if args.to == "wkt" else said)
     elif number >= len(found.pairs):
         raise Refused(f"there is no pair {args.pair}: {found.sentence}")
     elif args.to == "link":
@@ -540,18 +569,35 @@ def site(args: argparse.Namespace) -> int:
     from .site.build import PythonMissing, site
 
     try:
-        pages, lacks = site(pyodide=args.pyodide, live=not args.still)
+        pages, lacks = site(pyodide=args.pyodide, live=not args.still, url=args.url)
         files = dict(pages)
     except ImportError as error:
         raise Failed(str(error)) from None
     except PythonMissing as error:
         raise Refused(str(error)) from None
+    if args.zip:
+        return _write_archive(args, files, lacks)
     _write_all(args, files)
     for line in lacks:
         say(line)
     megabytes = sum(map(len, files.values())) / 1e6
     out(f"{len(files)} files ({megabytes:.1f} MB) in {visible(str(args.out))}")
     return _serve(args.out) if args.open else 0
+
+
+def _write_archive(args: argparse.Namespace, files: Mapping[str, bytes], lacks: Sequence[str]) -> int:
+    """Write the site as one zip beside the folder that it would have; return exit code 0."""
+    from .lessons.chapter_text import chapters
+    from .site.hosting import archive
+
+    path = args.out.with_name(f"{args.out.name}.zip")
+    safe_write.check(path, force=args.force)
+    data = archive(files, chapters())
+    safe_write.write(path, data, force=args.force)
+    for line in lacks:
+        say(line)
+    out(f"{visible(str(path))} ({len(data) / 1e6:.1f} MB, {len(files)} files)")
+    return 0
 
 
 def _write_all(args: argparse.Namespace, files: Mapping[str, bytes]) -> None:

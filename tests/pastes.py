@@ -942,7 +942,7 @@ b:
         "YOLO labels",
         """0 0.5 0.5 0.2 0.2
 0 0.6 0.5 0.2 0.2""",
-        ((0.4, 0.4, 0.6, 0.6), (0.5, 0.4, 0.7, 0.6)),
+        (),
         says="five",
     ),
     Paste(
@@ -981,5 +981,1532 @@ circle 2 at (9, 0) with radius 5""",
         """Circle A: center 0, 0 radius 5
 Circle B: center 9, 0 radius 5""",
         ((-5, -5, 5, 5), (4, -5, 14, 5)),
+    ),
+    # -- the second collection: none of it was seen while the reader was changed for the first
+    Paste(
+        "love2d/love#622",
+        """shape = love.physics.newPolygonShape(0, 0, 10, 0, 10, 10, 0, 10)
+
+shape2 = love.physics.newRectangleShape(10, 10)
+
+body = love.physics.newBody(world, 0, 0, "dynamic")""",
+        ((0, 0, 10, 10), (-5, -5, 5, 5)),
+    ),
+    Paste(
+        "w8r/martinez#6",
+        """Test case: rectangle with a trapezoid, with one edge overlapping:
+[ [ 0, 3.5 ], [ 0, 0 ], [ 21, 0 ], [ 21, 3.5 ], [ 0, 3.5 ] ] (rectangle)
+[ [ 21, 7 ], [ 0, 7 ], [ 7, 0 ], [ 14, 0 ], [ 21, 7 ] ] (trapezoid)""",
+        ((0, 0, 21, 3.5), (0, 0, 21, 7)),
+    ),
+    Paste(
+        "w8r/martinez#90",
+        "martinez.union([[ [0,0],[10,0],[10,10],[0,10] ]], [[ [9,10],[21,9],[21,21],[9,21]   ]])",
+        ((0, 0, 10, 10), (9, 9, 21, 21)),
+    ),
+    Paste(
+        "w8r/martinez#97",
+        """const poly1 = [[
+    [0, 0],
+    [1, 0],
+    [1, 1],
+    [0, 1],
+    [0, 0]
+]];
+
+const poly2 = [[
+    [0.5, 0.0],
+    [0.6, 0.5],
+    [0.7, 0.5],
+    [0.5, 0.0]
+]];
+const intersectionPolygon = martinezPolygonClipping.intersection(poly1, poly2);""",
+        ((0, 0, 1, 1), (0.5, 0, 0.7, 0.5)),
+    ),
+    Paste(
+        "mfogel/polygon-clipping#78 (rounded)",
+        """const poly = [[
+    [-82.5, -143.1],
+    [-39.9, -30.1],
+    [82.4, -8.0],
+    [162.3, -98.8],
+    [16.4, 28.1]
+], [
+    [63.8, 190.5],
+    [1.4, 213.0],
+    [-111.9, 192.4],
+    [-162.9, 149.5],
+    [-15.0, -25.7]
+]]""",
+        ((-82.5, -143.1, 162.3, 28.1), (-162.9, -25.7, 63.8, 213)),
+    ),
+    Paste(
+        "paperjs/paper.js#870 (rounded)",
+        """var path1 = new Path({
+    segments: [
+        [388.92, 223.32, 0, 0, 120.27, -2.24],
+        [597.61, 242.94, 0, 0, 0, 0],
+        [628.03, 243.03, 0, 0, -0.03, 10.68],
+        [419.27, 364.27, 0, 0]
+    ],
+    closed: true
+});
+new Path.Circle(new Point(400, 300), 10)""",
+        ((390, 290, 410, 310),),
+        says="segments",
+    ),
+    Paste(
+        "paperjs/paper.js#1647 (shortened)",
+        """var pathA = PathItem.create("M0,0h60v60h-60z");
+var pathB = PathItem.create("M60,47c-0.89,-0.001 -1.72,0.49 -2.17,1.25l-12.12,21z");""",
+        ((0, 0, 60, 60),),
+        says="curve",
+    ),
+    Paste(
+        "paperjs/paper.js#1923",
+        """        const rect = new Path.Rectangle(0, 0, 300, 200)
+        rect.fillColor = 'black'
+        const circ = new Path.Circle(new Point(150, 100), 100)
+        circ.fillColor = 'red'
+        console.log(circ.isInside(rect))""",
+        ((0, 0, 300, 200), (50, 0, 250, 200)),
+    ),
+    Paste(
+        "facebookresearch/detectron2#1207",
+        """boxes1 = torch.tensor([[160.0, 153.0, 230.0,  23.0, -37.0]], device='cuda')
+boxes2 = torch.tensor([[190.0, 127.0,  80.0,  21.0, -46.0]], device='cuda')
+print(pairwise_iou_rotated(RotatedBoxes(boxes1), RotatedBoxes(boxes2)))""",
+        (
+            (61.236043578312774, 74.60696397197057, 258.7639564216872, 231.39303602802943),
+            (154.66059727808428, 90.93249509663448, 225.33940272191572, 163.06750490336552),
+        ),
+        as_="y-down width-first",
+    ),
+    Paste(
+        "facebookresearch/detectron2#4961",
+        """box1 = torch.tensor([1010.5, 860.00012207, 12.20655537, 48.82622528, 55.00798035],
+    dtype=torch.float32)[None, :]
+box2 = torch.tensor([1022, 870.49993896, 10.81665134, 43.26660919, 56.30992889], dtype=torch.float32)[None, :]
+
+iou = pairwise_iou_rotated(box1, box2)""",
+        (
+            (986.9999988303772, 841.0001215208896, 1034.0000011696227, 879.0001226191104),
+            (1001.0000037029782, 853.9999407522608, 1042.9999962970219, 886.9999371677392),
+        ),
+        as_="y-down width-first",
+    ),
+    Paste(
+        "mjq11302010044/RRPN#44",
+        """b1 = np.array([[46.83, 44.03, 3.9, 1.63, 0]], dtype=np.float32)
+b2 = np.array([[46.83, 44.03, 1.63, 3.9, 1.45]], dtype=np.float32)
+rbbox_overlaps(b1, b2) = 1.35""",
+        (
+            (44.879999999999995, 43.215, 48.78, 44.845),
+            (44.7959999104423, 42.985958512038, 48.8640000895577, 45.074041487962),
+        ),
+        as_="radians y-down",
+    ),
+    Paste(
+        "openlayers/openlayers#9175",
+        """    var o = [-11187597.46284663, 4524022.231466765, -11186622.98660283, 4523917.644560398]
+    var p = new ol.geom.Polygon.fromExtent(o)
+    var n = [o[0] - 10, o[1] - 10, o[2] + 10, o[3] - 10]
+    if (p.intersectsExtent(n)) {""",
+        ((-11187597.46284663, 4523917.644560398, -11186622.98660283, 4524022.231466765),),
+        as_="corner-corner",
+        says="not evaluated",
+    ),
+    Paste(
+        "DanielJDufour/geo-extent#11",
+        """{
+    "min": {
+        "x": 2409321.727264079,
+        "y": -965489.1535151823
+    },
+    "max": {
+        "x": 2577147.829325225,
+        "y": -835571.8532756742
+    }
+}
+{"min": {"x": 0, "y": 0}, "max": {"x": 1, "y": 1}}""",
+        ((2409321.727264079, -965489.1535151823, 2577147.829325225, -835571.8532756742), (0, 0, 1, 1)),
+    ),
+    Paste(
+        "shapely/shapely#1767 (shortened)",
+        """>>> import shapely
+
+>>> p1 = shapely.from_geojson(
+...     '{"type": "Polygon", "coordinates": [[[-0.05, 43.06], [-0.02, 43.2], [0.009, 43.05], [-0.05, 43.06]]]}'
+... )
+>>>
+>>> p2 = shapely.from_geojson(
+...     '{"type": "Polygon", "coordinates": [[[2.99, 42.62], [3.0, 42.67], [3.04, 42.83], [2.99, 42.62]]]}'
+... )""",
+        ((-0.05, 43.05, 0.009, 43.2), (2.99, 42.62, 3.04, 42.83)),
+    ),
+    Paste(
+        "flame-engine/flame#2827",
+        """    final points = [
+      Vector2(0.9, 0.1),
+      Vector2(0.2, -0.8),
+      Vector2(-0.7, 0.2),
+      Vector2(0.1, 0.6),
+    ];
+    hitbox = PolygonHitbox.relative(points, parentSize: Vector2(300, 300));
+    circle((0, 0), 0.1)""",
+        ((-0.7, -0.8, 0.9, 0.6), (-0.1, -0.1, 0.1, 0.1)),
+        says="PolygonHitbox.relative",
+    ),
+    Paste(
+        "schteppe/p2.js#310",
+        """var circleShape = new p2.Circle({radius: pxmi(50)});
+    this.circleBody = new p2.Body({
+      mass: 1,
+      position: [
+        pxm(200),
+        pxm(200)
+      ],
+      angularVelocity: 1
+    });
+let boxShape = new p2.Box({width: pxm(25), height: pxm(25)});""",
+        (),
+        says="pxm",
+    ),
+    Paste(
+        "SAT translate",
+        """new SAT.Box(new SAT.Vector(0, 0), 10, 10).toPolygon().translate(5, 5)
+new SAT.Circle(new SAT.Vector(20, 10), 5)""",
+        ((5, 5, 15, 15), (15, 5, 25, 15)),
+        as_="corner-size",
+    ),
+    Paste(
+        "NetTopologySuite/NetTopologySuite#122 (shortened)",
+        """string r1 = "0.0 -6.1, 3.8 -5.7, 7.9 -5.4, 0.0 9";
+string r2 = "5 0, 9 0, 9 4";""",
+        ((0, -6.1, 7.9, 9), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "cyrilmottier/Polaris2#4",
+        """When one of LatLngBounds contain longitude -180, intersects returns wrong value.
+E.g.: longitude from (170 to -160) and (-170 to -150).""",
+        (),
+        says="no shape",
+    ),
+    Paste(
+        "arcade",
+        "arcade.are_polygons_intersecting([(0,0),(4,0),(0,3)], [(5,0),(9,0),(9,4)])",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "boundingBox",
+        """await box.boundingBox() // { x: 8, y: 8, width: 100, height: 50 }
+A = { x: 8, y: 8, width: 100, height: 50 }
+B = { x: 108, y: 8, width: 10, height: 50 }""",
+        ((8, 8, 108, 58), (108, 8, 118, 58)),
+        as_="corner-size",
+    ),
+    Paste(
+        "Tiled",
+        """<object id="1" x="32" y="64" width="16" height="16"/>
+<object id="2" x="48" y="64">
+ <polygon points="0,0 16,0 16,16"/>
+</object>""",
+        ((32, 64, 48, 80), (0, 0, 16, 16)),
+        as_="corner-size",
+        says="x ",
+    ),
+    Paste(
+        "TexturePacker",
+        """{"filename": "a.png", "frame": {"x":0,"y":0,"w":32,"h":32}, "rotated": false}
+{"filename": "b.png", "frame": {"x":32,"y":0,"w":32,"h":32}, "rotated": false}""",
+        ((0, 0, 32, 32), (32, 0, 64, 32)),
+        as_="corner-size",
+    ),
+    Paste(
+        "COCO",
+        """[{"id": 1, "category_id": 3, "bbox": [10, 20, 30, 40], "area": 1200, "iscrowd": 0},
+{"id": 2, "category_id": 3, "bbox": [40, 20, 30, 40], "area": 1200}]""",
+        ((10, 20, 40, 60), (40, 20, 70, 60)),
+        as_="corner-size width-first",
+    ),
+    Paste(
+        "labelme",
+        """{"shapes": [
+ {"label": "a", "points": [[0,0],[4,0],[0,3]], "group_id": null, "shape_type": "polygon", "flags": {}},
+ {"label": "b", "points": [[5,0],[9,4]], "group_id": null, "shape_type": "rectangle", "flags": {}}],
+ "imageHeight": 100, "imageWidth": 200}""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "labelme circle",
+        """[{"label": "a", "points": [[0,0],[4,0],[0,3]], "shape_type": "polygon"},
+ {"label": "b", "points": [[5,0],[9,3]], "shape_type": "circle"}]""",
+        ((0, 0, 4, 3),),
+        says="circle",
+    ),
+    Paste(
+        "parry Aabb",
+        """Aabb { mins: [0.0, 0.0], maxs: [1.0, 1.0] }
+Aabb { mins: [1.0, 0.0], maxs: [2.0, 1.0] }""",
+        ((0, 0, 1, 1), (1, 0, 2, 1)),
+    ),
+    Paste(
+        "AABB::new points",
+        """let a = Aabb::new(point![0.0, 0.0], point![1.0, 1.0]);
+let b = Aabb::new(point![1.0, 0.0], point![2.0, 1.0]);""",
+        ((0, 0, 1, 1), (1, 0, 2, 1)),
+        as_="corner-corner",
+    ),
+    Paste(
+        "java.awt print",
+        """java.awt.Rectangle[x=0,y=0,width=10,height=10]
+java.awt.Rectangle[x=10,y=0,width=5,height=10]""",
+        ((0, 0, 10, 10), (10, 0, 15, 10)),
+    ),
+    Paste(
+        "WinForms",
+        "{X=0,Y=0,Width=10,Height=10} intersects {X=10,Y=0,Width=5,Height=5}",
+        ((0, 0, 10, 10), (10, 0, 15, 5)),
+        as_="corner-size",
+    ),
+    Paste(
+        "Qt print",
+        """QRectF(0,0 10x10)
+QRectF(10,0 5x10)""",
+        ((0, 0, 10, 10), (10, 0, 15, 10)),
+    ),
+    Paste(
+        "Qt polygon",
+        """QPolygonF(QPointF(0,0)QPointF(4,0)QPointF(0,3))
+QPolygonF(QPointF(5,0)QPointF(9,0)QPointF(9,4))""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "CSS",
+        """.a { position: absolute; left: 10px; top: 20px; width: 30px; height: 40px; }
+.b { position: absolute; left: 40px; top: 20px; width: 30px; height: 40px; }""",
+        ((10, 20, 40, 60), (40, 20, 70, 60)),
+    ),
+    Paste(
+        "dataclass",
+        """Rect(x=0, y=0, w=10, h=10)
+Circle(x=15, y=5, r=5)""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+        as_="corner-size",
+    ),
+    Paste(
+        "numpy 2",
+        """[(np.float64(0.0), np.float64(0.0)), (np.float64(4.0), np.float64(0.0)), (np.float64(0.0), np.float64(3.0))]
+[(np.float64(5.0), np.float64(0.0)), (np.float64(9.0), np.float64(0.0)), (np.float64(9.0), np.float64(4.0))]""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "tensor",
+        """tensor([[0., 0.], [4., 0.], [0., 3.]])
+tensor([[5., 0.], [9., 0.], [9., 4.]], dtype=torch.float64)""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "dict of arrays",
+        """{'center': array([0., 0.]), 'radius': 1.0}
+{'center': array([2., 0.]), 'radius': 1.0}""",
+        ((-1, -1, 1, 1), (1, -1, 3, 1)),
+    ),
+    Paste(
+        "OCaml",
+        """let a = [(0.0,0.0);(4.0,0.0);(0.0,3.0)]
+let b = [(5.0,0.0);(9.0,0.0);(9.0,4.0)]""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "R",
+        """a <- rbind(c(0,0), c(4,0), c(0,3))
+b <- st_polygon(list(rbind(c(5,0), c(9,0), c(9,4), c(5,0))))""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "R matrix",
+        """a <- matrix(c(0,4,0, 0,0,3), ncol=2)
+b <- matrix(c(5,9,9, 0,0,4), ncol=2)""",
+        (),
+        says="matrix",
+    ),
+    Paste(
+        "MATLAB",
+        """A = [0 0; 4 0; 0 3];
+B = [5 0; 9 0; 9 4];""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "Julia",
+        """a = Polygon(Point2f[(0, 0), (4, 0), (0, 3)])
+b = [5 0; 9 0; 9 4]""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "Mathematica",
+        """Polygon[{{0, 0}, {4, 0}, {0, 3}}]
+Disk[{9, 0}, 5]
+Rectangle[{1, 1}, {3, 4}]""",
+        ((0, 0, 4, 3), (4, -5, 14, 5), (1, 1, 3, 4)),
+    ),
+    Paste(
+        "TikZ",
+        r"""\draw (1,1) rectangle (4,3);
+\draw (6,2) circle (2);""",
+        ((1, 1, 4, 3), (4, 0, 8, 4)),
+    ),
+    Paste(
+        "Scala case classes",
+        """List(Vector2(0.0,0.0), Vector2(4.0,0.0), Vector2(0.0,3.0))
+Circle(Vector2(9.0,0.0),5.0)""",
+        ((0, 0, 4, 3), (4, -5, 14, 5)),
+    ),
+    Paste(
+        "Clojure",
+        """{:x 0 :y 0 :w 10 :h 10}
+{:x 10 :y 0 :w 10 :h 10}""",
+        (),
+        says="no shape",
+    ),
+    Paste(
+        "Elixir",
+        """%{x: 0, y: 0, r: 5}
+%{x: 9, y: 0, r: 5}""",
+        ((-5, -5, 5, 5), (4, -5, 14, 5)),
+    ),
+    Paste(
+        "Nim/Odin",
+        """Rect{0, 0, 10, 10}
+Rect{10, 0, 10, 10}""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+        as_="corner-size",
+    ),
+    Paste(
+        "C struct fields",
+        """r1.x = 0; r1.y = 0; r1.w = 10; r1.h = 10;
+r2.x = 10; r2.y = 0; r2.w = 10; r2.h = 10;
+SDL_HasIntersection(&r1, &r2);""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+        as_="corner-size",
+    ),
+    Paste(
+        "gdb",
+        """$1 = {x = 0, y = 0, width = 10, height = 10}
+$2 = {x = 10, y = 0, width = 10, height = 10}""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+        as_="corner-size",
+    ),
+    Paste(
+        "gdb vector",
+        """$1 = std::vector of length 3, capacity 4 = {{x = 0, y = 0}, {x = 4, y = 0}, {x = 0, y = 3}}
+$2 = std::vector of length 3, capacity 4 = {{x = 5, y = 0}, {x = 9, y = 0}, {x = 9, y = 4}}""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "lldb",
+        """(CGRect) $0 = (origin = (x = 0, y = 0), size = (width = 10, height = 10))
+(CGRect) $1 = (origin = (x = 10, y = 0), size = (width = 5, height = 5))""",
+        ((0, 0, 10, 10), (10, 0, 15, 5)),
+    ),
+    Paste(
+        "Chrome console",
+        """(3) [{…}, {…}, {…}]
+0: {x: 0, y: 0}
+1: {x: 4, y: 0}
+2: {x: 0, y: 3}
+length: 3
+circle((9,0),5)""",
+        ((0, 0, 4, 3), (4, -5, 14, 5)),
+    ),
+    Paste(
+        "assert message",
+        """E   expected Circle(center=(0.0, 0.0), radius=5.0) to overlap Circle(center=(9.0, 0.0), radius=5.0)""",
+        ((-5, -5, 5, 5), (4, -5, 14, 5)),
+    ),
+    Paste(
+        "rotated rect OpenCV C++",
+        """cv::RotatedRect a(cv::Point2f(0, 0), cv::Size2f(4, 2), 90);
+cv::RotatedRect b(cv::Point2f(3, 0), cv::Size2f(2, 2), 0);""",
+        ((-1, -2, 1, 2), (2, -1, 4, 1)),
+    ),
+    Paste(
+        "scaled geometry",
+        """const a = turf.transformScale(turf.polygon([[[0,0],[4,0],[0,3],[0,0]]]), 2);
+const b = turf.polygon([[[5,0],[9,0],[9,4],[5,0]]]);""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+        says="transformScale",
+    ),
+    Paste(
+        "turf circle",
+        """turf.circle([0, 0], 5, {steps: 64, units: 'kilometers'})
+turf.polygon([[[5,0],[9,0],[9,4],[5,0]]])""",
+        ((-5, -5, 5, 5), (5, 0, 9, 4)),
+        says="steps",
+    ),
+    Paste(
+        "Box2D polygon radius",
+        """b2MakeRoundedBox(1.0f, 2.0f, 0.25f)
+b2MakeBox(1.0f, 2.0f)""",
+        ((-1, -2, 1, 2),),
+        says="b2MakeRoundedBox",
+    ),
+    Paste(
+        "Box2D v3",
+        """b2Circle c = {{0.0f, 0.0f}, 0.5f};
+b2Polygon p = b2MakeOffsetBox(1.0f, 1.0f, (b2Vec2){1.5f, 0.0f}, b2MakeRot(0.0f));""",
+        ((-0.5, -0.5, 0.5, 0.5),),
+        says="b2MakeOffsetBox",
+    ),
+    Paste(
+        "capsule",
+        """b2Capsule a = {{-1.0f, 0.0f}, {1.0f, 0.0f}, 0.25f};
+circle((0, 0), 1)""",
+        ((-1, -1, 1, 1),),
+        says="apsule",
+    ),
+    Paste(
+        "Bevy transform",
+        """Transform::from_xyz(10.0, 0.0, 0.0), Collider::cuboid(1.0, 2.0)
+Transform::from_xyz(12.0, 0.0, 0.0), Collider::ball(1.0)""",
+        ((-1, -2, 1, 2), (-1, -1, 1, 1)),
+        says="from_xyz",
+    ),
+    Paste(
+        "scale in a log",
+        """poly A scale=2.0 verts=[(0,0),(4,0),(0,3)]
+poly B scale=1.0 verts=[(5,0),(9,0),(9,4)]""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+        says="scale",
+    ),
+    Paste(
+        "positions in a log",
+        """A pos=(10, 0) verts=[(0,0),(4,0),(0,3)]
+B pos=(0, 0) verts=[(5,0),(9,0),(9,4)]""",
+        ((10, 0, 14, 3), (5, 0, 9, 4)),
+        as_="relative",
+    ),
+    Paste(
+        "center and extent words",
+        """box A center (0, 0) half extents (1, 2)
+box B center (3, 0) half extents (1, 1)""",
+        (),
+        says="no shape",
+    ),
+    Paste(
+        "inline comments",
+        """Rect a(0, 0, 10, 10); // was 20 wide
+Rect b(10, 0, 10, 10); /* 5, 5 */""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+        as_="corner-size",
+    ),
+    Paste(
+        "units",
+        """circle((0 mm, 0 mm), 5 mm)
+circle((9 mm, 0 mm), 5 mm)""",
+        (),
+        says="radius",
+    ),
+    Paste(
+        "percent",
+        """<circle cx="50%" cy="50%" r="10"/>
+<circle cx="5" cy="5" r="1"/>""",
+        ((4, 4, 6, 6),),
+        says="50%",
+    ),
+    Paste(
+        "lat first",
+        """[{"lat": 0, "lng": 0}, {"lat": 0, "lng": 4}, {"lat": 3, "lng": 0}]
+[{"lat": 0, "lng": 5}, {"lat": 0, "lng": 9}, {"lat": 4, "lng": 9}]""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "y before x",
+        """[{"y": 0, "x": 0}, {"y": 0, "x": 4}, {"y": 3, "x": 0}]
+[{"y": 0, "x": 5}, {"y": 0, "x": 9}, {"y": 4, "x": 9}]""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "edges",
+        """edges: (0,0)-(4,0), (4,0)-(0,3), (0,3)-(0,0)
+circle((9,0),5)""",
+        ((0, 0, 4, 3), (4, -5, 14, 5)),
+    ),
+    Paste(
+        "sides by name",
+        """{bottom: 0, left: 0, top: 10, right: 10}
+{bottom: 0, left: 10, top: 10, right: 20}""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+    ),
+    Paste(
+        "tuple assignment",
+        """x, y, r = 0, 0, 5
+x2, y2, r2 = 9, 0, 5""",
+        (),
+        says="no shape",
+    ),
+    Paste(
+        "keyword then comment",
+        """a = dict(x=0, y=0, w=10, h=10)
+b = dict(x=10, y=0, w=10, h=10)""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+        as_="corner-size",
+    ),
+    Paste(
+        "json lines",
+        '{"level":"info","ts":1699999999.123,"a":{"x":0,"y":0,"r":5},"b":{"x":9,"y":0,"r":5},"hit":false}',
+        ((-5, -5, 5, 5), (4, -5, 14, 5)),
+    ),
+    Paste(
+        "printf",
+        """poly[0] = (0.000, 0.000)
+poly[1] = (4.000, 0.000)
+poly[2] = (0.000, 3.000)
+other[0] = (5.000, 0.000)
+other[1] = (9.000, 0.000)
+other[2] = (9.000, 4.000)""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "printf v0",
+        """v0: 0 0
+v1: 4 0
+v2: 0 3
+
+v0: 5 0
+v1: 9 0
+v2: 9 4""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "vertex N",
+        """Vertex 0: (0, 0)
+Vertex 1: (4, 0)
+Vertex 2: (0, 3)
+circle((9,0),5)""",
+        ((0, 0, 4, 3), (4, -5, 14, 5)),
+    ),
+    Paste(
+        "width x height",
+        """box A: 10x10 at (0, 0)
+box B: 10x10 at (10, 0)""",
+        (),
+        says="no shape",
+    ),
+    # -- changes in code, transforms, other shapes, and files of annotations
+    Paste(
+        "a field set afterwards",
+        """r1 = pygame.Rect(0, 0, 10, 10)
+r1.x = 20
+r2 = pygame.Rect(5, 0, 10, 10)""",
+        ((0, 0, 10, 10), (5, 0, 15, 10)),
+        says="r1.x 20",
+    ),
+    Paste(
+        "field plus",
+        """r1 = pygame.Rect(0, 0, 10, 10)
+r1.x += 20
+r2 = pygame.Rect(5, 0, 10, 10)""",
+        ((0, 0, 10, 10), (5, 0, 15, 10)),
+        says="20",
+    ),
+    Paste(
+        "topleft",
+        """r1 = pygame.Rect(0, 0, 10, 10)
+r1.topleft = (20, 0)
+r2 = pygame.Rect(5, 0, 10, 10)""",
+        ((0, 0, 10, 10), (5, 0, 15, 10)),
+        says="topleft",
+    ),
+    Paste(
+        "move_ip",
+        """r1 = pygame.Rect(0, 0, 10, 10)
+r1.move_ip(20, 0)
+r2 = pygame.Rect(5, 0, 10, 10)""",
+        ((0, 0, 10, 10), (5, 0, 15, 10)),
+        says="move_ip",
+    ),
+    Paste(
+        "inflate",
+        """r1 = pygame.Rect(0, 0, 10, 10).inflate(4, 4)
+r2 = pygame.Rect(5, 0, 10, 10)""",
+        ((5, 0, 15, 10),),
+        says="inflate",
+    ),
+    Paste(
+        "setRadius",
+        """CircleShape c(2.f);
+c.setRadius(5.f);
+Rect r(3, 0, 4, 4);""",
+        ((-2, -2, 2, 2), (3, 0, 7, 4)),
+        as_="corner-size",
+        says="setRadius",
+    ),
+    Paste(
+        "ctx translate",
+        """ctx.translate(100, 0);
+ctx.fillRect(0, 0, 10, 10);
+ctx.fillRect(5, 5, 10, 10);""",
+        ((0, 0, 10, 10), (5, 5, 15, 15)),
+        says="translate",
+    ),
+    Paste(
+        "ctx scale",
+        """ctx.scale(2, 2);
+ctx.fillRect(0, 0, 10, 10);
+ctx.fillRect(5, 5, 10, 10);""",
+        ((0, 0, 10, 10), (5, 5, 15, 15)),
+        says="scale",
+    ),
+    Paste(
+        "processing translate",
+        """noStroke();
+translate(100, 0);
+rect(0, 0, 10, 10);
+rotate(PI/4);
+rect(5, 5, 10, 10);""",
+        ((0, 0, 10, 10), (5, 5, 15, 15)),
+        says="translate",
+    ),
+    Paste(
+        "svg g",
+        """<g transform="translate(100 0)"><rect x="0" y="0" width="10" height="10"/></g>
+<rect x="5" y="5" width="10" height="10"/>""",
+        ((0, 0, 10, 10), (5, 5, 15, 15)),
+        says="translate",
+    ),
+    Paste(
+        "matter setPosition",
+        """const a = Bodies.rectangle(0, 0, 10, 10);
+Body.setPosition(a, {x: 100, y: 0});
+const b = Bodies.circle(0, 0, 5);""",
+        ((-5, -5, 5, 5), (-5, -5, 5, 5)),
+        says="setPosition",
+    ),
+    Paste(
+        "matter translate",
+        """const a = Bodies.rectangle(0, 0, 10, 10);
+Body.translate(a, {x: 100, y: 0});
+const b = Bodies.circle(0, 0, 5);""",
+        ((-5, -5, 5, 5), (-5, -5, 5, 5)),
+        says="translate",
+    ),
+    Paste(
+        "matter rotate",
+        """const a = Bodies.rectangle(0, 0, 10, 10);
+Body.rotate(a, Math.PI/4);
+const b = Bodies.circle(0, 0, 5);""",
+        ((-5, -5, 5, 5), (-5, -5, 5, 5)),
+        says="rotate",
+    ),
+    Paste(
+        "matter angle option",
+        """Bodies.rectangle(0, 0, 10, 10, { angle: Math.PI/4 })
+Bodies.circle(0, 0, 5)""",
+        ((-5, -5, 5, 5),),
+        says="not evaluated",
+    ),
+    Paste(
+        "planck setTransform",
+        """a.setTransform(Vec2(10, 0), 0.5);
+a.createFixture(planck.Circle(1));
+planck.Circle(Vec2(0, 0), 1)""",
+        ((-1, -1, 1, 1), (-1, -1, 1, 1)),
+        says="setTransform",
+    ),
+    Paste(
+        "bodyDef",
+        """bodyDef.angle = 0.5;
+b2PolygonShape s; s.SetAsBox(1, 1);
+circle((0,0),1)""",
+        ((-1, -1, 1, 1), (-1, -1, 1, 1)),
+        says="angle",
+    ),
+    Paste(
+        "unity scale",
+        """collider.size = new Vector2(2, 2);
+collider.offset = new Vector2(1, 0);
+transform.localScale = new Vector3(2, 2, 1);
+new Bounds(new Vector3(0,0,0), new Vector3(1,1,0))""",
+        ((-0.5, -0.5, 0.5, 0.5),),
+        says="localScale",
+    ),
+    Paste(
+        "alias",
+        """a = [(0,0),(4,0),(0,3)]
+b = a
+c = [(5,0),(9,0),(9,4)]""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "comprehension",
+        """a = [(0,0),(4,0),(0,3)]
+b = [(x + 5, y) for x, y in a]
+c = [(5,0),(9,0),(9,4)]""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+        says="x + 5",
+    ),
+    Paste(
+        "numpy times",
+        """a = np.array([(0,0),(4,0),(0,3)]) * 2
+b = [(5,0),(9,0),(9,4)]""",
+        ((5, 0, 9, 4),),
+        says="not evaluated",
+    ),
+    Paste(
+        "numpy plus",
+        """a = np.array([(0,0),(4,0),(0,3)]) + np.array([5, 0])
+b = [(5,0),(9,0),(9,4)]""",
+        ((5, 0, 9, 4),),
+        says="not evaluated",
+    ),
+    Paste(
+        "translate fn",
+        """a = Polygon([(0,0),(4,0),(0,3)])
+b = translate(a, xoff=5)
+c = Polygon([(5,0),(9,0),(9,4)])""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+        says="xoff",
+    ),
+    Paste(
+        "affinity rotate",
+        """a = affinity.rotate(Polygon([(0,0),(4,0),(0,3)]), 45)
+b = Polygon([(5,0),(9,0),(9,4)])""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+        says="rotate",
+    ),
+    Paste(
+        "buffer",
+        """a = Polygon([(0,0),(4,0),(0,3)]).buffer(2)
+b = Polygon([(5,0),(9,0),(9,4)])""",
+        ((5, 0, 9, 4),),
+        says="buffer",
+    ),
+    Paste(
+        "loop",
+        """for i in range(3):
+    v[i] = (i * 2, 0)
+a = [(0,0),(4,0),(0,3)]
+b = [(5,0),(9,0),(9,4)]""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+        says="3",
+    ),
+    Paste(
+        "chain",
+        """a = b = Rect(0, 0, 10, 10)
+c = Rect(5, 0, 10, 10)""",
+        ((0, 0, 10, 10), (5, 0, 15, 10)),
+        as_="corner-size",
+    ),
+    Paste(
+        "reassigned",
+        """a = [(0,0),(4,0),(0,3)]
+a = [(5,0),(9,0),(9,4)]""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "negative spaced",
+        """[(- 4, 0), (4, 0), (0, 3)]
+[(5,0),(9,0),(9,4)]""",
+        ((-4, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "unary",
+        """[(-4, -0), (+4, 0), (0, 3)]
+[(5,0),(9,0),(9,4)]""",
+        ((-4, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "thousands",
+        """[(1,000, 0), (4, 0), (0, 3)]
+[(5,0),(9,0),(9,4)]""",
+        ((5, 0, 9, 4),),
+        says="item 0",
+    ),
+    Paste(
+        "thousand apostrophes",
+        """[(1'000, 0), (4'000, 0), (0, 3'000)]
+[(5'000, 0), (9'000, 0), (9'000, 4'000)]""",
+        ((0, 0, 4000, 3000), (5000, 0, 9000, 4000)),
+    ),
+    Paste(
+        "scientific",
+        """[(1e1, 0), (4.0E+1, 0), (0, 3e1)]
+[(5,0),(9,0),(9,4)]""",
+        ((0, 0, 40, 30), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "fraction",
+        """[(1/2, 0), (4, 0), (0, 3)]
+[(5,0),(9,0),(9,4)]""",
+        ((5, 0, 9, 4),),
+        says="1/2",
+    ),
+    Paste(
+        "fraction call",
+        """[(Fraction(1, 2), 0), (4, 0), (0, 3)]
+[(5,0),(9,0),(9,4)]""",
+        ((5, 0, 9, 4),),
+        says="Fraction",
+    ),
+    Paste(
+        "complex",
+        """[0+0j, 4+0j, 0+3j]
+[(5,0),(9,0),(9,4)]""",
+        ((5, 0, 9, 4),),
+        says="not",
+    ),
+    Paste(
+        "degrees sign",
+        """((0, 0), (4, 2), 30°)
+[(5,0),(9,0),(9,4)]""",
+        ((-2.232050807568877, -1.8660254037844386, 2.232050807568877, 1.8660254037844386), (5, 0, 9, 4)),
+        as_="y-up",
+    ),
+    Paste(
+        "rounded rect",
+        """new RoundRectangle2D.Double(0, 0, 10, 10, 4, 4)
+new Rectangle2D.Double(9, 9, 5, 5)""",
+        ((9, 9, 14, 14),),
+        says="RoundRectangle2D",
+    ),
+    Paste(
+        "css radius",
+        """.a { left: 0; top: 0; width: 10px; height: 10px; border-radius: 5px; }
+.b { left: 9px; top: 9px; width: 5px; height: 5px; }""",
+        ((0, 0, 10, 10), (9, 9, 14, 14)),
+        says="radius",
+    ),
+    Paste(
+        "css transform",
+        """.a { left: 0; top: 0; width: 10px; height: 10px; transform: translate(5px, 5px); }
+.b { left: 9px; top: 9px; width: 5px; height: 5px; }""",
+        ((0, 0, 10, 10), (9, 9, 14, 14)),
+        says="translate",
+    ),
+    Paste(
+        "stroke width",
+        """<rect x="0" y="0" width="10" height="10" stroke-width="4"/>
+<rect x="9" y="9" width="5" height="5"/>""",
+        ((0, 0, 10, 10), (9, 9, 14, 14)),
+    ),
+    Paste(
+        "skin",
+        """b2Polygon p = {.vertices = {{0,0},{4,0},{0,3}}, .count = 3, .radius = 0.5};
+[(5,0),(9,0),(9,4)]""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+        says="radius",
+    ),
+    Paste(
+        "poly with radius pymunk",
+        """pymunk.Poly(body, [(0,0),(4,0),(0,3)], radius=1)
+pymunk.Circle(body, 2, (6, 0))""",
+        ((0, 0, 4, 3), (4, -2, 8, 2)),
+        says="radius",
+    ),
+    Paste(
+        "pymunk transform",
+        """pymunk.Poly(None, [(0,0),(4,0),(0,3)], transform=pymunk.Transform(tx=5))
+pymunk.Poly(None, [(5,0),(9,0),(9,4)])""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+        says="tx",
+    ),
+    Paste(
+        "pymunk moment",
+        """body = pymunk.Body(10, pymunk.moment_for_circle(10, 0, 25))
+body.position = 100, 100
+shape = pymunk.Circle(body, 25)
+box = pymunk.BB(120, 90, 200, 110)""",
+        ((75, 75, 125, 125), (120, 90, 200, 110)),
+    ),
+    Paste(
+        "circle offset pymunk",
+        """body.position = 10, 0
+c = pymunk.Circle(body, 2, (1, 0))
+d = pymunk.Circle(body2, 2, (14, 0))""",
+        ((9, -2, 13, 2), (12, -2, 16, 2)),
+    ),
+    Paste(
+        "closed false",
+        """Polygon(exterior=[(0,0),(4,0),(0,3)], interiors=[[(1,1),(2,1),(1,2)]])
+[(5,0),(9,0),(9,4)]""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+        says="interiors",
+    ),
+    Paste(
+        "geojson holes",
+        """{"type":"Polygon","coordinates":[[[0,0],[9,0],[9,9],[0,0]],[[1,1],[2,1],[2,2],[1,1]]]}
+[(5,0),(9,0),(9,4)]""",
+        ((5, 0, 9, 4),),
+        says="holes",
+    ),
+    Paste(
+        "multi polygon",
+        '{"type":"MultiPolygon","coordinates":[[[[0,0],[4,0],[0,3],[0,0]]],[[[5,0],[9,0],[9,4],[5,0]]]]}',
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "topojson",
+        """{"type":"Topology","transform":{"scale":[0.1,0.1],"translate":[5,5]},"arcs":[[[0,0],[40,0],[0,30]]]}
+[(5,0),(9,0),(9,4)]""",
+        ((0, 0, 40, 30), (5, 0, 9, 4)),
+        says="scale",
+    ),
+    Paste(
+        "world file",
+        """poly: 0 0 4 0 0 3
+origin: 100 200
+pixel size: 0.5
+poly: 5 0 9 0 9 4""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+        says="origin",
+    ),
+    Paste(
+        "screen y",
+        """height = 600
+a = [(0,0),(4,0),(0,3)]
+b = [(5,0),(9,0),(9,4)]""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+        says="600",
+    ),
+    Paste(
+        "three shapes one point",
+        "Point(1, 1) in [(0,0),(4,0),(0,3)] and [(5,0),(9,0),(9,4)]",
+        ((5, 0, 9, 4),),
+        says="Point(1, 1)",
+    ),
+    Paste(
+        "point test",
+        """pt = (1, 1)
+a = [(0,0),(4,0),(0,3)]
+b = [(5,0),(9,0),(9,4)]""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+        says="1, 1",
+    ),
+    Paste(
+        "moved later",
+        """a.position = (10, 0)
+a.vertices = [(0,0),(4,0),(0,3)]
+a.position = (20, 0)
+b = [(5,0),(9,0),(9,4)]""",
+        ((20, 0, 24, 3), (5, 0, 9, 4)),
+        as_="relative",
+        says="position",
+    ),
+    Paste(
+        "update loop",
+        """circle1 = {x: 0, y: 0, r: 5}
+circle2 = {x: 20, y: 0, r: 5}
+circle1.x += 12""",
+        ((-5, -5, 5, 5), (15, -5, 25, 5)),
+        says="12",
+    ),
+    Paste(
+        "vel",
+        """a = {x: 0, y: 0, r: 5, vx: 3, vy: 4}
+b = {x: 20, y: 0, r: 5, dx: 1, dy: 1}""",
+        ((-5, -5, 5, 5), (15, -5, 25, 5)),
+    ),
+    Paste(
+        "hitbox inset",
+        """a = {x: 0, y: 0, w: 10, h: 10, inset: 2}
+b = {x: 8, y: 0, w: 10, h: 10}""",
+        ((0, 0, 10, 10), (8, 0, 18, 10)),
+        as_="corner-size",
+        says="inset",
+    ),
+    Paste(
+        "margin",
+        """a = {x: 0, y: 0, w: 10, h: 10, marginLeft: 2}
+b = {x: 8, y: 0, w: 10, h: 10}""",
+        ((0, 0, 10, 10), (8, 0, 18, 10)),
+        as_="corner-size",
+        says="marginLeft",
+    ),
+    Paste(
+        "three d",
+        """{x: 0, y: 0, z: 9, r: 5}
+{x: 9, y: 0, z: 0, r: 5}""",
+        ((-5, -5, 5, 5), (4, -5, 14, 5)),
+        says="z 9",
+    ),
+    Paste(
+        "ellipse radii",
+        """{cx: 0, cy: 0, rx: 5, ry: 2}
+{cx: 9, cy: 0, rx: 5, ry: 5}""",
+        (),
+        says="no shape",
+    ),
+    Paste(
+        "sector",
+        """{x: 0, y: 0, r: 5, startAngle: 0, endAngle: 1.57}
+{x: 9, y: 0, r: 5}""",
+        ((-5, -5, 5, 5), (4, -5, 14, 5)),
+        says="endAngle",
+    ),
+    Paste(
+        "annulus",
+        """{x: 0, y: 0, r: 5, innerRadius: 3}
+{x: 1, y: 0, r: 1}""",
+        ((-5, -5, 5, 5), (0, -1, 2, 1)),
+        says="innerRadius",
+    ),
+    Paste(
+        "regular",
+        """{x: 0, y: 0, sides: 6, radius: 5}
+{x: 9, y: 0, r: 5}""",
+        ((4, -5, 14, 5),),
+        says="sides",
+    ),
+    Paste(
+        "star",
+        """new Konva.Star({x: 0, y: 0, numPoints: 5, innerRadius: 2, outerRadius: 5})
+new Konva.Circle({x: 9, y: 0, radius: 5})""",
+        ((4, -5, 14, 5),),
+        says="Star",
+    ),
+    Paste(
+        "wedge",
+        """new Konva.RegularPolygon({x: 0, y: 0, sides: 3, radius: 5})
+new Konva.Circle({x: 9, y: 0, radius: 5})""",
+        ((4, -5, 14, 5),),
+        says="sides",
+    ),
+    Paste(
+        "rhombus",
+        """Diamond(0, 0, 5)
+circle((9,0),5)
+circle((0,0),1)""",
+        ((4, -5, 14, 5), (-1, -1, 1, 1)),
+        says="Diamond",
+    ),
+    Paste(
+        "anchor phaser",
+        """this.add.rectangle(0, 0, 10, 10)
+this.add.circle(6, 0, 2)""",
+        ((-5, -5, 5, 5), (4, -2, 8, 2)),
+    ),
+    Paste(
+        "phaser geom",
+        """new Phaser.Geom.Rectangle(0, 0, 10, 10)
+new Phaser.Geom.Circle(12, 0, 2)""",
+        ((0, 0, 10, 10), (10, -2, 14, 2)),
+    ),
+    Paste(
+        "arcade sprite",
+        """SpriteSolidColor(50, 50, center_x=50, center_y=0)
+SpriteSolidColor(50, 50, center_x=100, center_y=0)""",
+        (),
+        says="no shape",
+    ),
+    Paste(
+        "kivy",
+        """Rectangle(pos=(0, 0), size=(10, 10))
+Ellipse(pos=(5, 5), size=(10, 10))""",
+        ((0, 0, 10, 10),),
+        says="ellipse",
+    ),
+    Paste(
+        "tk",
+        """canvas.create_rectangle(0, 0, 10, 10)
+canvas.create_oval(10, 0, 20, 10)
+canvas.create_polygon(0, 0, 4, 0, 0, 3)""",
+        ((0, 0, 4, 3),),
+        says="create_oval",
+    ),
+    Paste(
+        "pil",
+        """draw.rectangle((0, 0, 10, 10))
+draw.rectangle([10, 0, 20, 10])""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+        as_="corner-corner",
+    ),
+    Paste(
+        "matplotlib",
+        """plt.Rectangle((0, 0), 10, 10)
+plt.Circle((12, 0), 2)
+Rectangle((0, 0), 10, 10, angle=45)""",
+        ((0, 0, 10, 10), (10, -2, 14, 2), (-7.0710678118654755, 0, 7.0710678118654755, 14.142135623730951)),
+        as_="around-corner degrees y-up corner-size",
+    ),
+    Paste(
+        "cv rect",
+        """cv2.rectangle(img, (0, 0), (10, 10), (255, 0, 0), 2)
+cv2.circle(img, (12, 0), 2, (0, 0, 255), -1)""",
+        ((10, -2, 14, 2),),
+        says="cv2.circle",
+    ),
+    Paste(
+        "contours",
+        """np.array([[[0, 0]], [[4, 0]], [[0, 3]]], dtype=int32)
+np.array([[[5, 0]], [[9, 0]], [[9, 4]]], dtype=int32)""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "flat xyxyxyxy",
+        """[0,0,4,0,4,4,0,4]
+[5,0,9,0,9,4,5,4]""",
+        ((0, 0, 4, 4), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "dota",
+        """0.0 0.0 4.0 0.0 4.0 4.0 0.0 4.0 plane 0
+5.0 0.0 9.0 0.0 9.0 4.0 5.0 4.0 ship 1""",
+        (),
+        says="no shape",
+    ),
+    Paste(
+        "pascal voc",
+        """<bndbox><xmin>0</xmin><ymin>0</ymin><xmax>10</xmax><ymax>10</ymax></bndbox>
+<bndbox><xmin>10</xmin><ymin>0</ymin><xmax>20</xmax><ymax>10</ymax></bndbox>""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+    ),
+    Paste(
+        "kml",
+        """<coordinates>0,0 4,0 0,3 0,0</coordinates>
+<coordinates>5,0 9,0 9,4 5,0</coordinates>""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "gml",
+        """<gml:posList>0 0 4 0 0 3 0 0</gml:posList>
+<gml:posList>5 0 9 0 9 4 5 0</gml:posList>""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    # -- of more libraries
+    Paste(
+        "jmoenig/morphic.js#34",
+        "new Rectangle(10,10,20,20).intersect(new Rectangle(15,25,19,25))",
+        ((10, 10, 20, 20), (15, 25, 19, 25)),
+        as_="corner-corner",
+    ),
+    Paste(
+        "jmoenig/morphic.js#34 (as it prints)",
+        """  origin: Point
+    x: 15
+    y: 25
+  corner: Point
+    x: 19
+    y: 20
+circle((0,0),1)""",
+        ((-1, -1, 1, 1),),
+        says="x",
+    ),
+    Paste(
+        "raysan5/raylib#680",
+        r"""    float paddleWidth = 10;
+    float paddleHeight = 50;
+    float paddleX = 780;
+    float paddleY = 275;
+    float ballRadius = 10.0;
+    float ballX = 400;
+    float ballY = 300;
+        if( CheckCollisionCircleRec( (Vector2){ballX, ballY}, ballRadius,
+            (Rectangle){ paddleWidth, paddleHeight, paddleX, paddleY } ) )
+        {
+            std::cout << "Collided 1\n";
+        }""",
+        ((390, 290, 410, 310), (10, 50, 790, 325)),
+        as_="corner-size",
+    ),
+    Paste(
+        "llnl/Tribol#229",
+        """  const double xA[3] = {0.0, 4.0, 0.0};
+  const double yA[3] = {0.0, 0.0, 3.0};
+  const double xB[3] = {5.0, 9.0, 9.0};
+  const double yB[3] = {0.0, 0.0, 4.0};
+  std::cout << signedArea(xA, yA, 3);""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "nenjack/check2d#25 (the answer)",
+        """const s = new System();
+s.createCircle({"x":13.3338,"y":0}, 50);
+s.createCircle({"x":-86.6663,"y":0}, 50);
+s.update()""",
+        ((-36.6662, -50, 63.3338, 50), (-136.6663, -50, -36.6663, 50)),
+    ),
+    Paste(
+        "UBC-Thunderbots/Software#1159",
+        """    EXPECT_THROW(ConvexPolygon({{-3.0f, 0.0f},
+                                {-3.0f, 3.0f},
+                                {3.0f, 3.0f},
+                                {3.0f, 0.0f}}),
+                 std::invalid_argument);
+    ConvexPolygon b({{5, 0}, {9, 0}, {9, 4}});""",
+        ((-3, 0, 3, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "macroquad#483",
+        """let c = Circle::new(5.0, 5.0, 2.0);
+let r = Rect::new(6.5, 6.5, 4.0, 4.0);
+assert!(c.overlaps_rect(&r));""",
+        ((3, 3, 7, 7), (6.5, 6.5, 10.5, 10.5)),
+        as_="corner-size",
+    ),
+    Paste(
+        "cocos",
+        """CCRect a = CCRectMake(0, 0, 10, 10);
+CCRect b = CCRectMake(10, 0, -5, 10);
+a.intersectsRect(b);""",
+        ((0, 0, 10, 10), (5, 0, 10, 10)),
+    ),
+    Paste(
+        "Nez",
+        """var r = new RectangleF(0, 0, 10, 10);
+var c = new Circle(5f) { position = new Vector2(12, 5) };""",
+        ((0, 0, 10, 10), (-5, -5, 5, 5)),
+        says="c.position 12, 5",
+    ),
+    Paste(
+        "libgdx circle",
+        """Circle c = new Circle(5f, 5f, 2f);
+Rectangle r = new Rectangle(7f, 0f, 10f, 10f);
+Intersector.overlaps(c, r);""",
+        ((3, 3, 7, 7), (7, 0, 17, 10)),
+    ),
+    Paste(
+        "libgdx polygon transform",
+        """Polygon p = new Polygon(new float[]{0,0,4,0,0,3});
+p.setPosition(5, 0);
+p.setRotation(90);
+p.setScale(2, 2);
+Polygon q = new Polygon(new float[]{5,0,9,0,9,4});""",
+        ((2, 0, 5, 4), (5, 0, 9, 4)),
+        as_="degrees y-up",
+        says="setScale",
+    ),
+    Paste(
+        "jbox2d",
+        """PolygonShape s = new PolygonShape();
+s.setAsBox(1, 2, new Vec2(5, 5), 0);
+CircleShape c = new CircleShape();
+c.m_p.set(7, 5);
+c.m_radius = 1;""",
+        ((4, 3, 6, 7), (6, 4, 8, 6)),
+    ),
+    Paste(
+        "dyn4j",
+        """Rectangle r = new Rectangle(2.0, 1.0);
+r.translate(5.0, 0.0);
+Circle c = new Circle(1.0);
+c.translate(7.0, 0.0);""",
+        ((4, -0.5, 6, 0.5), (6, -1, 8, 1)),
+    ),
+    Paste(
+        "chipmunk",
+        """cpShape *a = cpCircleShapeNew(body, 5, cpv(0, 0));
+cpShape *b = cpBoxShapeNew2(body2, cpBBNew(4, -5, 14, 5), 0);""",
+        (),
+        says="no shape",
+    ),
+    Paste(
+        "Farseer",
+        """var a = PolygonTools.CreateRectangle(1f, 2f);
+var b = new CircleShape(1f, 1f);""",
+        ((-1, -1, 1, 1),),
+        says="CreateRectangle",
+    ),
+    Paste(
+        "ncollide",
+        """let cuboid = Cuboid::new(Vector2::new(1.0, 1.0));
+let ball = Ball::new(1.0);
+let cuboid_pos = Isometry2::identity();
+let ball_pos = Isometry2::translation(1.5, 0.0);
+query::contact(&ball_pos, &ball, &cuboid_pos, &cuboid, 0.0)""",
+        ((0.5, -1, 2.5, 1), (-1, -1, 1, 1)),
+    ),
+    Paste(
+        "bevy_xpbd",
+        """Collider::rectangle(2.0, 2.0), Transform::from_xyz(0.0, 0.0, 0.0)
+Collider::circle(1.0), Transform::from_xyz(1.5, 0.0, 0.0)""",
+        ((-1, -1, 1, 1), (-1, -1, 1, 1)),
+        says="from_xyz",
+    ),
+    Paste(
+        "p5 collide2D",
+        """collideRectCircle(0, 0, 10, 10, 12, 5, 6)
+collidePolyPoly([createVector(0,0), createVector(4,0), createVector(0,3)],
+    [createVector(5,0), createVector(9,0), createVector(9,4)], true)""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+        says="collideRectCircle",
+    ),
+    Paste(
+        "Excalibur",
+        """ex.Shape.Box(10, 10)
+ex.Shape.Circle(5, ex.vec(12, 0))""",
+        ((-5, -5, 5, 5), (7, -5, 17, 5)),
+    ),
+    Paste(
+        "melonJS",
+        """new me.Rect(0, 0, 10, 10)
+new me.Ellipse(12, 5, 6, 6)
+new me.Polygon(0, 0, [{x:0,y:0},{x:4,y:0},{x:0,y:3}])""",
+        ((0, 0, 10, 10), (9, 2, 15, 8), (0, 0, 4, 3)),
+        as_="corner-size",
+    ),
+    Paste(
+        "collider2d",
+        """new Box(new Vector(0, 0), 10, 10).toPolygon()
+new Circle(new Vector(12, 5), 3)""",
+        ((0, 0, 10, 10), (9, 2, 15, 8)),
+        as_="corner-size",
+    ),
+    Paste(
+        "detect-collisions",
+        """system.createBox({x: 0, y: 0}, 10, 10, {angle: 0.5})
+system.createCircle({x: 12, y: 5}, 3)""",
+        ((0, 0, 10, 10), (9, 2, 15, 8)),
+        as_="corner-size radians",
+        says="angle 0.5",
+    ),
+    Paste(
+        "geometric",
+        "geometric.polygonIntersectsPolygon([[0,0],[4,0],[0,3]], [[5,0],[9,0],[9,4]])",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "rbush",
+        """{minX: 0, minY: 0, maxX: 10, maxY: 10}
+{minX: 10, minY: 0, maxX: 20, maxY: 10}""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+    ),
+    Paste(
+        "d3 quadtree extent",
+        """[[0, 0], [10, 10]]
+[[10, 0], [20, 10]]""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+        as_="corner-corner",
+    ),
+    Paste(
+        "mapbox bounds",
+        """new LngLatBounds([0, 0], [10, 10])
+new LngLatBounds([10, 0], [20, 10])""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+        as_="corner-corner",
+    ),
+    Paste(
+        "leaflet bounds",
+        """L.latLngBounds([[0, 5], [10, 15]])
+L.latLngBounds([[0, 0], [10, 5]])""",
+        ((0, 5, 10, 15), (0, 0, 10, 5)),
+        as_="corner-corner",
+    ),
+    Paste(
+        "google bounds",
+        """{south: 0, west: 0, north: 10, east: 10}
+{south: 0, west: 10, north: 10, east: 20}""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+    ),
+    Paste(
+        "wkt with numbers",
+        """1 | POLYGON((0 0, 4 0, 0 3, 0 0)) | 12.5
+2 | POLYGON((5 0, 9 0, 9 4, 5 0)) | 7""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "psql",
+        """ id | geom
+----+---------------------------------
+  1 | POLYGON((0 0,4 0,0 3,0 0))
+  2 | POLYGON((5 0,9 0,9 4,5 0))
+(2 rows)""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "ewkt",
+        """SRID=3857;POLYGON((0 0, 4 0, 0 3, 0 0))
+SRID=4326;POLYGON((5 0, 9 0, 9 4, 5 0))""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "email quote",
+        """> a = [(0,0),(4,0),(0,3)]
+> b = [(5,0),(9,0),(9,4)]
+I think so too.""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "diff",
+        """-    Rect(0, 0, 5, 5),
++    Rect(0, 0, 10, 10),
+     Rect(10, 0, 10, 10),""",
+        ((0, 0, 5, 5), (0, 0, 10, 10), (10, 0, 20, 10)),
+        as_="corner-size",
+    ),
+    Paste(
+        "code fence",
+        """```js
+const a = [[0,0],[4,0],[0,3]];
+```
+```js
+const b = [[5,0],[9,0],[9,4]];
+```""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "html escaped",
+        """[{&quot;x&quot;:0,&quot;y&quot;:0},{&quot;x&quot;:4,&quot;y&quot;:0},{&quot;x&quot;:0,&quot;y&quot;:3}]
+[(5,0),(9,0),(9,4)]""",
+        ((5, 0, 9, 4),),
+    ),
+    Paste(
+        "scale before points",
+        """scale: 2
+points: [(0,0),(4,0),(0,3)]
+circle((20, 0), 1)""",
+        ((0, 0, 4, 3), (19, -1, 21, 1)),
+        says="scale 2",
+    ),
+    Paste(
+        "transform after",
+        """points: [(0,0),(4,0),(0,3)]
+rotation: 45
+circle((20, 0), 1)""",
+        ((-2.121320343559643, 0, 2.8284271247461903, 2.8284271247461903), (19, -1, 21, 1)),
+        as_="y-up degrees",
+    ),
+    Paste(
+        "unity polygon print",
+        """(0.00, 0.00)
+(4.00, 0.00)
+(0.00, 3.00)
+
+(5.00, 0.00)
+(9.00, 0.00)
+(9.00, 4.00)""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    # -- whole bodies as printed
+    Paste(
+        "a body of p2 as JSON",
+        """{"mass":1,"position":[3,4],"angle":0,"shapes":[{"type":8,"width":2,"height":1,"position":[0,0],"angle":0}]}
+{"mass":1,"position":[5,4],"angle":0,"shapes":[{"type":1,"radius":1,"position":[0,0],"angle":0}]}""",
+        ((2, 3.5, 4, 4.5), (4, 3, 6, 5)),
+        as_="center-size",
+    ),
+    Paste(
+        "a body of planck as JSON",
+        """{"type":"dynamic","position":{"x":3,"y":4},"angle":0,
+ "fixtures":[{"density":1,"shape":{"type":"polygon","vertices":[{"x":-1,"y":-1},{"x":1,"y":-1},{"x":1,"y":1}]}}]}
+{"type":"static","position":{"x":0,"y":0},"angle":0,
+ "fixtures":[{"shape":{"type":"circle","p":{"x":0,"y":0},"radius":1}}]}""",
+        ((2, 3, 4, 5), (-1, -1, 1, 1)),
+        says="density",
+    ),
+    Paste(
+        "a body with an angle",
+        """{"position":{"x":3,"y":4},"angle":90,
+ "fixtures":[{"shape":{"type":"polygon","vertices":[{"x":-1,"y":-1},{"x":2,"y":-1},{"x":2,"y":1}]}}]}
+circle((0,0),1)""",
+        ((2, 3, 4, 6), (-1, -1, 1, 1)),
+        as_="degrees y-up",
+    ),
+    Paste(
+        "quoted words that begin with M",
+        """{"shape": "mast", "math": "mlh", "x": 0, "y": 0, "radius": 5, "mass": 3}
+{"shape": 'Mat', "x": 9, "y": 0, "radius": 5, "mass": 3}""",
+        ((-5, -5, 5, 5), (4, -5, 14, 5)),
+        says="mass 3",
     ),
 )

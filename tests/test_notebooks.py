@@ -112,7 +112,7 @@ def test_only_what_is_timed_is_not_compared():
         for chapter in CHAPTERS
     }
     assert {tag for found in tags.values() for tag in found} == {"nbval-ignore-output"}
-    assert {chapter[0]: len(found) for chapter, found in tags.items() if found} == {"5": 2, "7": 6}
+    assert {chapter[0]: len(found) for chapter, found in tags.items() if found} == {"5": 2}
     assert not re.search(
         r"^#\s*(NBVAL|PYTEST_VALIDATE)", "\n".join(c.source for n in CHAPTERS for c in code_cells(read(n))), re.M
     )
@@ -177,7 +177,8 @@ def test_in_an_exported_page_a_widget_is_its_picture(browser, tmp_path, route):
 
 @pytest.mark.parametrize("chapter", CHAPTERS)
 def test_links_lead_somewhere(chapter):
-    links = re.findall(r"\]\(([^)#]+)\)", prose(read(chapter)))
+    notebook_words = re.sub(r"<!--.*?-->", "", prose(read(chapter)), flags=re.DOTALL)  # comments are for the site
+    links = re.findall(r"\]\(([^)#]+)\)", notebook_words)
     assert links and not [link for link in links if "://" not in link and not (FOLDER / link).is_file()]
     neighbours = {CHAPTERS[i] for i in (int(chapter[0]) - 2, int(chapter[0])) if 0 <= i < len(CHAPTERS)}
     first, *_, last = [cell.source for cell in read(chapter).cells]

@@ -653,3 +653,50 @@ def test_every_picture_says_gap_and_overlap_in_one_wording(name):
     pictures += [sv.sheet(trace), sv.difference(trace), *sv.sweep(trace, step=45)]
     for text in (text for picture in pictures for text in (*picture.texts, picture.sentence)):
         assert not OTHER_WORDING.search(text), text
+
+
+def test_a_small_circle_is_round_in_its_inset():
+    drawn = sv.picture(sv.record(sv.Circle((0, 0), 500), sv.Circle((501, 2), 0.5)))
+    rim = drawn.mark("B.inset-edge.1").points
+    xs, ys = [p.x for p in rim], [p.y for p in rim]
+    middle = (min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2
+    assert max(math.dist(p, middle) for p in rim) < 1.05 * min(math.dist(p, middle) for p in rim)
+    far = drawn.mark("A.inset-edge.1").points
+    assert max(abs(math.dist(p, (far[0].x, p.y))) for p in far) < 3  # the rim of A is nearly straight there
+
+
+def regular(x, y, count, turn):
+    angles = [2 * math.pi * k / count + turn for k in range(count)]
+    return sv.Polygon([(x + 2 * math.cos(t), y + 2 * math.sin(t)) for t in angles])
+
+
+def test_the_normals_of_many_untested_edges_do_not_fill_the_gap():
+    trace = sv.record(regular(0, 0, 40, 0.1), regular(4.5, 0.6, 40, 0.2))
+    assert not [m for m in sv.picture(trace, -2).marks if m.part == "untested"]
+    few = sv.scene("triangles").record()
+    assert len([m for m in sv.picture(few, -2).marks if m.part == "untested"]) == 4
+
+
+def test_no_arrow_head_hides_a_short_edge():
+    needle = sv.Polygon([(0, 0), (10, 0), (10, 0.15)])
+    trace = sv.record(sv.Polygon([(3, 1), (6, 1), (5, 4)]), needle, every_axis=True)
+    for i, test in enumerate(trace.tests):
+        drawn = sv.picture(trace, Step(Stage.EDGE, i))
+        edge = next(m for m in drawn.marks if m.part == "edge")
+        assert math.dist(*edge.points) * drawn.scale > 1.5 * edge.style.head[0], test.source
+
+
+def test_a_label_far_from_its_corner_has_a_line_to_it_or_is_left_out():
+    names = [f"the {word} corner of this shape" for word in ("first", "second", "third", "fourth", "fifth", "sixth")]
+    for seed in range(8):
+        turn = seed / 7
+        a = sv.Polygon(regular(0, 0, 6, turn).vertices, labels=names)
+        b = sv.Polygon(regular(2.2, 0.4, 6, turn / 2).vertices, labels=names)
+        for drawn in sv.picture(sv.record(a, b)), sv.picture(sv.record(a, b), 1):
+            marks = {(m.part, m.owner, m.number): m for m in drawn.marks}
+            for (part, owner, number), label in marks.items():
+                if part == "vertex-name" and (part + "-leader", owner, number) not in marks:
+                    (x, y), (w, h) = label.points[0], (side / 2 / drawn.scale for side in text_size(label.text))
+                    v = marks["vertex", owner, number].points[0]
+                    off = math.hypot(max(0.0, abs(v.x - x) - w), max(0.0, abs(v.y - y) - h))
+                    assert off * drawn.scale < 30, label.text

@@ -96,7 +96,7 @@ def test_every_command_has_a_row_in_the_guide(capsys):
 def test_every_link_and_picture_of_a_document_is_there(name):
     folder, text = (ROOT / name).parent, DOCUMENTS[name]
     for target in re.findall(r'(?:src|srcset)="([^"]+)"', text) + re.findall(r"\]\(([^)#]+)(?:#[^)]*)?\)", text):
-        assert (folder / target).is_file(), target
+        assert target.startswith("https://example.org/") or (folder / target).is_file(), target
 
 
 def test_the_readme_and_the_index_list_every_guide():

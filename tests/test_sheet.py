@@ -92,3 +92,12 @@ def test_a_narrow_range_is_seen_and_long_numbers_stay_on_the_sheet(size, k):
             size_there = max(abs(p.x - q.x) + abs(p.y - q.y) for p in mark.points for q in mark.points)
             specks = [m for m in picture.marks if (m.part, m.number, m.role) == (f"{part}-speck", row, "B")]
             assert size_there >= 3 or specks
+
+
+def test_a_gap_too_small_for_its_row_has_an_inset_with_its_magnification():
+    drawn = sv.sheet("unit-normals")
+    p, q = drawn.mark("inset-gap.1").points
+    assert q.x - p.x > 8 and drawn.mark("inset-name.1").text.startswith("\N{MULTIPLICATION SIGN}")
+    a, b = drawn.mark("A.inset-range.1").points, drawn.mark("B.inset-range.1").points
+    assert b[1].x == pytest.approx(p.x) and a[0].x == pytest.approx(q.x)
+    assert not [m for m in sv.sheet("triangles").marks if m.part == "inset"]

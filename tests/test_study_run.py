@@ -7,14 +7,14 @@ import os
 import re
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from contextlib import nullcontext
-from pathlib import Path
 from types import SimpleNamespace
 from xml.etree import ElementTree
 
 import matplotlib
 import numpy as np
 import pytest
-from refresh_charts import BENCH, IN_README, SPEED, stored
+from refresh_charts import BENCH_CHARTS, FIGURES, load
+from refresh_charts import charts as guide_charts
 
 from satviz import Polygon
 from satviz.cli import main
@@ -24,8 +24,9 @@ from satviz.study.bench import CHECKED_BY, TimingRow
 from satviz.study.harness.cells import Cell, Failure, Settings, run_cells
 from satviz.study.harness.chart import Chart, add_axes, theme_suffix, wilson_interval
 from satviz.study.methods import ENGINES, answers_by_method
-from satviz.study.run import study
+from satviz.study.run import SECTIONS, study
 from satviz.study.sections import axis_order, speed_against_accuracy
+from satviz.study.stored_run import STORED_RUN, stored_charts, stored_run
 
 pytestmark = pytest.mark.slow
 
@@ -38,7 +39,8 @@ def small(count):
         cells=lambda settings: [
             Cell(f"gap-{k}", axis_order.count_tested_axes, (2, 4 + k, settings)) for k in range(count)
         ],
-        charts=lambda found, settings: [Chart("gaps", "Gaps", (300, 200), blank, rows(found), "Only its numbers.")],
+        rows=lambda found: {"gaps": rows(found)},
+        CHARTS={"gaps": lambda rows, settings: Chart("gaps", "Gaps", (300, 200), blank, rows, "Only its numbers.")},
     )
 
 
@@ -137,7 +139,7 @@ def test_when_a_worker_dies_the_cells_left_to_it_have_failed_and_what_is_timed_i
 
 def test_the_command_does_the_other_sections_and_ends_with_1_if_a_cell_failed(tmp_path, capsys, monkeypatch):
     bad = SimpleNamespace(
-        cells=lambda settings: [Cell("bad\x1b", broken, (3,))], charts=lambda found, settings: found["bad"]
+        cells=lambda settings: [Cell("bad\x1b", broken, (3,))], rows=lambda found: found["bad"], CHARTS={}
     )
     monkeypatch.setattr(run, "SECTIONS", (bad, small(2)))
     assert main(["study", "--quick", "--out", str(tmp_path)]) == 1
@@ -149,8 +151,12 @@ def test_the_command_does_the_other_sections_and_ends_with_1_if_a_cell_failed(tm
 
 
 def test_a_chart_is_saved_with_its_numbers_beside_it(tmp_path):
-    chart = speed_against_accuracy.main_chart(SPEED["rows"], QUICK)
-    section = SimpleNamespace(cells=lambda settings: [], charts=lambda found, settings: [chart])
+    chart = speed_against_accuracy.main_chart(SPEED, QUICK)
+    section = SimpleNamespace(
+        cells=lambda settings: [],
+        rows=lambda found: {chart.stem: SPEED},
+        CHARTS={chart.stem: lambda rows, settings: chart},
+    )
     files = study(QUICK._replace(quick=False), tmp_path, sections=[section])
     assert {path.suffix for path in files} == {".svg", ".png", ".json", ".csv", ".md"}
     data = json.loads((tmp_path / f"{chart.stem}.json").read_text())
@@ -214,16 +220,19 @@ def test_the_command_does_every_section_and_says_where_to_begin(tmp_path, capsys
     assert "begin with" in capsys.readouterr().out and (tmp_path / "gaps.csv").exists()
 
 
-COMMITTED = Path(__file__).parent.parent / "figures"
-GUIDES = "".join(path.read_text(encoding="utf-8") for path in COMMITTED.parent.glob("satviz/guides/*.md"))
+GUIDES = "".join(path.read_text(encoding="utf-8") for path in FIGURES.parent.glob("satviz/guides/*.md"))
+IN_GUIDES, STORED = guide_charts(), stored_run()
+SPEED, BENCH = STORED["rows"]["speed-against-accuracy"], load(FIGURES / "bench.json")
 
 
-@pytest.mark.parametrize("stem", IN_README)
+@pytest.mark.parametrize("stem", IN_GUIDES)
 @pytest.mark.parametrize("theme", THEMES.values(), ids=list(THEMES))
-def test_a_chart_in_the_readme_is_what_its_numbers_draw(stem, theme):
-    chart, numbers = IN_README[stem], stored(stem)
-    assert (chart.reading, chart.title, chart.warning) == (numbers["reading"], numbers["title"], numbers["rough"])
-    committed = (COMMITTED / f"{stem}{theme_suffix(theme)}.svg").read_text(encoding="utf-8")
+def test_a_chart_in_the_guides_is_what_its_numbers_draw(stem, theme):
+    chart = IN_GUIDES[stem]
+    if stem in BENCH_CHARTS:
+        numbers = load(FIGURES / f"{stem}.json")
+        assert (chart.reading, chart.title, chart.warning) == (numbers["reading"], numbers["title"], numbers["rough"])
+    committed = (FIGURES / f"{stem}{theme_suffix(theme)}.svg").read_text(encoding="utf-8")
     drawn = chart.encode("svg", theme).decode()
     if f"with matplotlib {matplotlib.__version__}<" in committed:
         assert drawn == committed
@@ -234,11 +243,11 @@ def test_a_chart_in_the_readme_is_what_its_numbers_draw(stem, theme):
     assert texts(drawn) == texts(committed)
 
 
-@pytest.mark.parametrize("stem", IN_README)
-def test_a_chart_in_the_readme_has_its_title_and_what_its_reading_begins_with_as_alternative_text(stem):
+@pytest.mark.parametrize("stem", IN_GUIDES)
+def test_a_chart_in_the_guides_has_its_title_and_what_its_reading_begins_with_as_alternative_text(stem):
     (alt,) = re.findall(rf'<img src="../../figures/{stem}\.svg"[^>]* alt="([^"]*)"', GUIDES)
     title, _, rest = alt.partition(". ")
-    assert title.rstrip(".") == stored(stem)["title"] and stored(stem)["reading"].startswith(rest)
+    assert title.rstrip(".") == IN_GUIDES[stem].title and IN_GUIDES[stem].reading.startswith(rest)
     assert len(alt) < 450  # it is read aloud
 
 
@@ -249,14 +258,9 @@ def test_the_guide_tells_where_satviz_is_slower_than_shapely():
         engine: [key[:3] for key, time in times.items() if key[3] == engine and time > shapely.get(key[:3], time)]
         for engine in ENGINES
     }
-    boxes = {engine: [key for key in keys if key[0] == "broad phase"] for engine, keys in slower.items()}
-    assert {key[2] for keys in boxes.values() for key in keys} == {1000}
-    numpy, numba = (len(boxes[engine]) for engine in ("satviz numpy", "satviz numba"))
-    corners = {key[2] for key in slower["satviz numpy"] if key[0] == "corners"}
-    assert {key[0] for key in slower["satviz numba"]} == {"broad phase"}
-    assert {key[0] for key in slower["satviz numpy"]} == {"broad phase", "corners"}
-    said = f"the NumPy engine at 1,000 boxes in {numpy} layouts, and for polygons from {min(corners)} corners on"
-    assert f"{said}; numba at 1,000 boxes in {numba} layouts." in GUIDES
+    assert not slower["satviz numba"] and {key[0] for key in slower["satviz numpy"]} == {"corners"}
+    corners = min(key[2] for key in slower["satviz numpy"])
+    assert f"slower than shapely only with the NumPy engine, for polygons from {corners} corners on." in GUIDES
 
 
 def test_the_bench_in_the_readme_was_measured_on_a_quiet_machine_and_none_was_wrong():
@@ -308,18 +312,23 @@ def test_times_as_fast_as_shapely_say_which_shapely():
     assert "shapely" not in told.replace("shapely unprepared", "")
 
 
+def test_every_chart_of_the_study_is_drawn_from_the_stored_rows():
+    assert list(stored_charts()) == [stem for section in SECTIONS for stem in section.CHARTS] == list(STORED["rows"])
+
+
 def test_the_chart_in_the_guide_comes_from_a_full_run_and_satviz_was_never_wrong_in_it():
-    assert SPEED["settings"] == Settings()._asdict() and not SPEED["rough"].endswith("quick run")
-    of = {row["method"]: row for row in SPEED["rows"]}
+    assert STORED["settings"] == Settings()._asdict() and {"processor", "SIMD", "numba"} <= STORED["machine"].keys()
+    assert STORED_RUN.stat().st_size < 400_000
+    of = {row["method"]: row for row in SPEED}
     assert (
         not any(of["satviz"][f"{work}_wrong"] for work in speed_against_accuracy.WORKS) and not of["satviz"]["metres"]
     )
     for name in speed_against_accuracy.PROVEN_MARGINS:
         assert 0 < of[name]["metres"] < of[name]["proven"]
-    assert all(len(row["ns_runs"]) == 5 for row in SPEED["rows"])
+    assert all(len(row["ns_runs"]) == 5 for row in SPEED)
 
 
-@pytest.mark.parametrize("row", [row for row in SPEED["rows"] if row["metres"]], ids=lambda row: row["method"])
+@pytest.mark.parametrize("row", [row for row in SPEED if row["metres"]], ids=lambda row: row["method"])
 def test_the_worst_pair_of_the_guide_is_what_it_says(row):
     a, b = Polygon(row["a"]), Polygon(row["b"])
     hit = truth.agreed(a, b) > 0
@@ -330,13 +339,12 @@ def test_the_worst_pair_of_the_guide_is_what_it_says(row):
     assert answers.tolist() == [not hit]
 
 
-GUIDE = (COMMITTED.parent / "satviz/guides/speed-and-accuracy.md").read_text(encoding="utf-8")
+GUIDE = (FIGURES.parent / "satviz/guides/speed-and-accuracy.md").read_text(encoding="utf-8")
 
 
 def test_every_measured_number_of_the_guide_comes_from_the_stored_charts():
     """Beside the numbers of the readings, the guide names only those that it explains."""
-    known = " ".join(stored(stem)[key] for stem in ("speed-against-accuracy", "decision-table", "pose-error")
-                     for key in ("reading", "title"))  # fmt: skip
+    known = " ".join([*(chart.reading for chart in stored_charts().values()), *STORED["machine"].values()])
     text = re.sub(
         r"```.*?```|<picture>.*?</picture>|\]\([^)]*\)|float(32|64)|`[^`]*`|[Cc]hapter 7", "", GUIDE, flags=re.S
     )
@@ -353,7 +361,7 @@ def test_the_counts_in_the_guide_are_counted_again():
     found = {
         cell.name: cell.work(*cell.arguments) for cell in speed_against_accuracy.cells(Settings()) if not cell.timed
     }
-    for row in SPEED["rows"]:
+    for row in SPEED:
         (worst,) = (again for name, again in found.items()
                     if name.startswith("worst-") and again["method"] == row["method"])  # fmt: skip
         assert {key: row[key] for key in worst} == worst

@@ -6,12 +6,15 @@ import os
 import pickle
 import re
 from collections import Counter
+from fractions import Fraction
+from functools import cache
 from itertools import combinations
 
 import numba
 import numpy as np
 import pytest
 from matplotlib.text import Text
+from refresh_charts import charts as guide_charts
 
 from satviz import Circle, Polygon, batch, relate
 from satviz.advice.margins import relative_margins
@@ -23,7 +26,7 @@ from satviz.pictures import THEMES
 from satviz.study import run, truth
 from satviz.study.harness import timings
 from satviz.study.harness.cells import Settings
-from satviz.study.harness.chart import TEXT_POINTS, head_height
+from satviz.study.harness.chart import TEXT_POINTS, WIDTH, head_height
 from satviz.study.methods import (
     COMPILED,
     PYTHON,
@@ -44,8 +47,10 @@ from satviz.study.sections import (
     margin_strips,
     mtv_by_method,
     pose_error,
+    resting_stack,
     speed_against_accuracy,
 )
+from satviz.study.stored_run import stored_charts
 from satviz.study.workloads.adversary import beside, far_boxes, kilometre_shapes, worst_pair
 from satviz.study.workloads.generators import (
     WORKLOADS,
@@ -64,7 +69,7 @@ from satviz.study.workloads.hard_pairs import (
     octave_of,
     touching_triangles,
 )
-from satviz.study.workloads.stack import contact_points
+from satviz.study.workloads.stack import SLOP, contact_points
 
 pytestmark = pytest.mark.slow
 
@@ -77,6 +82,7 @@ SMALL = {  # the arguments of every cell before the settings, where they are sma
     speed_against_accuracy.take_times: (300, 2),
     exactness_cost.take_times: (200, 2),
     corner_count.take_times: (300, 2),
+    corner_count.count_errors: (100,),
     margin_strips.count_by_margin: (2,),
     margin_strips.count_circles: (4,),
     margin_strips.count_touching: (40,),
@@ -96,16 +102,23 @@ def small(cell):
     return work(*arguments)
 
 
-@pytest.fixture(scope="module")
-def found():
-    """Every cell of every section, on few pairs."""
-    made = {cell.name: small(cell) for section in run.SECTIONS for cell in section.cells(QUICK)}
-    return json.loads(json.dumps(made, allow_nan=False))
+CELLS = {cell.name: cell for section in run.SECTIONS for cell in section.cells(QUICK)}
 
 
-@pytest.fixture(scope="module")
-def charts(found):
-    return {chart.stem: chart for chart in run.all_charts(found, run.SECTIONS, QUICK)}
+@cache
+def result(name):
+    """Return what a cell finds on few pairs, as if read from disk; each is done once, and only where it is needed."""
+    return json.loads(json.dumps(small(CELLS[name]), allow_nan=False))
+
+
+def results(*words):
+    """Return the results of the cells whose names begin with one of these words."""
+    return {name: result(name) for name in CELLS if name.startswith(words)}
+
+
+CHARTS = stored_charts()
+DRAWN = CHARTS | guide_charts()  # with those of the bench
+each_theme = pytest.mark.parametrize("theme", THEMES.values(), ids=THEMES)
 
 
 # -- the relative margin, and the pairs made by it
@@ -354,24 +367,24 @@ def test_a_pair_that_textbook_sat_is_wrong_about_is_below_the_bound_of_both_rang
     assert known < speed_against_accuracy.PROVEN_MARGINS[f"SAT, {normals}"]
 
 
-def test_where_float32_cannot_hold_the_shapes_or_their_products_no_margin_is_enough(found):
-    rows = found["margin-float32"]
+def test_where_float32_cannot_hold_the_shapes_or_their_products_no_margin_is_enough():
+    rows = result("margin-float32")
     assert len(rows) == 2 and all(row["wrong"] and row["margin"] > 2.0**48 for row in rows)
 
 
-def test_satviz_is_never_wrong_and_bounds_err_only_to_a_hit(found):
+def test_satviz_is_never_wrong_and_bounds_err_only_to_a_hit():
     for work in speed_against_accuracy.WORKS:
-        for row in found[f"count-{work}"]:
+        for row in result(f"count-{work}"):
             assert row["method"] != "satviz" or row["wrong"] == 0
             if work == "near" and row["method"] in ("AABB", "bounding circles"):
                 assert row["false_hits"] > 0 == row["false_misses"], row
-    for name, rows in found.items():
-        if name.startswith("margin-") and name != "margin-float32":
+    for name, rows in results("margin-").items():
+        if name != "margin-float32":
             assert all(row["wrong"] == 0 for row in rows if row["method"] == "satviz"), name
 
 
-def test_a_tolerance_is_wrong_up_to_its_own_size_and_no_further(found):
-    (row,) = (row for name, row in found.items() if name.startswith("worst-") and "tolerance" in row["method"])
+def test_a_tolerance_is_wrong_up_to_its_own_size_and_no_further():
+    row = result("worst-SAT-tolerance-1e-9")
     assert 0.5e-9 < row["metres"] < 1e-9 + speed_against_accuracy.proven_metres("SAT, raw normals")
 
 
@@ -419,8 +432,8 @@ def test_the_exact_turn_is_that_of_the_angle():
         assert abs(c * c + s * s - (1 << 2 * pose_error.BITS)) < 1 << pose_error.BITS + 8
 
 
-def test_steps_cost_more_than_sat_and_the_angle_costs_less_than_steps(found):
-    at = {(r["format"], r["way"], r["distance"], r["steps"]): r["worst"] for r in found["pose"]}
+def test_steps_cost_more_than_sat_and_the_angle_costs_less_than_steps():
+    at = {(r["format"], r["way"], r["distance"], r["steps"]): r["worst"] for r in result("pose")}
     sat = speed_against_accuracy.proven_metres("SAT, raw normals")
     for form in "float64", "float32":
         assert at[form, "steps", 1e3, 10_000] > 5 * at[form, "angle", 1e3, 10_000]
@@ -428,19 +441,36 @@ def test_steps_cost_more_than_sat_and_the_angle_costs_less_than_steps(found):
     assert at["float64", "steps", 1e3, 10_000] > 10 * sat
 
 
-def test_a_push_of_satviz_is_long_enough_and_least(found):
-    rows = [row for name, own in found.items() if name.startswith("mtv-") for row in own]
+def test_a_push_of_satviz_is_long_enough_and_least():
+    rows = [row for own in results("mtv-").values() for row in own]
     for row in rows:
         assert sum(row[outcome] for outcome in mtv_by_method.OUTCOMES) == row["pairs"]
-        assert row["method"] != "satviz" or (row["right"] == row["pairs"] and row["largest_error"] < 1e-9)
+        if row["method"] == "satviz":
+            assert row["right"] == row["pairs"] and row["length_largest"] < 1e-9 and row["angle_largest"] < 1e-9
+    assert any(row["turned"] for row in rows if row["method"] == "SAT, raw normals")
     assert any(row["overlap left by rounding"] for row in rows if row["method"] == "SAT, float64")
     assert any(row["overlap left, seen"] for row in rows if row["method"] == "deepest parts")
 
 
-def test_a_stack_rests_with_exact_tests_and_not_with_upright_boxes(found):
-    of = {(row["test"], row["away"]): row for name, row in found.items() if name.startswith("stack-")}
+def test_an_angle_is_measured_to_the_nearest_of_the_least_pushes_and_not_rounded_away():
+    ways = [(Fraction(1), Fraction(0)), (Fraction(0), Fraction(3))]
+    assert mtv_by_method.angle_between((0.0, 7.0), ways) == 0
+    assert mtv_by_method.angle_between((1.0, 1.0), ways) == pytest.approx(45)
+    assert mtv_by_method.angle_between((-1.0, 0.0), ways) == pytest.approx(90)
+    assert mtv_by_method.angle_between((1.0, 1e-30), ways) == pytest.approx(math.degrees(1e-30))
+
+
+def test_a_stack_rests_with_exact_tests_and_not_with_upright_boxes():
+    of = {(row["test"], row["away"]): row for row in results("stack-").values()}
     assert abs(of["exact", 0.0]["sunk_at_end"]) < 0.03 and of["exact", 0.0]["jitter"] < 1e-3
     assert of["boxes", 0.0]["sunk_at_end"] > 0.5
+    stored = {(row["test"], row["away"]): row for row in CHARTS["resting-stack"].rows}
+    for away in resting_stack.PLACES:
+        assert all(stored[test, away]["sunk_at_end"] < resting_stack.BOXES * SLOP for test in ("exact", "float64"))
+        assert stored["float64", away]["jitter"] < 10 * stored["exact", away]["jitter"] < 1e-7
+    assert stored["float32", resting_stack.FAR]["jitter"] > 0.1
+    for row in of.values():
+        assert len(row["sunk"]) == len(row["energy"]) == row["seconds"] * 10 and min(row["energy"]) >= 0
 
 
 def test_two_boxes_share_the_ends_of_their_common_side():
@@ -448,14 +478,15 @@ def test_two_boxes_share_the_ends_of_their_common_side():
     assert sorted(contact_points(low, high, (0.0, 1.0))) == [(3.0, 1.0), (4.0, 1.0)]
 
 
-def test_the_table_asks_for_no_more_than_a_scene_needs(found):
-    kinds = [row["kind"] for row in found["decision"]]
+def test_the_table_asks_for_no_more_than_a_scene_needs():
+    kinds = [row["kind"] for row in result("decision")]
     assert kinds == ["AABB", "AABB", "circles", "float32", "float64", "exact", "exact"]
 
 
-def test_the_order_of_axes_never_changes_a_verdict(found):
-    assert all(row["right"] == row["frames"] for row in found["order"])
-    tested = {row["order"]: row["tested"] for row in found["order"]}
+def test_the_order_of_axes_never_changes_a_verdict():
+    rows = result("order")
+    assert all(row["right"] == row["frames"] for row in rows)
+    tested = {row["order"]: row["tested"] for row in rows}
     assert tested[axis_order.LAST_FIRST] < tested[axis_order.SHUFFLED]
 
 
@@ -478,10 +509,9 @@ def test_a_section_says_before_its_numbers_what_it_asks_and_what_would_refute_it
         assert words in text, words
 
 
-def test_counts_are_the_same_on_a_rerun_with_the_same_seed(found):
-    cells = {cell.name: cell for section in run.SECTIONS for cell in section.cells(QUICK) if not cell.timed}
+def test_counts_are_the_same_on_a_rerun_with_the_same_seed():
     for name in "count-near", "worst-GJK", "margin-needles", "search-SAT-raw-normals", "order", "mtv-overlapping":
-        assert json.loads(json.dumps(small(cells[name]))) == found[name], name
+        assert json.loads(json.dumps(small(CELLS[name]))) == result(name), name
 
 
 def twice(x):
@@ -516,19 +546,21 @@ def test_a_quick_or_torn_run_is_stamped():
 # -- charts
 
 
-def test_charts_are_ten_and_their_numbers_are_in_their_rows(charts):
-    assert len(charts) == 10 and next(iter(charts)) == "speed-against-accuracy"
+def test_a_small_run_draws_ten_charts_from_their_rows_alone():
+    rows = json.loads(json.dumps(run.all_rows(results(""), run.SECTIONS)))  # what is not in the file cannot be drawn
+    charts = {chart.stem: chart for chart in run.charts_of(rows, QUICK)}
+    assert list(charts) == list(CHARTS) and len(charts) == 10 and next(iter(charts)) == "speed-against-accuracy"
     for chart in charts.values():
         assert chart.rows and "{" not in chart.reading and chart.reading.endswith(".")
-        json.dumps(chart.rows, allow_nan=False)
+        chart.figure(THEMES["light"])
 
 
 def test_the_headline_has_at_most_eight_labels():
     assert len(speed_against_accuracy.LABELS) <= 8
 
 
-def test_a_title_is_computed_from_its_rows(charts):
-    main = charts["speed-against-accuracy"]
+def test_a_title_is_computed_from_its_rows():
+    main = CHARTS["speed-against-accuracy"]
     slower = [{**row, "ns_runs": [3 * t for t in row["ns_runs"]]} if row["method"] == "satviz" else row
               for row in main.rows]  # fmt: skip
     before, after = (
@@ -538,14 +570,14 @@ def test_a_title_is_computed_from_its_rows(charts):
     assert after == pytest.approx(3 * before, abs=0.2)
 
 
-def test_the_headline_names_who_checked_the_answers(charts):
-    reading = charts["speed-against-accuracy"].reading
+def test_the_headline_names_who_checked_the_answers():
+    reading = CHARTS["speed-against-accuracy"].reading
     assert re.search(r"satviz was wrong on 0 of [\d,]+ hard pairs that two exact oracles checked", reading)
 
 
-def test_who_is_vectorised_is_said_where_programs_are_compared(charts):
+def test_who_is_vectorised_is_said_where_programs_are_compared():
     for stem in "speed-against-accuracy", "all-methods", "price-of-exactness":
-        assert "several pairs at a time" in charts[stem].reading
+        assert "several pairs at a time" in CHARTS[stem].reading
 
 
 def drawn_texts(fig):
@@ -559,9 +591,9 @@ def drawn_texts(fig):
             yield from (axis.label, *(label for at, label in ticks if low <= at <= high))
 
 
-@pytest.mark.parametrize("theme", THEMES.values(), ids=THEMES)
-def test_no_label_of_a_chart_covers_another_or_leaves_it(charts, theme):
-    for chart in charts.values():
+@each_theme
+def test_no_label_of_a_chart_covers_another_or_leaves_it(theme):
+    for chart in DRAWN.values():
         fig = chart.figure(theme)
         fig.draw_without_rendering()
         renderer = fig.canvas.get_renderer()
@@ -577,7 +609,11 @@ def test_no_label_of_a_chart_covers_another_or_leaves_it(charts, theme):
 
 
 def test_a_headline_is_as_high_as_its_lines():
-    assert head_height("one two " * 20, (), 300) > head_height("one two", (), 300)
+    assert head_height("one two " * 20, ()) > head_height("one two", ())
+
+
+def test_letters_have_eleven_pixels_on_a_phone():
+    assert all(chart.size[0] == WIDTH for chart in DRAWN.values()) and TEXT_POINTS * 390 / WIDTH >= 11
 
 
 def test_cells_can_be_sent_away_and_have_names_of_their_own():

@@ -40,6 +40,7 @@ shapes: list[sv.Polygon | sv.Circle] = [coin, *sv.parts(b)]
 gaps: list[float] = [test.gap for test in sv.axis_tests(a, b)]
 again: sv.Trace = sv.Trace.from_json(trace.to_json())
 scene: sv.Scene = sv.scene("triangles")
+scene_names: list[str] = [scene.name for scene in sv.scenes()]
 
 figure: Figure = sv.draw(trace, step=-1)
 artists: dict[str, Artist] = sv.draw(trace, 0, ax=figure.add_subplot(), theme="dark")
@@ -47,6 +48,9 @@ step: sv.Step = sv.steps(trace)[0]
 picture: sv.Picture = sv.picture(trace, step)
 whole: sv.Picture = sv.sheet(trace)
 words: str = picture.sentence + sv.page(trace) + sv.gap_curve(a, b).to_json()
+only_y = sv.Shortcut("only y", "y is enough", sv.axes.directions((0, 1)))
+own: sv.Scene = sv.explore(a, b, axes=only_y, goal="break").scene
+frame: str = sv.embed(a, b, site="https://example.org", steps=(3, 8), show=["table"])
 title: str = sv.explore("triangles").scene.title + sv.explore(a, b).scene.title
 under_the_hand: sv.Scene = sv.explore(scene, goal="touch").scene
 stepped: sv.Trace = sv.play(trace, predict=True).trace

@@ -15,6 +15,7 @@ from satviz.pictures import playback
 from satviz.pictures.caption import add_captions
 from satviz.render.notebook import bundle
 from satviz.scenes.failing import FAILURE_CASES, REFUSED
+from satviz.scenes.link import parse_fragment
 from satviz.scenes.scenefile import shape_data
 from satviz.scenes.shape_tools import box, translated
 from satviz.widgets.explorer_model import ExplorerModel
@@ -148,6 +149,55 @@ def test_explore_sets_a_challenge():
     assert sv.explore("aabb", goal="touch").first["goal"]["asks"].startswith("Make the shapes touch")
     with pytest.raises(InvalidScene, match="not a shortcut"):
         sv.explore("aabb", goal="break")
+
+
+ONLY_Y = sv.Shortcut("only y", "y is enough", sv.axes.directions((0, 1)))
+
+
+def posed(model, b, **more):
+    """The state after B was put elsewhere."""
+    pose = {"kind": "pose", "n": 1, "a": shape_data(model.scene.a), "b": shape_data(b), "scene": model.state()["scene"]}
+    return model.answer(pose | more)
+
+
+def test_a_shortcut_of_ones_own_is_explored_with_its_map_and_may_be_broken():
+    a, b = sv.scene("triangles").a, sv.scene("triangles").b
+    explorer = sv.explore(a, b, axes=ONLY_Y)
+    state = explorer.first
+    assert state["heading"] == ["Claim: y is enough.", "Wrong: overlapping. Right: apart."]
+    assert state["view"] == "shortcut" and "the shortcut is wrong" in state["map"]
+    assert explorer.scene.record().shortcut is ONLY_Y and explorer.scene.title == "y is enough"
+    above = posed(explorer._model, translated(b, sv.Vec(0, 20)))
+    assert (
+        above["heading"][1].startswith("Here it happens to be right") and above["rows"][0]["axis"] == "direction (0, 1)"
+    )
+    challenge = sv.explore(a, translated(b, sv.Vec(0, 20)), axes=ONLY_Y, goal="break")
+    assert not challenge.first["goal"]["met"] and posed(challenge._model, b)["goal"]["met"]
+    set_later = sv.explore(a, b, axes=ONLY_Y)._model.answer({"kind": "challenge", "goal": "break"})
+    assert set_later["goal"]["goal"] == "break" and not set_later["goal"]["met"]
+
+
+def test_undo_goes_back_from_another_scene_to_axes_of_ones_own():
+    a, b = sv.scene("triangles").a, sv.scene("triangles").b
+    model = sv.explore(a, b, axes=ONLY_Y)._model
+    begun = model.state()
+    model.answer({"kind": "preset", "name": "circles"})
+    back = model.answer(
+        {"kind": "pose", "a": begun["a"], "b": begun["b"], "scene": begun["scene"], "view": begun["view"]}
+    )
+    assert back["heading"] == begun["heading"] and back["rows"] == begun["rows"]
+
+
+def test_axes_of_ones_own_are_explored_and_a_link_opens_the_shapes():
+    own = sv.explore("triangles", axes=sv.axes.directions((1, 3), (0, 1)))
+    assert [row["axis"] for row in own.first["rows"]] == ["direction (1, 3)", "direction (0, 1)"]
+    opened, _ = parse_fragment(own.first["link"])
+    assert (opened.a, opened.axes) == (own.scene.a, "needed")
+    assert sv.explore("triangles", axes="world").scene.axes == "world"
+    with pytest.raises(sv.InvalidScene, match="unknown axes"):
+        sv.explore("triangles", axes="nosuch")
+    with pytest.raises(TypeError, match="axes is 5: pass a name, a function"):
+        sv.explore("triangles", axes=5)
 
 
 def test_a_free_axis_shows_its_gap_and_the_curve():

@@ -3,7 +3,6 @@
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from math import dist, hypot
-from statistics import mean
 
 from ..engine.axes import Axis, Choice, Chooser, directions, edge_normals, edge_normals_of_a, edge_normals_of_b
 from ..engine.geometry import Relation, Vec
@@ -89,10 +88,10 @@ def _half_sides(shape: Shape) -> list[float]:
 
 
 REACHES: tuple[Reach, ...] = (
-    lambda shape: mean(_distances(shape)),
+    lambda shape: sum(_distances(shape)) / len(_distances(shape)),
     lambda shape: min(_distances(shape)),
     lambda shape: min(_half_sides(shape)),
-    lambda shape: mean(_half_sides(shape)),
+    lambda shape: sum(_half_sides(shape)) / 2,
 )
 
 

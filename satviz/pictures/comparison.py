@@ -4,6 +4,7 @@ import re
 from collections.abc import Sequence
 from functools import lru_cache
 from itertools import combinations, pairwise
+from math import hypot
 from typing import NamedTuple
 
 from ..engine.geometry import Vec
@@ -16,7 +17,7 @@ from . import step_picture
 from .axis_place import AxisPlace
 from .claims import answers, heading, verdict_words
 from .comparison_panels import PANELS, PIECES
-from .default_panels import RING_PT, Panel, PanelSketch, claimed_tests, drawable_test, is_as_measured
+from .default_panels import Panel, PanelSketch, claimed_tests, drawable_test, is_as_measured
 from .draw_steps import draw_other_parts, draw_test
 from .float_geometry import bounding_box, point_along, segments_cross
 from .insets import add_insets
@@ -26,7 +27,7 @@ from .layout import NARROW_PAD_PT, Group, Layout, arrange, place_axis_within
 from .letters import text_size, wrap_text
 from .marks import Mark, Picture
 from .panels import marks_moved_to
-from .sketch import Sketch
+from .sketch import RING_PT, Sketch
 from .stages import STAGES_BEFORE_AXIS, TEST_STAGES, Stage, Step, resolve_step, step_sentence
 from .step_picture import LARGEST_PT
 
@@ -40,6 +41,7 @@ BETWEEN, HEAD, RIM = 20.0, 24.0, 16.0  # between the panels, for each one's head
 BOTH_PANELS_WIDTH_PT = 2 * MAX_PANEL[0] + BETWEEN
 MIN_PANEL = 170.0  # a smaller panel has no space for its words
 AXES_RIM = 0.2  # of the shapes' size: space on all sides for the axes of the steps
+LEAST_PART = 0.3  # of a panel's width: where the shapes would be smaller, ranges have names without numbers
 TALL = 1.5  # a canvas that is this many times as tall as wide has the panels one above the other
 
 
@@ -113,6 +115,9 @@ def _frame(trace: Trace, largest: tuple[float, float]) -> _Frame:
     shrink = 2.5 if largest == MAX_PANEL else 10.0
     for _ in range(2):
         found = arrange(groups, largest=largest, pad=NARROW_PAD_PT, one_frame=True, shrink=shrink)
+        if max(x1 - x0, y1 - y0) * found[0].scale * min(1.0, largest[0] / found[0].size[0]) < LEAST_PART * largest[0]:
+            groups = [group._replace(brief=True) for group in groups]
+            found = arrange(groups, largest=largest, pad=NARROW_PAD_PT, one_frame=True, shrink=shrink)
         claimed, actual, *_ = add_insets(found, named)
         places = [place_axis_within(claimed, shapes, test) for test in tests]
         outside = [t for t, place in zip(tests, places, strict=True) if not _is_inside(place, claimed)]
@@ -211,11 +216,11 @@ def strike_wrong_answers(drawn: Picture, trace: Trace) -> Picture:
 
 
 def _strike(label: Mark, scale: float) -> Mark:
-    """Return the mark that strikes out a label: one segment through each line of its text."""
+    """Return the mark that strikes out a label: one segment through each line of its text, but not through a remark."""
     (x, y), lines = label.points[0], label.text.split("\n")
     high = text_size(label.text, label.weight)[1] / len(lines) / scale
     ends: list[Vec] = []
-    for i, line in enumerate(lines):
+    for i, line in enumerate(lines[:1] if label.part.endswith("gap-name") else lines):
         half, level = text_size(line, label.weight)[0] / 2 / scale, y + ((len(lines) - 1) / 2 - i) * high
         ends += [Vec(x - half, level), Vec(x + half, level)]
     return Mark(f"{label.part}-strike", "segment", "ink", tuple(ends), label.owner, label.axis, label.number)
@@ -228,8 +233,9 @@ def refused_picture(case: FailureCase, *, title: str = "", width: float = BOTH_P
     """Return the outlines of a failing case that the engine refuses, with the reason; `width` in points."""
     rings = [[Vec(*map(float, point)) for point in ring] for ring in case.raw_outlines]
     xs, ys = [p.x for ring in rings for p in ring], [p.y for ring in rings for p in ring]
-    k = min(260.0, width - 80.0) / max(max(xs) - min(xs), max(ys) - min(ys))
-    low = (max(ys) - min(ys)) * k + 80.0
+    wide, high = max(xs) - min(xs), max(ys) - min(ys)
+    k = min(min(480.0, width - 80.0) / wide, 190.0 / (high or wide / 4))
+    low = high * k + 80.0
     off = Vec((width - (max(xs) - min(xs)) * k) / 2 - min(xs) * k, 40.0 - min(ys) * k)
     marks, requests = [], []
     for name, ring in zip("AB", rings, strict=True):
@@ -244,6 +250,9 @@ def refused_picture(case: FailureCase, *, title: str = "", width: float = BOTH_P
             requests.append(LabelRequest("vertex-name", label, name, spot, owner=name, number=i, prefer=away))
         for n, (spot, _, _) in enumerate(_crossings(spots)):
             marks.append(Mark("crossing", "disc", "wrong", (spot,), owner=name, number=n, radius=RING_PT))
+        for i, spot in enumerate(spots):
+            if any(_lies_on(spot, edge) for edge in pairwise([*spots, spots[0]])):
+                marks.append(Mark("fold", "disc", "wrong", (spot,), owner=name, number=i, radius=RING_PT))
     layout = Layout((0.0, 0.0, width, low), (width, low), ())
     drawn = with_labels(marks, requests, layout, steady=False, keep_off=())
     words = f"Claim: {case.claim}.", f"Refused: {_with_corner_names(str(case.actual), rings)}."
@@ -260,6 +269,13 @@ def _crossings(ring: Sequence[Vec]) -> list[tuple[Vec, int, int]]:
             t = ((r.x - p.x) * (s.y - r.y) - (r.y - p.y) * (s.x - r.x)) / across
             found.append((point_along(p, Vec(q.x - p.x, q.y - p.y), t), i, j))
     return found
+
+
+def _lies_on(p: Vec, edge: tuple[Vec, Vec]) -> bool:
+    """Check whether p lies on an edge between its ends, up to rounding."""
+    q, r = edge
+    to_q, to_r, length = hypot(p.x - q.x, p.y - q.y), hypot(p.x - r.x, p.y - r.y), hypot(q.x - r.x, q.y - r.y)
+    return min(to_q, to_r) > 0 and to_q + to_r <= length * (1 + 1e-12)
 
 
 def _with_corner_names(words: str, rings: Sequence[Sequence[Vec]]) -> str:

@@ -7,7 +7,7 @@ that space, which returns the sketch it has drawn.
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import combinations, pairwise
-from math import cos, hypot, isnan, pi, sin
+from math import ceil, cos, hypot, isnan, pi, sin, ulp
 
 from ..engine import describe
 from ..engine.certificate import SeparatingLine
@@ -44,6 +44,8 @@ from .solid_panels import solid_panel
 DOT_COUNT = 12  # dots that stand for many shapes
 MAX_AXES = 3  # axes that have space side by side
 ARROW_LENGTH = 74.0  # points
+FLOATS_CORNER_PT, FLOAT_STEP_PT = (16.0, 48.0), 26.0  # where the line of float64 numbers begins; between two of them
+MIN_ARROW_PT, MAX_ARROW_TIMES = 24.0, 5  # a shorter arrow is drawn up to so many times as long
 MOVE = Vec(*map(float, FLIGHT))  # how far A flies in one frame
 
 
@@ -60,15 +62,24 @@ def draw_pieces(sketch: Sketch) -> None:
     for pair in trace.pairs:
         sketch.shape("A", pair.names.a, pair.a)
     sketch.shape("B", trace.names.b, trace.b)
+    times = arrow_times([hypot(*pair.mtv) for pair in trace.pairs if pair.mtv], sketch.layout)
     for i, pair in enumerate(trace.pairs):
         if pair.mtv:
             start = centroid(trace.b)
-            tip = point_along(start, pair.mtv, 1.0)
+            tip = point_along(start, pair.mtv, times)
             sketch.add("mtv", "arrow", "move", start, tip, number=i, start=(start,))
             text = f"{pair.names.a} pushes\n{describe.digits(trace).vector(pair.mtv)}"
             sketch.label("mtv-name", text, "move", tip, number=i, prefer=pair.mtv, first=3)
+    if times > 1:
+        sketch.note("longer", f"arrows {times} times as long", "guide", first=4)
     if trace.push:
         sketch.note("push-name", f"in all: push {describe.digits(trace).vector(trace.push)}", "move", first=2)
+
+
+def arrow_times(lengths: Sequence[float], layout: Layout) -> int:
+    """Return how many times as long arrows of these lengths are drawn, so that the shortest is seen as an arrow."""
+    shortest = min((length for length in lengths if length), default=0.0) * layout.scale
+    return 1 if not 0 < shortest < MIN_ARROW_PT else min(MAX_ARROW_TIMES, ceil(MIN_ARROW_PT / shortest))
 
 
 def draw_separating_directions(trace: Trace, layout: Layout) -> Sketch:
@@ -121,9 +132,33 @@ def digits_panel(exact: bool) -> Panel:
         lines = {i: f"{describe.vertex_name(polygon, name, polygon.corner_ids[i])} {test.b.landings[i]!r}" for i in top}
         text = "\n".join(lines[i] for i in sorted(top))
         sketch.label("landing-name", text, "B", place.at(test.b.interval.hi), prefer=place.out, first=1)
+        names = {i: describe.vertex_name(polygon, name, polygon.corner_ids[i]) for i in top}
+        _draw_neighbouring_floats(sketch, [(names[i], test.b.landings[i]) for i in sorted(top)])
         return sketch
 
     return Panel(lambda trace: _shapes_and(trace, first_edge_test(trace)), panel)
+
+
+def _draw_neighbouring_floats(sketch: Sketch, landings: Sequence[tuple[str, float]]) -> None:
+    """Draw a line with a tick for each float64 number near some landings, and each landing with its name."""
+    units, (x0, y0, _, _) = sketch.layout.units, sketch.layout.limits
+    least = min(t for _, t in landings)
+    step, start = ulp(least), Vec(x0 + units(FLOATS_CORNER_PT[0]), y0 + units(FLOATS_CORNER_PT[1]))
+
+    def at(steps: float, up: float = 0.0) -> Vec:
+        """Return where the number so many steps above the least landing is drawn, `up` points above the line."""
+        return Vec(start.x + units(FLOAT_STEP_PT) * (steps + 1.5), start.y + units(up))
+
+    ticks = [at(k, up) for k in range(-1, 4) for up in (-5.0, 5.0)]
+    sketch.add("floats", "segment", "ink", at(-1.5), at(3.5))
+    sketch.add("float", "segment", "ink", *ticks)
+    below = Vec(at(1).x, start.y - units(18.0))
+    sketch.label("floats-name", "ticks: float64 numbers,\none after the other", "ink", below, inside=True, first=0)
+    for i, t in enumerate(dict.fromkeys(t for _, t in landings)):
+        names = ", ".join(name for name, other in landings if other == t)
+        spot = at((t - least) / step)
+        sketch.add("on-float", "dot", "B", spot, number=i)
+        sketch.label("on-float-name", names, "B", spot, number=i, prefer=Vec(0.0, 1.0), first=0)
 
 
 def dots_panel(every_pair: bool) -> Panel:
@@ -166,7 +201,8 @@ def draw_support_points(trace: Trace, layout: Layout) -> Sketch:
     count = len(trace.a.vertices) + len(trace.b.vertices)
     rest = "and a triangle round the origin three corners" if trace.hit else "and for a miss one corner may be enough"
     wide, high = layout.size
-    lines = f"a corner of B {MINUS} A takes {count} looks,", rest
+    looks = f": {MIN_SUPPORT_POINTS} \u00d7 {count} = {MIN_SUPPORT_POINTS * count}" if trace.hit else ""
+    lines = f"a corner of B {MINUS} A takes {count} looks,", rest + looks
     text = "\n".join(wrap_text(line, wide - 2 * NARROW_PAD_PT) for line in lines)
     band = text_size(text)[1] + NARROW_PAD_PT  # below the picture, for words
     around = Group([box(min(xs), min(ys), max(xs), max(ys))])
@@ -214,7 +250,11 @@ def draw_axes_of_sat(trace: Trace, layout: Layout) -> Sketch:
     sketch = draw_shapes(run, layout)
     for test, place in zip(tests, sketch.layout.places, strict=True):
         sketch.project(test, place, interval=False)
-    if len(run.tests) > len(tests):
+    corners = len(trace.a.vertices) + len(trace.b.vertices)
+    if len(run.tests) == len(tests) and corners:
+        text = f"{len(tests)} axes, {corners} corners on each: {len(tests)} \u00d7 {corners} = {len(tests) * corners}"
+        sketch.note("tested", text, "guide", first=7)
+    elif len(run.tests) > len(tests):
         sketch.note("tested", f"one of {len(run.tests)} axes that SAT looks at", "guide", first=7)
     return sketch
 

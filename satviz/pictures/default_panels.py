@@ -1,6 +1,6 @@
 """The two panels of most shortcuts: the tests that its answer comes from, and what proves the truth."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from math import hypot, isclose
@@ -32,10 +32,10 @@ from .draw_steps import draw_mtv, draw_separating_line, draw_verdict
 from .float_geometry import midpoint, point_along
 from .labels import short_name
 from .layout import Group, Layout
-from .sketch import Sketch
+from .sketch import RING_PT, Sketch
 
 PROVES_NOTHING = "true, but proves nothing"
-RING_PT = 8.0  # the radius of a ring round a corner
+RAW_NORMAL = "its normal is"
 
 
 class PanelSketch(Sketch):
@@ -76,13 +76,19 @@ def draw_claimed_tests(trace: Trace, layout: Layout) -> Sketch:
     ):
         sketch.bounding_boxes()
     sketch.shapes()
-    for test, place in zip(tests, layout.places, strict=False):
+    remarks = [remark_on(trace, test) for test in tests]
+    if len(tests) > 1 and set(remarks) == {PROVES_NOTHING}:
+        sketch.note("remark", "true, but they prove nothing", "overlap", first=3)
+        remarks = [""] * len(tests)
+    elif any(remark.startswith(RAW_NORMAL) for remark in remarks):
+        remarks = [r or f"{RAW_NORMAL} {number(t.axis.length)} long" for r, t in zip(remarks, tests, strict=True)]
+    for test, place, remark in zip(tests, layout.places, remarks, strict=False):
         if any(test.axis.normal):
             if len(tests) == 1:
                 sketch.edge(test)
                 sketch.normal(test)
                 _draw_what_is_missing(sketch, test)
-            sketch.project(test, place, drops=len(tests) == 1, interval=False, remark=remark_on(trace, test))
+            sketch.project(test, place, drops=len(tests) == 1, interval=False, remark=remark)
         else:
             sketch.no_axis(test)
     if len(tests) < len(trace.tests) and not trace.ended_by:
@@ -95,11 +101,13 @@ def remark_on(trace: Trace, test: AxisTest) -> str:
     """Return a remark on a test, or "": that it proves nothing, how touching is compared, how long its normal is."""
     if trace.shortcut and trace.shortcut.touching_separates and test.gap == 0:
         return f"{meeting_point(trace, test)} \u2264 {meeting_point(trace, test)}: yes"
+    if not any(test.axis.normal):
+        return ""
     if is_as_measured(trace, test):
         return PROVES_NOTHING if trace.false_hit and test.gap < 0 else ""
     exact = next(axis_tests(trace.a, trace.b, [test.axis])).gap
     if is_about_push(trace) and test.axis.length != 1 and isclose(exact * test.axis.length, test.gap, rel_tol=1e-9):
-        return f"its normal is {number(test.axis.length)} long"
+        return f"{RAW_NORMAL} {number(test.axis.length)} long"
     return ""
 
 
@@ -133,6 +141,7 @@ def _draw_what_is_missing(sketch: Sketch, test: AxisTest) -> None:
     sketch.crossed_normals(left_out)
     if left_out:
         sketch.note("left-out-name", "crossed: never tested", "wrong", first=7)
+    _draw_missing_edges(sketch, left_out)
     for (role, name, shape), side in zip(sketch.roles(), (test.a, test.b), strict=True):
         if test.source.kind == CENTROIDS:
             p, q = side.points[0], side.points[-1]
@@ -145,6 +154,17 @@ def _draw_what_is_missing(sketch: Sketch, test: AxisTest) -> None:
                 sketch.add("missed", "disc", "wrong", v, owner=name, number=i, radius=radius)
             text = "never looked at"
             sketch.label("missed-name", text, "wrong", missed[0], owner=name, along=tuple(missed[1:]), first=3)
+
+
+def _draw_missing_edges(sketch: Sketch, left_out: Sequence[Axis]) -> None:
+    """Draw the closing edges of both outlines in the colour of what is wrong, if these alone were left out."""
+    closing = [(role, (0, len(shape.vertices) - 1)) for role, _, shape in sketch.roles()]
+    if sorted((axis.source.shape or "", axis.source.ids) for axis in left_out) != closing:
+        return
+    for _, name, shape in sketch.roles():
+        p, q = shape.vertices[0], shape.vertices[-1]
+        sketch.add("missing-edge", "segment", "wrong", p, q, owner=name, weight="strong")
+        sketch.label("missing-name", "missing edge", "wrong", midpoint(p, q), owner=name, optional=True, first=3)
 
 
 def claimed_tests(trace: Trace) -> list[AxisTest]:

@@ -2,14 +2,14 @@
 
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
-from math import atan2, ceil, cos, floor, hypot, log10, pi, sin
+from math import atan2, ceil, cos, floor, hypot, log10, pi, sin, ulp
 from typing import NamedTuple
 
 from ..engine.geometry import Vec
 from ..engine.sat import AxisTest
 from ..engine.shapes import Circle, Polygon, Shape, centroid
 from .axis_place import TRACK_PT
-from .float_geometry import bounding_box, clip_segment, midpoint
+from .float_geometry import bounding_box, boxes_overlap, clip_segment, midpoint
 from .layout import NARROW_PT, Inset, Layout, limits_around
 from .marks import Mark
 
@@ -19,7 +19,10 @@ MIN_NEEDLE_PT = 1.5  # and the short edge of an outline thinner than this
 BOX_PT = 96.0  # an inset's side
 STRIP_PT = 124.0  # the width of the strip of insets beside the scene
 ROW_PT = 128.0  # the height of an inset with its caption
+HEAD_PT = 40.0  # above a scene, for a verdict
+EVEN_POINTS = 32  # on half of a circle
 DETAIL_PART = 0.5  # of the box's side: how large the detail is in it, at most
+MIN_FLOAT_STEP_PT, FLOAT_TICK_PT = 8.0, 8.0  # between two neighbouring floats that are drawn; half of a tick
 BRACKET_PT = 4.0, 11.0  # a gap's bracket: from the axis to its ends, and to its back
 
 Role = tuple[str, str, Shape]  # "A" or "B", the shape's name, the shape
@@ -47,7 +50,36 @@ def add_insets(layouts: Sequence[Layout], shapes: Sequence[tuple[str, Shape]]) -
     """
     found = [_details(layout, shapes) for layout in layouts]
     rows = max(map(len, found))
-    return [_with_insets(*each, rows) for each in zip(layouts, found, strict=True)] if rows else list(layouts)
+    if not rows:
+        return list(layouts)
+    both = list(zip(layouts, found, strict=True))
+    if rows == 1 and layouts[0].size[0] < NARROW_PT:
+        corner = _free_corner([layout for layout, details in both if details], [shape for _, shape in shapes])
+        if corner:
+            return [each._replace(insets=_insets(each, details, [corner]), strip=False) for each, details in both]
+    return [_with_insets(*each, rows) for each in both]
+
+
+def _free_corner(layouts: Sequence[Layout], shapes: Sequence[Shape]) -> tuple[float, float] | None:
+    """Return where an inset's box begins (left, top) in a corner of the canvas that no axis and no shape needs.
+
+    The lower corners come first; None if none is free.
+    """
+    layout = layouts[0]
+    (x0, y0, x1, y1), units = layout.limits, layout.units
+    wide, high, rim = units(BOX_PT + 14), units(ROW_PT + 6), units(TRACK_PT + 6)
+    axes = [place.ends for each in layouts for place in each.places]
+    for left, low in (
+        (x0, y0),
+        (x1 - wide, y0),
+        (x1 - wide, y1 - high - units(HEAD_PT)),
+        (x0, y1 - high - units(HEAD_PT)),
+    ):
+        corner = left - rim, low - rim, left + wide + rim, low + high + rim
+        clear = not any(boxes_overlap(corner, shape.bounds) for shape in shapes)
+        if clear and not any(clip_segment(*p, *q, *corner) for p, q in axes):
+            return left + units(7), low + high - units(2)
+    return None
 
 
 def _details(layout: Layout, shapes: Sequence[tuple[str, Shape]]) -> list[_Detail]:
@@ -78,11 +110,16 @@ def _with_insets(layout: Layout, details: Sequence[_Detail], rows: int) -> Layou
         size = wide + STRIP_PT, max(high, round(ROW_PT * rows + 24))
         limits = limits_around(((x0 + x1 + STRIP_PT / scale) / 2, (y0 + y1) / 2), size, scale)
         corners = [(limits[2] - (BOX_PT + 14) / scale, limits[3] - (14 + ROW_PT * i) / scale) for i in range(rows)]
-    found = []
+    return layout._replace(limits=limits, size=size, insets=_insets(layout, details, corners))
+
+
+def _insets(layout: Layout, details: Sequence[_Detail], corners: Sequence[tuple[float, float]]) -> tuple[Inset, ...]:
+    """Return an inset of each detail; `corners`: where their boxes begin (left, top)."""
+    found, scale = [], layout.scale
     for (left, top), (name, spot, length, test_of_gap) in zip(corners, details, strict=False):
         box = left, top - BOX_PT / scale, left + BOX_PT / scale, top
-        found.append(Inset(name, spot, _round_down(DETAIL_PART * BOX_PT / (length * scale)), box, test_of_gap))
-    return layout._replace(limits=limits, size=size, insets=tuple(found))
+        found.append(Inset(name, spot, round_down(DETAIL_PART * BOX_PT / (length * scale)), box, test_of_gap))
+    return tuple(found)
 
 
 def _small_details(name: str, shape: Shape, scale: float) -> list[_Detail]:
@@ -102,7 +139,7 @@ def _small_details(name: str, shape: Shape, scale: float) -> list[_Detail]:
     return [_Detail(f"{name}'s end", midpoint(p, q), length)]
 
 
-def _round_down(times: float) -> float:
+def round_down(times: float) -> float:
     """Return the largest number of the form 1, 2 or 5 times a power of ten that is not above `times`."""
     power = 10.0 ** floor(log10(times))
     return power * max(step for step in (1, 2, 5) if step * power <= times * 1.0001)
@@ -126,6 +163,9 @@ def inset_marks(layout: Layout, shapes: Sequence[Role], test: AxisTest | None) -
         what = inset.name or ("gap" if inset.test and inset.test.gap > 0 else "overlap")
         below = Vec(inset.center.x, y0 - layout.units(9))
         text = f"{what}, {magnification_text(inset.times)}"
+        if inset.test and _float_ticks(layout, inset, inset.test):
+            text += "\nticks: float64"
+            below = Vec(below.x, below.y - layout.units(7))
         marks.append(Mark("inset-name", "label", "ink", (below,), number=number, text=text))
         if inset.test is not None:
             marks += _gap_marks(layout, inset, inset.test, shapes, number)
@@ -146,13 +186,27 @@ def visible_edges(inset: Inset, shape: Shape) -> Iterator[tuple[Vec, Vec]]:
 
 
 def _outline_points(shape: Shape, spot: Vec) -> list[Vec]:
-    """Return a shape's outline as a closed ring of points; on a circle they are denser near `spot`."""
+    """Return a shape's outline as a closed ring of points; on a circle they are dense near `spot`."""
     if isinstance(shape, Polygon):
         return [*shape.vertices, shape.vertices[0]]
     (x, y), r = shape.center, shape.radius
     toward = atan2(spot.y - y, spot.x - x)
-    angles = sorted({sign * pi * 10.0 ** (-k / 4) for k in range(49) for sign in (-1, 1)} | {0.0})
+    near = {sign * pi * 10.0 ** (-k / 4) for k in range(49) for sign in (-1, 1)}
+    angles = sorted(near | {pi * k / EVEN_POINTS for k in range(-EVEN_POINTS, EVEN_POINTS + 1)})
     return [Vec(x + r * cos(toward + t), y + r * sin(toward + t)) for t in angles]
+
+
+def _float_ticks(layout: Layout, inset: Inset, test: AxisTest) -> tuple[Vec, ...]:
+    """Return ticks on the axis of a gap's inset where float64 has a number; () where they are too dense to be seen."""
+    end = min(test.a.interval.hi, test.b.interval.hi)  # of the range on the left
+    step = ulp(end) * inset.times
+    if step < layout.units(MIN_FLOAT_STEP_PT):
+        return ()
+    x0, _, x1, _ = inset.box
+    (cx, cy), half = inset.center, test.gap * inset.times / 2
+    up, first = layout.units(FLOAT_TICK_PT), cx - half
+    spots = [first + k * step for k in range(-100, 101) if x0 < first + k * step < x1]
+    return tuple(Vec(x, cy + side * up) for x in spots for side in (-1, 1))
 
 
 def _gap_marks(layout: Layout, inset: Inset, test: AxisTest, shapes: Sequence[Role], number: int) -> list[Mark]:
@@ -162,6 +216,8 @@ def _gap_marks(layout: Layout, inset: Inset, test: AxisTest, shapes: Sequence[Ro
     units, (cx, cy) = layout.units, inset.center
     half = test.gap * inset.times / 2
     marks = [Mark("inset-axis", "segment", "ink", (Vec(x0, cy), Vec(x1, cy)), number=number)]
+    if ticks := _float_ticks(layout, inset, test):
+        marks.append(Mark("inset-floats", "segment", "ink", ticks, number=number))
     sides = [(x0, cx - half), (cx + half, x1)]
     a_is_left = b.lo - a.hi >= a.lo - b.hi
     for (role, name, _), ends in zip(shapes if a_is_left else shapes[::-1], sides, strict=True):

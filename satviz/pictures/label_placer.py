@@ -196,7 +196,13 @@ class LabelPlacer:
             if at is None:
                 continue
             key = r.owner, r.axis, r.number
-            if not (r.far or r.inside or r.along) and (end := self._leader_end(r, at)):
+            end = None if r.far or r.inside or r.along else self._leader_end(r, at)
+            if end and self._crosses_label(r.anchor, end):
+                if r.optional:  # far from its anchor and without a line to it, nobody could tell what it names
+                    self.boxes.pop()
+                    continue
+                end = None
+            if end:
                 self.add_stroke(r.anchor, end, STROKE_COST)
                 found.append(Mark(f"{r.part}-leader", "segment", "guide", (r.anchor, end), *key, weight="faint"))
             if r.pieces:
@@ -218,19 +224,19 @@ class LabelPlacer:
             x += width
 
     def _leader_end(self, request: LabelRequest, at: Vec) -> Vec | None:
-        """Return where a line from the anchor meets the label's box; None if the label needs no line.
-
-        None also where the line would cross another label, whose line it would seem to be.
-        """
+        """Return where a line from the anchor meets the label's box; None if the label is near and needs no line."""
         w, h = (self.layout.units(c / 2 + 1) for c in text_size(request.text, request.weight))
         a = request.anchor
         part = clip_segment(a.x, a.y, at.x, at.y, at.x - w, at.y - h, at.x + w, at.y + h)
         if part is None or part[0] * hypot(at.x - a.x, at.y - a.y) < self.layout.units(MIN_LEADER_PT):
             return None
-        end = Vec(a.x + (at.x - a.x) * part[0], a.y + (at.y - a.y) * part[0])
-        line = *self._in_points(a), *self._in_points(end)
+        return Vec(a.x + (at.x - a.x) * part[0], a.y + (at.y - a.y) * part[0])
+
+    def _crosses_label(self, anchor: Vec, end: Vec) -> bool:
+        """Check whether a line to the label placed last would cross another label, whose line it would seem to be."""
+        line = *self._in_points(anchor), *self._in_points(end)
         # the last box is the label's own
-        return None if any(clip_segment(*line, *box) and not _is_dot(box) for box in self.boxes[:-1]) else end
+        return any(clip_segment(*line, *box) and not _is_dot(box) for box in self.boxes[:-1])
 
     def _keep(self, request: LabelRequest) -> Vec | None:
         """Return where the same label stands in another step, and take that place; None if it is not free."""

@@ -49,7 +49,8 @@ class Inset(NamedTuple):
 class Layout(NamedTuple):
     """The canvas of a picture: the limits it shows in scene units, its size in points, and the places on it.
 
-    There is one place for each test, in the same order.
+    There is one place for each test, in the same order.  `brief`: as of the Group that it was made for.
+    `strip`: the insets have space of their own beside or below the scene, instead of a free corner of it.
     """
 
     limits: Box
@@ -57,6 +58,8 @@ class Layout(NamedTuple):
     places: tuple[AxisPlace, ...] = ()
     tests: tuple[AxisTest, ...] = ()
     insets: tuple[Inset, ...] = ()
+    brief: bool = False
+    strip: bool = True
 
     @property
     def scale(self) -> float:
@@ -66,7 +69,7 @@ class Layout(NamedTuple):
     @property
     def scene_limits(self) -> Box:
         """Return the limits without the strip of insets beside or below the scene."""
-        if not self.insets:
+        if not (self.insets and self.strip):
             return self.limits
         x0, y0, x1, y1 = self.limits
         left, top = min(inset.box[0] for inset in self.insets), max(inset.box[3] for inset in self.insets)
@@ -173,7 +176,7 @@ def _layouts_on(
         head = HEAD_PT if there or one_frame else 0.0
         height = round(min(largest[1], max(least[1], (y1 - y0) * scale + 2 * PAD_PT + head)))
         limits = limits_around(((x0 + x1) / 2, (y0 + y1 + head / scale) / 2), (width, height), scale)
-        found.append(Layout(limits, (width, height), tuple(there), tuple(group.tests)))
+        found.append(Layout(limits, (width, height), tuple(there), tuple(group.tests), brief=group.brief))
     return found
 
 

@@ -11,6 +11,7 @@ from ..engine.shapes import Circle, Shape
 from ..engine.trace import Trace
 from ..scenes.resolve import SceneLike, resolve
 from .float_geometry import bounding_box, circle_points, gap_or_overlap
+from .insets import MIN_GAP_PT, magnification_text, round_down
 from .letters import text_size, wrap_text
 from .marks import Mark, Picture
 
@@ -20,6 +21,7 @@ THUMBNAIL_PT = 74.0, 48.0  # a row's small picture
 BARS_LEFT_PT, MAX_BARS_RIGHT_PT = 100.0, 376.0  # where the ranges begin and end; they end earlier beside long words
 MIN_BAR_PT = 3.0  # a shorter range or shape gets a dot
 TRACK_PT = 5.0  # from the line of a row to A's bar above it and B's bar below it
+INSET_PT, INSET_RIM_PT, INSET_TRACK_PT = (60.0, 18.0), 4.0, 5.0  # of a gap's inset: size, rim, from its middle to a bar
 MAX_ZERO_RANGES = 4.0  # further from 0 than so many times the widest range, each row has an origin of its own
 
 
@@ -40,7 +42,7 @@ def sheet(what: SceneLike | Shape, b: Shape | None = None, *, title: str = "") -
     then those of the largest gaps.
     """
     trace = resolve(what, b).trace
-    every = _all_rows(trace)
+    every = all_rows(trace)
     ranked = sorted(every, key=lambda row: (-(row.made and row.test.separates), -row.made, -row.test.gap))
     shown = [row for row in every if row in ranked[:MAX_ROWS]]
     rest = ranked[MAX_ROWS:]
@@ -50,9 +52,9 @@ def sheet(what: SceneLike | Shape, b: Shape | None = None, *, title: str = "") -
     widest = max((text_size(line)[0] for row in shown for line, _ in _outcome_lines(row)), default=0.0)
     end = min(MAX_BARS_RIGHT_PT, WIDTH_PT - MARGIN_PT - widest - 8)
     marks = [
-        _text_from("legend", text, role, left, top + 9, n) for n, (role, text, left) in enumerate(_legend(trace, end))
+        text_from("legend", text, role, left, top + 9, n) for n, (role, text, left) in enumerate(_legend(trace, end))
     ]
-    scale, zero = _scale_and_zero([_covered_range(row.test) for row in shown], end)
+    scale, zero = _scale_and_zero([covered_range(row.test) for row in shown], end)
     if zero is not None:
         marks.append(Mark("zero-name", "label", "guide", (Vec(zero, top + 9),), text="0"))
     for i, row in enumerate(shown):
@@ -62,15 +64,15 @@ def sheet(what: SceneLike | Shape, b: Shape | None = None, *, title: str = "") -
         best = max(rest, key=lambda row: row.test.gap)
         gap = describe.gap_in_words(best.test.gap, describe.digits(best.run, best.test))
         y -= 16
-        marks.append(_text_from("rest", f"and {len(rest)} more, at best {gap}", "guide", MARGIN_PT, y))
+        marks.append(text_from("rest", f"and {len(rest)} more, at best {gap}", "guide", MARGIN_PT, y))
     for n, line in enumerate(lines):
-        marks.append(_text_from("sentence", line, "ink", MARGIN_PT, y - MARGIN_PT - 8 - 16 * n, number=n))
+        marks.append(text_from("sentence", line, "ink", MARGIN_PT, y - MARGIN_PT - 8 - 16 * n, number=n))
     count = f"{len(every)} {'axis' if len(every) == 1 else 'axes'}"
     said = f"A sheet of {count}, each with the ranges of {' and '.join(trace.names)}. {trace.sentence}"
     return Picture(tuple(marks), (0.0, 0.0, WIDTH_PT, height), (WIDTH_PT, height), title, said)
 
 
-def _all_rows(trace: Trace) -> list[Row]:
+def all_rows(trace: Trace) -> list[Row]:
     """Return a row for each test of the run over every axis."""
     whole = trace.without_early_exit()
     found = []
@@ -86,7 +88,7 @@ def _legend(trace: Trace, end: float) -> list[tuple[str, str, float]]:
     return [("A", above, end + 8), ("B", below, end + 12 + text_size(above)[0])]
 
 
-def _covered_range(test: AxisTest) -> tuple[float, float]:
+def covered_range(test: AxisTest) -> tuple[float, float]:
     """Return the least and the largest coordinate that the test's two ranges reach."""
     a, b = test.a.interval, test.b.interval
     return min(a.lo, b.lo), max(a.hi, b.hi)
@@ -122,7 +124,7 @@ def _row_marks(row: Row, number: int, top: float, scale: float, zero: float | No
     run, _, test, made = row
     weight, ink = ("plain", "ink") if made else ("faint", "guide")
     y = top - ROW_PT / 2 - 6
-    lo, hi = _covered_range(test)
+    lo, hi = covered_range(test)
     middle = (BARS_LEFT_PT + end) / 2
 
     def x_at(t: float) -> float:
@@ -145,22 +147,55 @@ def _row_marks(row: Row, number: int, top: float, scale: float, zero: float | No
     bar("range", "A", *test.a.interval, y + TRACK_PT, run.names.a)
     bar("range", "B", *test.b.interval, y - TRACK_PT, run.names.b)
     if test.gap:
-        bar("gap", "gap" if test.gap > 0 else "overlap", *gap_or_overlap(test), y)
+        role = "gap" if test.gap > 0 else "overlap"
+        bar("gap", role, *gap_or_overlap(test), y)
+    inset = _inset_marks(row, number, top, scale, end)
+    space = end - BARS_LEFT_PT - (INSET_PT[0] + text_size(inset[1].text)[0] + 4 * INSET_RIM_PT if inset else 0.0)
+    marks += inset
     name = describe.axis_name(test.axis, (run.a, run.b), run.names)
     pair = "" if run.names == ("A", "B") else f"{run.names.a} | {run.names.b}: "
-    marks.append(
-        _text_from(
-            "name", _truncate(f"{pair}{row.number} {name}", end - BARS_LEFT_PT), ink, BARS_LEFT_PT, top - 10, number
-        )
-    )
+    marks.append(text_from("name", truncate(f"{pair}{row.number} {name}", space), ink, BARS_LEFT_PT, top - 10, number))
     lines = _outcome_lines(row)
     for n, (line, role) in enumerate(lines):
         up = y + 7 * (len(lines) - 1) - 14 * n
-        marks.append(_text_from(f"outcome-{n + 1}", line, role, end + 8, up, number))
+        marks.append(text_from(f"outcome-{n + 1}", line, role, end + 8, up, number))
     if made and test.separates:
         box = Vec(4, top - ROW_PT + 1), Vec(WIDTH_PT - 4, top - ROW_PT + 1), Vec(WIDTH_PT - 4, top - 1), Vec(4, top - 1)
         marks.append(Mark("stop", "outline", "gap", box, number=number, weight="faint"))
     return marks
+
+
+def _inset_marks(row: Row, number: int, top: float, scale: float, end: float) -> list[Mark]:
+    """Return a small inset of a gap or overlap that the row's bars are too small to show, with its magnification first.
+
+    It holds the facing ends of both ranges, and stands at the right end of the line with the axis's name.
+    """
+    run, _, test, made = row
+    size = abs(test.gap) * scale
+    if not 1e-300 < size < MIN_GAP_PT:
+        return []
+    times = round_down(INSET_PT[0] / 3 / size)
+    x0, cx, cy = end - INSET_PT[0], end - INSET_PT[0] / 2, top - 10
+    half, high, weight = test.gap * scale * times / 2, INSET_PT[1] / 2, "plain" if made else "faint"
+    corners = Vec(x0, cy - high), Vec(end, cy - high), Vec(end, cy + high), Vec(x0, cy + high)
+    text = magnification_text(times)
+    spot = Vec(x0 - INSET_RIM_PT - text_size(text)[0] / 2, cy)
+    marks = [
+        Mark("inset", "outline", "guide", corners, number=number, weight="faint"),
+        Mark("inset-name", "label", "guide", (spot,), number=number, text=text),
+    ]
+    a, b = test.a.interval, test.b.interval
+    facing = [("A", run.names.a), ("B", run.names.b)]
+    sides = zip(
+        facing if b.lo - a.hi >= a.lo - b.hi else facing[::-1], ((x0, cx - half), (cx + half, end)), strict=True
+    )
+    for (role, name), (left, right) in sides:
+        level = cy + (INSET_TRACK_PT if role == "A" else -INSET_TRACK_PT)
+        points = Vec(left, level), Vec(right, level)
+        marks.append(Mark("inset-range", "interval", role, points, owner=name, number=number, weight=weight))
+    points = Vec(cx - abs(half), cy), Vec(cx + abs(half), cy)
+    role = "gap" if test.gap > 0 else "overlap"
+    return [*marks, Mark("inset-gap", "interval", role, points, number=number, weight=weight)]
 
 
 def _thumbnail_marks(row: Row, number: int, top: float, weight: str) -> list[Mark]:
@@ -190,12 +225,12 @@ def _thumbnail_marks(row: Row, number: int, top: float, weight: str) -> list[Mar
     return marks
 
 
-def _text_from(part: str, text: str, role: str, left: float, y: float, number: int | None = None) -> Mark:
+def text_from(part: str, text: str, role: str, left: float, y: float, number: int | None = None) -> Mark:
     """Return a one-line label that begins at x = `left`."""
     return Mark(part, "label", role, (Vec(left + text_size(text)[0] / 2, y),), number=number, text=text)
 
 
-def _truncate(text: str, width: float) -> str:
+def truncate(text: str, width: float) -> str:
     """Return the text, cut with an ellipsis to at most `width` points."""
     while text_size(text)[0] > width:
         text = text[:-2] + "\u2026"

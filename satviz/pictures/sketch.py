@@ -25,12 +25,15 @@ from .shape_sketch import ShapeSketch
 from .theme import BAR_PT
 
 NORMAL_PT = 34.0  # the length of a normal's arrow
+RING_PT = 8.0  # the radius of a ring round a corner
 CROSS_PT = 4.5  # half of the side of a cross
+MIN_ARROW_PT, MIN_STRONG_PT = 14.0, 28.0  # a shorter edge is drawn without an arrow head, or with a thin arrow
 RIGHT_ANGLE_PT = 7.0  # the side of the mark between an edge and its normal
 MIN_TICK_PT = 24.0  # between two ticks
 ZERO_TICK_PT = 4.5  # half of the tick at coordinate 0
 MAX_LIST_LETTERS = 34  # in a line of the list of axes that were not tested
 MAX_LISTED_AXES = 8
+MAX_GREY_NORMALS = 16  # more of them would fill the gap
 
 
 class Sketch(ShapeSketch):
@@ -48,7 +51,13 @@ class Sketch(ShapeSketch):
         if kind in FROM_EDGES:
             name, polygon = self.named_polygon(role)
             p, q = (polygon.vertices[i] for i in ids)
-            self.add("edge", "arrow", role, q, p, weight="strong")  # the edge as the difference of its ends
+            # the edge as the difference of its ends; an arrow head must not hide a short one
+            length = hypot(p.x - q.x, p.y - q.y) * self.layout.scale
+            kind, weight = (
+                "arrow" if length > MIN_ARROW_PT else "segment",
+                "strong" if length > MIN_STRONG_PT else "plain",
+            )
+            self.add("edge", kind, role, q, p, weight=weight)
             if named:
                 self.vertices(role, ids)
                 ends = [short_name(polygon, name, i) for i in ids]
@@ -131,7 +140,9 @@ class Sketch(ShapeSketch):
         self.vertices(role, test.source.ids[:1])
         name, polygon = self.named_polygon(role)
         ends = " and ".join(short_name(polygon, name, i) for i in test.source.ids)
-        text = f"{ends} lie in one place: no normal but (0, 0),\non which every point lands at 0"
+        v = polygon.vertices[test.source.ids[0]]
+        self.add("one-place", "disc", "wrong", v, owner=name, radius=self.layout.units(RING_PT))
+        text = f"{ends} lie in one place: no normal but (0, 0),\non which every point lands at 0.  0 < 0: no gap"
         low = Vec((self.layout.limits[0] + self.layout.limits[2]) / 2, self.layout.limits[1])
         self.label("no-axis", text, "ink", low, first=1, far=True)
 
@@ -189,7 +200,7 @@ class Sketch(ShapeSketch):
             tick = (point_along(place.at(0.0), place.out, side * half) for side in (-1, 1))
             self.add("zero", "segment", "ink", *tick, axis=axis)
             options: LabelOptions = {"axis": axis, "prefer": place.out, "optional": True}
-            self.label("zero-name", "0", "ink", place.at(0.0), first=7, **options)
+            self.label("zero-name", "0", "ink", place.at(0.0), first=0, **options)
 
     def right_angle_of_line(self, point: Vec, place: AxisPlace) -> None:
         """Draw the right-angle sign where the line through `point`, across an axis, meets the axis."""
@@ -297,7 +308,7 @@ class Sketch(ShapeSketch):
         return sorted(found)
 
     def range(self, test: AxisTest, place: AxisPlace, role: str, *, named: bool = True, numbers: bool = True) -> None:
-        """Draw one shape's range as a bar beside the axis, with its name and, if `numbers`, its ends."""
+        """Draw one shape's range as a bar beside the axis, with its name and, with `numbers`, its ends if they fit."""
         side = test.a if role == "A" else test.b
         name, _ = self.named_shape(role)
         ends = tuple(place.at(t, role) for t in side.interval)
@@ -305,7 +316,9 @@ class Sketch(ShapeSketch):
         if not named:
             return
         out = place.out if role == "B" else Vec(-place.out.x, -place.out.y)
-        text = range_label(name, self.digits(self.trace, test).ranges(test)["AB".index(role)]) if numbers else name
+        text = name
+        if numbers and not self.layout.brief:
+            text = range_label(name, self.digits(self.trace, test).ranges(test)["AB".index(role)])
         p, q = (point_along(end, out, self.layout.units(BAR_PT)) for end in ends)  # a gutter between bar and label
         spot, *along = (Vec(p.x + (q.x - p.x) * f, p.y + (q.y - p.y) * f) for f in (0.5, 0.3, 0.7, 0.1, 0.9))
         options: LabelOptions = {"owner": name, "axis": self.axis_id(test), "along": tuple(along), "prefer": out}
@@ -355,7 +368,7 @@ class Sketch(ShapeSketch):
             if drops:
                 self.drops(test, place, role, ends_only=True, named=False)
             self.range(test, place, role, numbers=numbers)
-        self.gap(test, place, interval=numbers and interval, remark=remark)
+        self.gap(test, place, interval=interval and numbers and not self.layout.brief, remark=remark)
 
     def untested_axes(self) -> None:
         """List the axes that the early exit made unnecessary, in grey, with a small normal on each edge."""
@@ -363,7 +376,7 @@ class Sketch(ShapeSketch):
         if not left:
             return
         self.corners(as_role="guide")
-        for n, axis in enumerate(left, 1):
+        for n, axis in enumerate(left if len(left) <= MAX_GREY_NORMALS else (), 1):
             if axis.source.kind in (EDGE, HULL) and not self.is_crowded(self.named_shape(axis.source.shape)[1]):
                 self.small_normal("untested", axis, 0.6, "guide", number=n)
         names = [describe.short_axis_name(axis, (self.trace.a, self.trace.b), self.trace.names) for axis in left]

@@ -126,7 +126,7 @@ def _missing_axis(trace: Trace) -> Picture:
     sketch.shapes()
     sketch.edge(test)
     sketch.normal(test)
-    sketch.project(test, layout.places[0], numbers=False)
+    sketch.project(test, layout.places[0])
     name = describe.axis_name(test.axis, (trace.a, trace.b), trace.names)
     sketch.note("verdict", f"not tested: {name}", "ink", first=1)
     return sketch.finish("", "")
@@ -205,7 +205,7 @@ def panels_of_tests(trace: Trace, *, title: str = "") -> Picture:
         sketch.shapes()
         sketch.edge(test)
         sketch.normal(test)
-        sketch.project(test, layout.places[0], numbers=False)
+        sketch.project(test, layout.places[0])
         says = "a gap" if test.separates else "no gap"
         name = describe.short_axis_name(test.axis, shapes, trace.names)
         kind = f"normal of {name}"
@@ -282,7 +282,7 @@ def failed_axes(trace: Trace, *, title: str = "") -> Picture:
         options: LabelOptions = {"axis": sketch.axis_id(test), "along": (place.at(place.lo),), "prefer": place.n}
         sketch.label("axis-caption", text, "ink", place.at(place.hi), first=1, **options)
         for role in "AB":
-            sketch.range(test, place, role, numbers=False)
+            sketch.range(test, place, role)
         sketch.gap(test, place, named=False)
         _draw_line_that_cuts(sketch, test)
     for n, pair in enumerate(record(trace.a, trace.b).pairs, 1):

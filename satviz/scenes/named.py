@@ -42,4 +42,12 @@ def refused_case(name: str) -> FailureCase | None:
     return case if case and case.how == REFUSED else None
 
 
+def scenes() -> list[Scene]:
+    """Return every built-in scene: the article's first, then those where a shortcut fails, with its claim as title.
+
+    A failing case whose outlines are refused has no scene; `satviz.draw` draws it by its name.
+    """
+    return list(ALL_SCENES)
+
+
 ALL_SCENES = (*SCENES, *(scene_of_case(case) for case in FAILURE_CASES if case.how != REFUSED))

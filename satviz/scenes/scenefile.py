@@ -2,7 +2,7 @@
 
 import json
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from stat import S_ISREG
 from typing import Any
@@ -82,6 +82,33 @@ class Scene:
             every_axis=require_type(data.get("every_axis", False), "every_axis", bool),
             title=require_type(data.get("title", ""), "title", str),
         )
+
+
+@dataclass(frozen=True, slots=True)
+class SceneOfOwnAxes(Scene):
+    """A scene whose axes have no name: the caller's own choice of axes, or shortcut.
+
+    A file and a link cannot hold a function: there the scene has the axes `needed`.
+    """
+
+    choice: Chooser | Shortcut = NAMED["needed"]
+
+    def record(self) -> Trace:
+        """Run the loop on the scene's shapes and its own axes; return the Trace."""
+        return record(self.a, self.b, axes=self.choice, every_axis=self.every_axis)
+
+
+def with_axes(found: Scene, axes: str | Chooser | Shortcut) -> Scene:
+    """Return the scene with other axes: a name, a choice of axes, or a shortcut, whose claim becomes the title.
+
+    InvalidScene for an unknown name, TypeError for what is no choice of axes.
+    """
+    if isinstance(axes, str):
+        return replace(found, axes=axes)
+    if not isinstance(axes, Shortcut) and not callable(axes):
+        raise TypeError(f"axes is {short_repr(axes)}: pass a name, a function (a, b) -> Choice, or a Shortcut")
+    title = axes.claim if isinstance(axes, Shortcut) else found.title
+    return SceneOfOwnAxes(found.name, found.a, found.b, "needed", found.every_axis, title, axes)
 
 
 def load(path: str | Path) -> Scene:

@@ -2,31 +2,33 @@
 
 import ast
 import io
-import json
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from contextlib import redirect_stdout
 from html import escape
 from typing import Any, NamedTuple
 
 import satviz
 
+from ..lessons.chapter_text import (
+    CHOICES,
+    FOLD,
+    QUESTION,
+    SUMMARY,
+    Chapter,
+    blocks,
+    choices_of,
+    link_targets,
+    page_words,
+)
+from ..lessons.glossary import TermLinker
+from ..lessons.markdown import highlighted_code, markdown_parser
+from ..lessons.themed import themed_svg
 from ..scenes.resolve import resolve
 from ..widgets.explorer_model import ExplorerModel
 from . import parts
-from .markdown import highlighted_code, markdown_parser
-from .shipped import shipped_notebooks
-from .themed import themed_svg
 
-NEIGHBOUR_LINK = re.compile(r"(Back|Next): \[")  # a notebook's links to its neighbours; a page has other ones
-# a comment in a paragraph of a notebook: the words that stand there on the page; none leave the paragraph out
-PAGE_WORDS = re.compile(r"[\s\S]*<!-- page:\s*([\s\S]*?)\s*-->[\s\S]*")
-CHOICES = "<!-- choices:"  # begins the comment with the choices of a question
-CHOICE = re.compile(r"([+-]) (.+?) \| (.+)")  # a line of it: whether it is right, the choice, what is said about it
-# a question: bold words that end in a question mark, or in a colon with a question behind them
-QUESTION = re.compile(r"\*\*[^*]*(\?\*\*|:\*\*.*\?)", re.DOTALL)
-SUMMARY = "<summary>The answer</summary>"
-FOLD = f"<details>{SUMMARY}"  # a notebook hides the answer to a question with this tag
+GLOSSARY = "glossary.html"
 FRAMES = 13  # pictures of a slider
 
 
@@ -37,36 +39,19 @@ class Widget(NamedTuple):
     answers: bool
 
 
-class Chapter(NamedTuple):
-    """A chapter: the path of its page, its title with the number, the notebook's file name and its cells."""
-
-    path: str
-    title: str
-    notebook: str
-    cells: list[dict[str, Any]]
-
-
-def chapters() -> list[Chapter]:
-    """Return all chapters in their order."""
-    found = []
-    for path in shipped_notebooks():
-        cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
-        title = "".join(cells[0]["source"]).partition("\n")[0].removeprefix("# ")
-        found.append(Chapter(f"{path.stem}.html", title, path.name, cells))
-    return found
-
-
 def chapter_body(chapter: Chapter) -> str:
     """Return the chapter's HTML, which needs no JavaScript; raise ImportError if no Markdown reader is installed."""
     markdown, text, widgets = markdown_parser(), _FoldedText(), _WidgetFinder(chapter.cells)
+    terms = TermLinker(GLOSSARY)
     for i, cell in enumerate(chapter.cells):
         source = "".join(cell["source"])
         if cell["cell_type"] == "markdown":
-            _add_prose(text, markdown, source)
+            _add_prose(text, markdown, terms, source)
             continue
         shown = widgets.widget(i)
         if shown is None or len(ast.parse(source).body) > 1:  # the code of a widget alone says nothing more
-            text.add(_folded_code(source), part_of_question=True, before_choices=shown is not None)
+            checks = _checked_function(source) != ""
+            text.add(_code(source, is_open=checks), part_of_question=True, before_choices=checks or shown is not None)
         if shown:
             text.add(shown.html, part_of_question=not shown.answers, before_choices=True)
         else:
@@ -125,19 +110,13 @@ class _FoldedText:
         return "\n".join(self.parts)
 
 
-def page_words(source: str) -> str:
-    """Return a notebook's Markdown in the words of a page: without links to neighbours, and with other paragraphs."""
-    paragraphs = (PAGE_WORDS.sub(r"\1", p) for p in source.split("\n\n") if not NEIGHBOUR_LINK.match(p))
-    return "\n\n".join(filter(None, paragraphs))
-
-
-def _add_prose(text: _FoldedText, markdown: Any, source: str) -> None:
+def _add_prose(text: _FoldedText, markdown: Any, terms: TermLinker, source: str) -> None:
     """Add a Markdown cell in the words of a page, without the notebook's fold: the page folds answers itself."""
     source = page_words(source)
     env: dict[str, Any] = {}
-    tokens = markdown.parse(re.sub(r"\]\(([\w-]+)\.ipynb\)", r"](\1.html)", source), env)
+    tokens = markdown.parse(link_targets(source), env)
     folded = False
-    for block in _blocks(tokens):
+    for block in blocks(tokens):
         first, html = block[0], markdown.renderer.render(block, markdown.options, env)
         if first.type == "html_block" and (
             first.content.startswith(FOLD) or (folded and html.startswith("</details>"))
@@ -149,6 +128,8 @@ def _add_prose(text: _FoldedText, markdown: Any, source: str) -> None:
             continue
         if first.type == "heading_open":
             text.end_answer()
+        if first.type in ("paragraph_open", "bullet_list_open", "ordered_list_open"):
+            html = terms.linked(html)
         if first.type == "paragraph_open" and QUESTION.search(block[1].content):
             text.ask(html)
         else:
@@ -165,31 +146,59 @@ def _choices_html(markdown: Any, comment: str) -> str:
     return f'<ul class="choices">{"".join(items)}</ul>'
 
 
-def choices_of(comment: str) -> list[tuple[str, str, str]]:
-    """Return (sign, choice, reason) of each line of a comment with choices; the sign of the right one is "+"."""
-    lines = comment.strip().removeprefix(CHOICES).removesuffix("-->").strip().splitlines()
-    found = [CHOICE.fullmatch(line.strip()) for line in lines]
-    signs = [match[1] for match in found if match]
-    if len(signs) < len(lines) or len(signs) < 2 or signs.count("+") != 1:
-        raise ValueError(f"expected lines such as '- choice | reason', one of them with +: {comment}")
-    return [(match[1], match[2], match[3]) for match in found if match]
-
-
-def _blocks(tokens: list[Any]) -> Iterator[list[Any]]:
-    """Yield the tokens of each top-level block: a heading, a paragraph, a list and so on."""
-    begin = depth = 0
-    for end, token in enumerate(tokens, 1):
-        depth += token.nesting
-        if not depth:
-            yield tokens[begin:end]
-            begin = end
-
-
-def _folded_code(source: str) -> str:
-    """Return the code of a cell as HTML, folded."""
+def _code(source: str, *, is_open: bool) -> str:
+    """Return the code of a cell as HTML, folded unless it is to be read at once."""
     lines = source.count("\n") + 1
     summary = "the code" if lines == 1 else f"the code, {lines} lines"
-    return f'<details class="cell"><summary>{summary}</summary>{highlighted_code(source)}</details>'
+    opened = " open" if is_open else ""
+    return f'<details class="cell"{opened}><summary>{summary}</summary>{highlighted_code(source)}</details>'
+
+
+def programs(chapter: Chapter) -> dict[str, tuple[str, str]]:
+    """Return the programs that a chapter opens on the page "Is yours right?": by its function, (heading, code).
+
+    The code of a program is its function and all that it uses, as defined in the chapter up to there, and what its
+    own cell imports.
+    """
+    opened = {name for cell in chapter.cells for name in re.findall(r"yours\.html#(\w+)", "".join(cell["source"]))}
+    found, known, heading = {}, dict[str, str](), ""
+    for cell in chapter.cells:
+        source = "".join(cell["source"])
+        if cell["cell_type"] == "markdown":
+            heading = ([heading, *re.findall(r"^##+ (.+)$", source, re.MULTILINE)])[-1]
+            continue
+        imported = set[str]()
+        for node in ast.parse(source).body:
+            code = ast.get_source_segment(source, node) or ""
+            if isinstance(node, ast.FunctionDef):
+                known.pop(node.name, None)  # what is defined again comes after what it uses
+                known[node.name] = f"\n\n{code}\n"
+            elif isinstance(node, ast.ImportFrom):
+                known |= {alias.name: f"from {node.module} import {alias.name}\n" for alias in node.names}
+                imported |= {alias.name for alias in node.names}
+        name = _checked_function(source)
+        if name in opened:
+            imports_first = sorted(_used_by({name} | imported, known), key=lambda n: known[n].startswith("\n"))
+            found[name] = heading, "".join(known[n] for n in imports_first).lstrip("\n")
+    return found
+
+
+def _used_by(names: set[str], known: dict[str, str]) -> list[str]:
+    """Return these names and the known ones that they use, directly or not, in the order of `known`."""
+    needed, new = set[str](), names
+    while new:
+        needed |= new
+        trees = [ast.parse(known[each]) for each in new]
+        used = {node.id for tree in trees for node in ast.walk(tree) if isinstance(node, ast.Name)}
+        new = (used & known.keys()) - needed
+    return [each for each in known if each in needed]
+
+
+def _checked_function(source: str) -> str:
+    """Return the name of the function that a cell gives to `sv.check`; "" if its last line is no such call."""
+    last = (ast.parse(source).body or [ast.Pass()])[-1]
+    called = re.fullmatch(r"sv\.check\((\w+)\)", ast.unparse(last))
+    return called[1] if called else ""
 
 
 def _is_question_picture(output: dict[str, Any]) -> bool:
@@ -202,9 +211,12 @@ def _output_html(output: dict[str, Any]) -> str:
     if output["output_type"] == "stream":
         return f'<pre class="out" tabindex="0">{escape("".join(output["text"]))}</pre>'
     data = {kind: "".join(value) for kind, value in output.get("data", {}).items()}
+    words = f'<pre class="out" tabindex="0">{escape(data.get("text/plain", ""))}</pre>'
     if "image/svg+xml" in data:
-        return f"<figure>{themed_svg(data['image/svg+xml'])}</figure>"
-    return f'<pre class="out" tabindex="0">{escape(data.get("text/plain", ""))}</pre>'
+        # what `sv.check` found has both
+        report = f'<div class="report">{words}</div>' if "<pre>" in data.get("text/html", "") else ""
+        return f"<figure>{themed_svg(data['image/svg+xml'])}</figure>{report}"
+    return words
 
 
 class _WidgetFinder:

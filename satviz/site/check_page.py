@@ -1,10 +1,15 @@
 """The page "Is yours right?": an editor for the reader's function, and the scene where it is wrong."""
 
 import json
+from html import escape
 
+from ..checking.mistakes import SYMPTOMS
+from ..scenes.failing import NAMED
+from ..scenes.link import link
 from ..scenes.named import scene
 from ..widgets.explorer_model import ExplorerModel
 from . import parts
+from .chapters import programs
 from .pages import POLICY, Frame, html_page
 
 PATH = "yours.html"
@@ -49,7 +54,11 @@ def check_page(frame: Frame) -> bytes:
         """Return the options of a list of choices as HTML."""
         return "".join(f'<option value="{value}">{words}</option>' for value, words in choices.items())
 
-    data = json.dumps(SKELETONS).replace("<", "\\u003c")
+    given = {name: program for chapter in frame.chapters for name, program in programs(chapter).items()}
+    data = json.dumps(SKELETONS | {name: code for name, (_, code) in given.items()}).replace("<", "\\u003c")
+    opened = "".join(
+        f'<option id="{name}" value="{name}">{escape(heading)}</option>' for name, (heading, _) in given.items()
+    )
     body = f"""
 <h1>Is yours right?</h1>
 <p class="lead">Write a collision test. <b>Run</b> finds the smallest scene where it is wrong, and says which known
@@ -60,6 +69,8 @@ mistake it behaves like. The test in the editor has such a mistake: it looks at 
 <fieldset><legend>Language</legend>
 <label><input type="radio" name="language" value="python" checked> Python</label>
 <label><input type="radio" name="language" value="javascript"> JavaScript</label></fieldset>
+<p class="choices"><label>Program <select name="program"><option value="">your own</option>
+<optgroup label="with a mistake, to mend">{opened}</optgroup></select></label></p>
 <label class="editor">Your function <textarea rows="13" spellcheck="false" autocapitalize="off" autocomplete="off"
 autocorrect="off" wrap="off" aria-describedby="editor-keys"></textarea></label>
 <p class="keys" id="editor-keys">Ctrl+Enter runs it. Tab indents; press Escape before Tab to leave the editor.</p>
@@ -74,7 +85,23 @@ autocorrect="off" wrap="off" aria-describedby="editor-keys"></textarea></label>
 <div class="report" hidden></div>
 <script type="application/json" class="skeletons">{data}</script>
 </section>
+{_symptoms()}
 """
     description = "Write a collision test, and see the smallest scene where it is wrong."
     title = "Is yours right? Check your own function"
     return html_page(frame, PATH, title, body, description=description, kind="checks", policy=CHECK_POLICY)
+
+
+def _symptoms() -> str:
+    """Return what users see of a mistake, in their words, each with the known mistakes that look so."""
+    items = []
+    for words, names in SYMPTOMS.items():
+        links = "".join(
+            f'<li><a href="{escape(link(scene(name)))}">{escape(NAMED[name].claim)}</a></li>' for name in names
+        )
+        items.append(f"<details><summary>It {escape(words)}</summary><ul>{links}</ul></details>")
+    return f"""<section class="symptoms" aria-label="what you see">
+<h2>What does it do in your program?</h2>
+<p>Choose what you see. The list names the known mistakes that look so, each with a scene to drag.</p>
+{"".join(items)}
+</section>"""

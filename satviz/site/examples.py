@@ -14,8 +14,10 @@ EXAMPLES = {
     "sv.picture(sv.record(a, b, axes=only_y))",
     "satviz.parts": "ell = sv.Polygon([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)])\nsv.parts(ell)",
     "satviz.scene": 'sv.scene("circle-polygon")',
+    "satviz.scenes": "[scene.name for scene in sv.scenes()][:6]",
     "satviz.link": 'sv.link("triangles", free=30.0, site="https://example.org/satviz")',
     "satviz.embed": 'print(sv.embed("triangles", site="https://example.org/satviz", steps=(3, 8))[:180])\n"..."',
+    "satviz.handout": 'print(sv.handout("triangles")[:160])\n"..."',
     "satviz.steps": 'sv.steps(sv.scene("triangles").record())[:4]',
     "satviz.picture": 'sv.picture(sv.scene("triangles").record(), 5)',
     "satviz.draw": 'figure = sv.draw(sv.scene("triangles").record(), step=-1)\n'

@@ -4,8 +4,8 @@ import re
 from pathlib import Path
 from typing import NamedTuple
 
-from .markdown import markdown_parser
-from .shipped import shipped_folder
+from ..lessons.markdown import markdown_parser
+from ..lessons.shipped import shipped_folder
 
 FOLDER = Path(__file__).parent.parent / "guides"
 INDEX = "guides.html"

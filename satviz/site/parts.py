@@ -7,12 +7,12 @@ import json
 from html import escape
 
 from ..engine.trace import Trace
+from ..lessons.themed import themed_svg
 from ..pictures import Picture, picture
 from ..pictures.playback import narrow_playbacks, playbacks
 from ..render.notebook import bundle
 from ..scenes.link import PAGE, fragment, fragment_of_trace
 from ..widgets.explorer_model import ExplorerModel
-from .themed import themed_svg
 
 
 def svg_element(picture: Picture) -> str:

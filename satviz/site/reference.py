@@ -3,7 +3,7 @@
 import ast
 import io
 from collections.abc import Iterator
-from contextlib import redirect_stdout
+from contextlib import contextmanager, redirect_stdout
 from functools import cache
 from html import escape
 from importlib import import_module
@@ -13,6 +13,7 @@ import satviz
 
 from ..optional_imports import extra_needed
 from ..safe_write import MADE_BY
+from ..scenes import named
 from .examples import EXAMPLES
 
 MODULES = "satviz", "satviz.engine.axes", "satviz.batch", "satviz.testing"
@@ -33,12 +34,27 @@ def reference(*, in_site: bool = False) -> Iterator[tuple[str, bytes]]:
     render.env.globals |= {"example": example, "in_site": in_site}
     for name in satviz.__all__:  # pdoc sees only names that are loaded
         getattr(satviz, name)
-    modules = {name: pdoc.doc.Module(import_module(name)) for name in MODULES}
-    pages = {name.replace(".", "/"): render.html_module(module, modules) for name, module in modules.items()}
-    pages["index"] = render.html_index(modules)
+    with _scenes_as_function():
+        modules = {name: pdoc.doc.Module(import_module(name)) for name in MODULES}
+        pages = {name.replace(".", "/"): render.html_module(module, modules) for name, module in modules.items()}
+        pages["index"] = render.html_index(modules)
     for stem, page in pages.items():
-        yield f"{stem}.html", page.replace("<head>", f'<head><meta name="author" content="{MADE_BY}">', 1).encode()
+        about = f"The reference of satviz: {stem.replace('/', '.')}, each public name with an example."
+        head = f'<head><meta name="author" content="{MADE_BY}"><meta name="description" content="{about}">'
+        yield f"{stem}.html", page.replace("<head>", head, 1).encode()
     yield "search.js", f"// {MADE_BY}\n{render.search_index(modules)}".encode()
+
+
+@contextmanager
+def _scenes_as_function() -> Iterator[None]:
+    """Let pdoc see `satviz.scenes` as the function that a call of this package is."""
+    face = vars(satviz)
+    package = face["scenes"]
+    face["scenes"] = named.scenes
+    try:
+        yield
+    finally:
+        face["scenes"] = package
 
 
 @cache

@@ -20,29 +20,12 @@ from .. import safe_write
 VERSION = "314.0.7"
 INTEGRITY = "sha512-0YvXxEhfEdpLfb/XkM2BFAeMROq0iMUX2bzzH9pOttyMcWkwq+HbE5uyuGD82LN7y2q+SNvi/6V5JEsOlD2R1A=="
 CORE = "pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip", "pyodide-lock.json"
-CHECKING = (
-    *(
-        "__init__",
-        "forms",
-        "answers",
-        "asking",
-        "pairs",
-        "shrinking",
-        "results",
-        "variants",
-        "mistakes",
-        "checked",
-        "steps",
-    ),
-    *("checker", "reading", "page"),
-)
 # the parts of satviz that the pages import; neither NumPy nor matplotlib is in the page
 PACKED_PATHS = (
-    *("__init__.py", "optional_imports.py", "engine", "scenes", "pictures"),
+    *("__init__.py", "optional_imports.py", "engine", "scenes", "pictures", "checking"),
     *(
         "advice/__init__.py",
         "advice/relative_margin.py",
-        *(f"checking/{name}.py" for name in CHECKING),
         "widgets/__init__.py",
         "widgets/player_model.py",
         "widgets/explorer_model.py",
@@ -52,6 +35,7 @@ PACKED_PATHS = (
         "site/live.py",
     ),
 )
+LEFT_OUT = {"checking/programs.py"}  # of these parts: it starts other programs
 # run before the memory is stored: it imports every module and gives each kind of answer once
 WARM_UP_CODE = """
 import gc, importlib, json, pkgutil, satviz
@@ -121,8 +105,9 @@ def satviz_zip() -> bytes:
     ]
     with ZipFile(out, "w") as archive:
         for path in sorted(found):
-            if path.suffix in (".py", ".txt"):
-                archive.writestr(ZipInfo(f"satviz/{path.relative_to(root).as_posix()}"), path.read_bytes())
+            name = path.relative_to(root).as_posix()
+            if path.suffix in (".py", ".txt") and name not in LEFT_OUT:
+                archive.writestr(ZipInfo(f"satviz/{name}"), path.read_bytes())
     return out.getvalue()
 
 

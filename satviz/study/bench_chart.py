@@ -2,22 +2,23 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from matplotlib.figure import Figure
 
 from ..pictures import Theme
 from .bench import TimingRow
 from .bench_table import faster_from, growth_exponent, wrong_counts
-from .harness.chart import TEXT_POINTS, Chart, add_axes, draw_headline, label_ends
+from .harness.chart import TEXT_POINTS, WIDTH, Chart, add_axes, draw_headline, head_height, label_ends, set_time_ticks
 from .methods import ENGINES
 
-CHART_SIZE = 900.0, 590.0  # points
+ROW, CORNERS = 34.0, 250.0  # points: the height of a work, and of the chart against corners
 PREPARED = "shapely, prepared"
 MARKS = {"satviz numba": "o", "satviz numpy": "s", PREPARED: "D"}
 SHADES = {"satviz numba": "gap", "satviz numpy": "A", PREPARED: "guide", "shapely": "guide"}
 DASHES = {"apart": "-", "overlapping": "--", "touching": ":"}
 SHAPELY = "shapely"
-SUBTITLE = "The speed of shapely, unprepared, is 1. Bars show quartiles. Right: ns a pair against corners."
+SUBTITLE = "The speed of shapely, unprepared, is 1. Bars show quartiles. Below: time against corners."
 
 
 @dataclass(frozen=True)
@@ -47,21 +48,26 @@ def bench_chart(rows: Sequence[TimingRow], warning: str) -> Chart:
 
     summary = [_summary(method, charted, corners) for method in _methods_in(charted) if method in ENGINES]
 
+    title = "Speed of satviz's batch beside shapely's"
+    works = list(dict.fromkeys(ratio.work for ratio in charted))
+    lines = [SUBTITLE, *summary]
+    head = head_height(title, lines)
+    size = WIDTH, head + ROW * len(works) + CORNERS + 190
+
     def draw(fig: Figure, theme: Theme) -> None:
         """Draw the headline, the chart of speed ratios and the chart of times against corners."""
-        draw_headline(fig, theme, "How many times as fast as shapely", SUBTITLE, *summary)
-        _draw_ratios(fig, theme, charted)
+        draw_headline(fig, theme, title, *lines)
+        _draw_ratios(fig, theme, charted, head)
         _draw_corners(fig, theme, corners)
 
-    title = "Speed of satviz's batch beside shapely's"
-    return Chart("bench", title, CHART_SIZE, draw, [row._asdict() for row in rows], reading, warning)
+    return Chart("bench", title, size, draw, [row._asdict() for row in rows], reading, warning)
 
 
 def _fastest_and_slowest(method: str, ratios: Sequence[SpeedRatio]) -> str:
     """Return a sentence with a method's smallest and largest ratio, the largest also to prepared shapely."""
     own = sorted((r for r in ratios if r.method == method), key=lambda r: r.times)
     least, most = own[0], own[-1]
-    text = f"In the left chart {method} is from {_times_in_words(least.times)} as fast as shapely unprepared "
+    text = f"In the first chart {method} is from {_times_in_words(least.times)} as fast as shapely unprepared "
     text += f"({least.work}) to {_times_in_words(most.times)} ({most.work}"
     prepared = next((r for r in ratios if (r.work, r.method) == (most.work, PREPARED)), None)
     return text + (f"; {_times_in_words(most.times / prepared.times)} as fast as prepared)." if prepared else ").")
@@ -79,7 +85,7 @@ def _summary(method: str, charted: Sequence[SpeedRatio], corners: Sequence[Timin
         own, shapely = ({r.size: r.time for r in corners if (r.work, r.method) == (work, m)} for m in (method, SHAPELY))
         if (start := faster_from(shapely, own)) is not None:
             many.append(f"{work} from {start}")
-    slower = [f"{works} works at the left"] * bool(works) + [f"{', '.join(many)} corners on"] * bool(many)
+    slower = [f"{works} works of the first chart"] * bool(works) + [f"{', '.join(many)} corners on"] * bool(many)
     return f"{text} ({most.work}). Slower: {'; '.join(slower) or 'nowhere'}."
 
 
@@ -107,7 +113,7 @@ def _speed_ratios(rows: Sequence[TimingRow]) -> list[SpeedRatio]:
 
 
 def _charted_ratios(rows: Sequence[TimingRow], ratios: Sequence[SpeedRatio]) -> list[SpeedRatio]:
-    """Return the ratios of the left chart: every work except corners, at its smallest and largest size."""
+    """Return the ratios of the first chart: every work except corners, at its smallest and largest size."""
     ends = {}
     for row in rows:
         sizes = [other.size for other in rows if (other.section, other.work) == (row.section, row.work)]
@@ -123,7 +129,7 @@ def _work_with_size(row: TimingRow) -> str:
 
 
 def _methods_in(ratios: Sequence[SpeedRatio]) -> list[str]:
-    """Return the methods of the left chart that occur in these ratios, in the order of `MARKS`."""
+    """Return the methods of the first chart that occur in these ratios, in the order of `MARKS`."""
     return [method for method in MARKS if any(r.method == method for r in ratios)]
 
 
@@ -132,43 +138,49 @@ def _times_in_words(times: float) -> str:
     return f"{times:.0f} times" if times >= 10 else f"{times:.1f} times"
 
 
-def _draw_ratios(fig: Figure, theme: Theme, ratios: Sequence[SpeedRatio]) -> None:
-    """Draw the left chart: a row for each work, a mark for each method, bars for quartiles."""
-    ax = add_axes(fig, (0.275, 0.095, 0.26, 0.72), theme)
+def _draw_ratios(fig: Figure, theme: Theme, ratios: Sequence[SpeedRatio], head: float) -> None:
+    """Draw the first chart below the headline: a row for each work, a mark for each method, bars for quartiles."""
     works = list(dict.fromkeys(r.work for r in ratios))
-    places = {work: -k for k, work in enumerate(works)}
+    height, tall = fig.get_size_inches()[1] * 72, ROW * len(works)
+    ax = add_axes(fig, (12 / WIDTH, 1 - (head + 60 + tall) / height, (WIDTH - 24) / WIDTH, tall / height), theme)
+    ax.set(xscale="log", ylim=(tall, 0), yticks=[])
+    ax.spines["left"].set_visible(False)
     ax.axvline(1, color=theme.roles["guide"], lw=1)
     for ratio in ratios:
-        y, shade = places[ratio.work], theme.roles[SHADES[ratio.method]]
+        y, shade = ROW * (works.index(ratio.work) + 0.72), theme.roles[SHADES[ratio.method]]
         ax.plot([ratio.low, ratio.high], [y, y], color=shade, lw=1.5)
         ax.plot(ratio.times, y, MARKS[ratio.method], color=shade, ms=7)
-    ax.set_xscale("log")
-    ax.set(yticks=list(places.values()), yticklabels=works, ylim=(-len(works) + 0.4, 0.9))
-    ax.tick_params(axis="y", length=0)
-    ticks = [t for t in (0.5, 1, 2, 5, 10, 20, 50, 100) if ax.get_xlim()[0] <= t <= ax.get_xlim()[1]]
+    style: dict[str, Any] = {"fontsize": TEXT_POINTS, "va": "center", "parse_math": False}
+    for k, work in enumerate(works):
+        ax.axhline(ROW * k, color=theme.roles["guide"], lw=0.4)
+        ax.text(1, ROW * (k + 0.25), work, transform=ax.get_yaxis_transform(), ha="right", color=theme.roles["ink"],
+                bbox={"facecolor": theme.paper, "edgecolor": "none", "pad": 1}, **style)  # fmt: skip
+    ticks = [t for t in (0.5, 1, 2, 5, 10, 20, 50, 100, 200) if ax.get_xlim()[0] <= t <= ax.get_xlim()[1]]
     ax.set_xticks(ticks, [f"{t:g}" for t in ticks])
+    ax.minorticks_off()
     ax.set_xlabel("times as fast as shapely unprepared")
-    ax.text(1, 0.95, "shapely", color=theme.roles["guide"], fontsize=TEXT_POINTS, ha="center", va="bottom")
-    for k, method in enumerate(_methods_in(ratios)):
-        shade, x = theme.roles[SHADES[method]], -0.3 + 0.42 * k
-        ax.plot(x, 1.05, MARKS[method], color=shade, ms=7, transform=ax.transAxes, clip_on=False)
-        ax.text(x + 0.04, 1.05, method, color=shade, fontsize=TEXT_POINTS, va="center", transform=ax.transAxes)
+    for method, left in zip(_methods_in(ratios), (12.0, 124.0, 236.0), strict=False):
+        shade, y = theme.roles[SHADES[method]], 1 - (head + 26) / height
+        ax.plot(left / WIDTH, y, MARKS[method], color=shade, ms=7, transform=fig.transFigure, clip_on=False)
+        fig.text((left + 10) / WIDTH, y, method, color=theme.roles["ink"], **style)
 
 
 def _draw_corners(fig: Figure, theme: Theme, rows: Sequence[TimingRow]) -> None:
-    """Draw the right chart: time against the number of corners, with the exponent of the growth at each line's end."""
-    ax = add_axes(fig, (0.6, 0.095, 0.22, 0.72), theme)
+    """Draw the second chart: time against the number of corners, with the exponent of growth at each line's end."""
+    height = fig.get_size_inches()[1] * 72
+    ax = add_axes(fig, (56 / WIDTH, 50 / height, 160 / WIDTH, CORNERS / height), theme, "Time for a pair")
     ends = []
     for work, method in dict.fromkeys((row.work, row.method) for row in rows):
         own = [row for row in rows if (row.work, row.method) == (work, method)]
         shade = theme.roles[SHADES[method]]
         ax.plot([r.size for r in own], [r.time for r in own], DASHES[work], color=shade, lw=1.8)
         growth = growth_exponent({r.size: r.time for r in own})
-        ends.append((own[-1].size, own[-1].time, f"{method.removeprefix('satviz ')}, {work}: V^{growth:.1f}", shade))
-    ax.set_xscale("log", base=2)
-    ax.set_yscale("log")
-    sizes = sorted({row.size for row in rows})
+        label = f"{method.removeprefix('satviz ')}, {work}: V^{growth:.1f}"
+        ends.append((own[-1].size, own[-1].time, label, theme.text.get(SHADES[method], shade)))
+    ax.set(xscale="log", yscale="log")
+    sizes = sorted({row.size for row in rows})[1::2]
     ax.set_xticks(sizes, [f"{v}" for v in sizes])
+    ax.minorticks_off()
     ax.set_xlabel("corners of each polygon")
-    ax.set_title("ns a pair", loc="left", color=theme.roles["ink"], fontsize=TEXT_POINTS + 1, fontweight="bold")
+    set_time_ticks(ax.yaxis, ax.get_ylim())
     label_ends(ax, ends)

@@ -1,7 +1,7 @@
 """The benchmark's frames as a chart: time from raw arrays to all colliding pairs against the number of shapes."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import groupby
+from itertools import chain, groupby
 from textwrap import wrap
 from typing import Any
 
@@ -12,11 +12,23 @@ from matplotlib.figure import Figure
 from ..pictures import Theme
 from .bench import PLAIN_SAT, TimingRow
 from .bench_table import faster_from, wrong_counts
-from .harness.chart import TEXT_POINTS, Chart, add_axes, draw_headline, label_ends, label_points, set_time_ticks
+from .harness.chart import (
+    TEXT_LETTER,
+    TEXT_LINE,
+    TEXT_POINTS,
+    WIDTH,
+    Chart,
+    add_axes,
+    draw_headline,
+    head_height,
+    label_ends,
+    label_points,
+    set_time_ticks,
+)
 from .methods import ENGINES
 from .methods.scene_methods import DIFFERENCES
 
-CHART_SIZE = 900.0, 680.0  # points
+AXES, PANEL = 220.0, 310.0  # points: the height of the axes of one work, and of all that it takes but its sentences
 SHADES = {"satviz numba": "gap", "satviz numpy": "A"}  # the others are grey
 DASHES = {
     "brute force": ":",
@@ -25,8 +37,6 @@ DASHES = {
     "Box2D": "-.",
     "cKDTree": (0, (3, 1)),
 }
-LINE_POINTS = 13.0
-LINE_LETTERS, NOTE_LETTERS = 52, 158  # of the text at each of the three charts, and at the bottom
 TICKS = 10, 1000, 100_000
 BETWEEN = 6  # points on a line between two sizes that labels keep off
 SHORT_PROGRAMS = "brute force", "sort and sweep"  # the other rivals are libraries
@@ -54,23 +64,35 @@ def frames_chart(rows: Sequence[TimingRow], warning: str) -> Chart:
     title, subtitle = headline_of(works)
     reading = " ".join([reading, *notes, *counted])
 
+    low = min(t for times in works.values() for own in times.values() for t in own.values())
+    high = max(t for times in works.values() for own in times.values() for t in own.values())
+    above = {work: wrapped(fastest[work]) for work in works}
+    beneath = {work: [line for said in below[work] for line in wrapped(said)] for work in works}
+    ending = [line for note in notes for line in wrapped(note)]
+    head = head_height(title, [subtitle])
+    tall = head + len(works) * PANEL + TEXT_LINE * len([*ending, *chain(*above.values(), *beneath.values())]) + 30
+
     def draw(fig: Figure, theme: Theme) -> None:
-        """Draw a chart for each work, with the sentences about it below, and the notes at the bottom."""
+        """Draw the charts of all works below each other, each between its sentences, and the notes at the bottom."""
         draw_headline(fig, theme, title, subtitle)
-        low = min(t for times in works.values() for own in times.values() for t in own.values())
-        high = max(t for times in works.values() for own in times.values() for t in own.values())
-        for k, (work, times) in enumerate(works.items()):
-            left = 0.05 + 0.325 * k
-            ax = add_axes(fig, (left, 0.41, 0.165, 0.415), theme)
+        down = head + 8
+        for work, times in works.items():
+            _write_lines(fig, theme, down, [work.capitalize()], fontweight="bold")
+            _write_lines(fig, theme, down + TEXT_LINE, above[work])
+            down += TEXT_LINE * (1 + len(above[work])) + 8
+            ax = add_axes(fig, (56 / WIDTH, 1 - (down + AXES) / tall, 186 / WIDTH, AXES / tall), theme)
             _draw_times(ax, theme, times, (low / 1.5, high * 3))
-            _write_lines(fig, theme, left - 0.038, 0.91, [work.capitalize()], fontweight="bold")
-            _write_lines(fig, theme, left - 0.038, 0.885, wrap(fastest[work], LINE_LETTERS))
-            lines = [line for said in below[work] for line in wrap(said, LINE_LETTERS)]
-            _write_lines(fig, theme, left - 0.038, 0.34, lines)
-        _write_lines(fig, theme, 0.012, 0.145, [line for note in notes for line in wrap(note, NOTE_LETTERS)])
+            _write_lines(fig, theme, down + AXES + 40, beneath[work])
+            down += PANEL - TEXT_LINE - 8 + TEXT_LINE * len(beneath[work])
+        _write_lines(fig, theme, down, ending)
 
     own = [row._asdict() for row in rows]
-    return Chart("frames", title, CHART_SIZE, draw, own, reading, warning)
+    return Chart("frames", title, (WIDTH, tall), draw, own, reading, warning)
+
+
+def wrapped(text: str) -> list[str]:
+    """Return the lines of a text, wrapped to the chart's width."""
+    return wrap(text, int((WIDTH - 12) / TEXT_LETTER))
 
 
 def headline_of(works: Mapping[str, Times]) -> tuple[str, str]:
@@ -184,9 +206,9 @@ def _draw_times(ax: Axes, theme: Theme, times: Times, limits: tuple[float, float
     label_points(ax, inner, theme, points)
 
 
-def _write_lines(fig: Figure, theme: Theme, left: float, top: float, lines: Sequence[str], **style: Any) -> None:
-    """Write lines of text below each other, from a place that is given as shares of the figure."""
-    step = LINE_POINTS / (fig.get_size_inches()[1] * 72)
+def _write_lines(fig: Figure, theme: Theme, down: float, lines: Sequence[str], **style: Any) -> None:
+    """Write lines of text below each other, from a distance in points from the top."""
+    height = fig.get_size_inches()[1] * 72
     for k, line in enumerate(lines):
         style = {"fontsize": TEXT_POINTS, "va": "top", "parse_math": False, **style}
-        fig.text(left, top - k * step, line, color=theme.roles["ink"], **style)
+        fig.text(6 / WIDTH, 1 - (down + k * TEXT_LINE) / height, line, color=theme.roles["ink"], **style)

@@ -1,6 +1,6 @@
 """satviz study: run the cells of every section, then write the charts and their readings into one folder."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor, ProcessPoolExecutor, ThreadPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
@@ -11,7 +11,7 @@ from typing import Any
 from ..batch.chunks import check_executor
 from ..optional_imports import extra_needed
 from ..safe_write import MADE_BY, check, make_folder, write
-from .harness.cells import Failure, Settings, run_cells
+from .harness.cells import Failure, JsonRow, Settings, run_cells
 from .harness.chart import Chart, save_chart
 from .harness.machine import machine_facts
 from .sections import (
@@ -73,7 +73,7 @@ def study(
     facts = {"settings": settings._asdict(), "machine": machine_facts()}
     written: list[Path] = []
     whole = [section for section in sections if not any(cell.name in failed for cell in section.cells(settings))]
-    made = all_charts(found, whole, settings)
+    made = charts_of(all_rows(found, whole), settings, whole)
     for chart in made:
         written += save_chart(chart, out, facts, ("svg",) if settings.quick else ("svg", "png"), force=force)
     write(out / "study.md", _study_page(made, failed, settings).encode(), force=force)
@@ -95,9 +95,17 @@ def _failed_names(failed: dict[str, Failure]) -> str:
     )
 
 
-def all_charts(found: dict[str, Any], sections: Sequence[ModuleType], settings: Settings) -> list[Chart]:
-    """Return every chart of the sections; `found`: results by cell name, with all cells of these sections."""
-    return [chart for section in sections for chart in section.charts(found, settings)]
+def all_rows(found: dict[str, Any], sections: Sequence[ModuleType]) -> dict[str, list[JsonRow]]:
+    """Return the rows of every chart by its stem; `found`: results by cell name, with all cells of these sections."""
+    return {stem: rows for section in sections for stem, rows in section.rows(found).items()}
+
+
+def charts_of(
+    rows: Mapping[str, Sequence[JsonRow]], settings: Settings, sections: Sequence[ModuleType] = SECTIONS
+) -> list[Chart]:
+    """Return the charts of the sections that have rows, drawn from nothing but these."""
+    return [draw(rows[stem], settings) for section in sections for stem, draw in section.CHARTS.items()
+            if rows.get(stem)]  # fmt: skip
 
 
 def _study_page(made: Sequence[Chart], failed: dict[str, Failure], settings: Settings) -> str:

@@ -4,13 +4,15 @@ from typing import Any, overload
 
 import traitlets
 
+from ..engine.axes import Chooser
 from ..engine.shapes import Shape
+from ..engine.shortcut import Shortcut
 from ..pictures.comparison import refused_picture
 from ..render.script import javascript
 from ..scenes.article import SCENES
 from ..scenes.failing import FAILURE_CASES, REFUSED
 from ..scenes.resolve import EXPECT_SCENE, resolve
-from ..scenes.scenefile import Scene
+from ..scenes.scenefile import Scene, with_axes
 from .base import TraceWidget
 from .explorer_model import ExplorerModel
 from .goals import GOAL_NAMES
@@ -41,20 +43,38 @@ class Explorer(TraceWidget):
 
 
 @overload
-def explore(what: Scene | Shape, b: Shape | None = None, *, goal: str | None = None) -> Explorer: ...
+def explore(
+    what: Scene | Shape,
+    b: Shape | None = None,
+    *,
+    axes: str | Chooser | Shortcut | None = None,
+    goal: str | None = None,
+) -> Explorer: ...
 
 
 @overload
-def explore(what: str = "triangles", *, goal: str | None = None) -> Any: ...  # a Picture where a scene is refused
+def explore(  # a Picture where a scene is refused
+    what: str = "triangles", *, axes: str | Chooser | Shortcut | None = None, goal: str | None = None
+) -> Any: ...
 
 
-def explore(what: Scene | Shape | str = "triangles", b: Shape | None = None, *, goal: str | None = None) -> Any:
+def explore(
+    what: Scene | Shape | str = "triangles",
+    b: Shape | None = None,
+    *,
+    axes: str | Chooser | Shortcut | None = None,
+    goal: str | None = None,
+) -> Any:
     """Return a widget in which to drag a scene: a built-in scene's name, a Scene, or two shapes.
 
+    `axes` are other axes than the scene's, as `record` takes them, or their name: also a shortcut of your own, with
+    the map of where it is wrong.  Links from the widget have only axes with a name.
     Drag shapes, vertices and handles, or Tab to one and use the arrow keys.  `goal` sets a challenge:
     "touch", "one-axis" or, for a scene of a shortcut, "break".  A failing scene whose outlines are refused
     cannot be dragged: its Picture with the reason is returned.  InvalidScene for an unknown name or goal,
     ValueError for a scene that cannot be drawn, TypeError for anything else.
     """
     found = resolve(what, b, expected=EXPECT_SCENE)
-    return refused_picture(found.refused) if found.refused else Explorer(found.scene, goal)
+    if found.refused:
+        return refused_picture(found.refused)
+    return Explorer(found.scene if axes is None else with_axes(found.scene, axes), goal)

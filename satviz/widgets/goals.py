@@ -11,7 +11,7 @@ from ..engine.trace import record
 from ..pictures.claims import answers
 from ..pictures.drag import drag_layout
 from ..pictures.float_geometry import bounding_box
-from ..scenes.failing import FAILURE_CASES, NAMED, REFUSED, FailureCase
+from ..scenes.failing import FAILURE_CASES, NAMED, REFUSED
 from ..scenes.link import BREAK, ONE_AXIS, TOUCH
 from ..scenes.named import scene, scene_of_case
 from ..scenes.scenefile import Scene
@@ -28,9 +28,11 @@ GOAL_HINTS = {
     TOUCH: "Bring an edge flush with an edge, or a corner onto one. The arrow keys move a shape by the same step each "
     "time, with Shift by a tenth of it. A round shape touches exactly where its center is level with a corner or "
     "another center. Where all edges are slanted, drag a corner of each to the same place.",
-    BREAK: "Ask where the shortcut and the shapes disagree. If the picture shows a red region, the shortcut is wrong "
-    "while the dot lies in it.",
+    BREAK: "Ask where the shortcut and the shapes disagree: which pairs of shapes does its one step treat as equal? "
+    "If you give up, a map shows in red where it is wrong.",
 }
+# how far B is moved to find a challenge's level: as far as the scene is wide, in so many steps
+LEVEL_STEPS, LEVEL_LIMITS = 8, (0.25, 0.05)
 MOVE_SIZES, MOVE_DIRECTIONS = (1, 2, 3, 4, 6, 8), ((1, 0), (0, 1), (-1, 0), (0, -1), (1, 1), (-1, 1), (-1, -1), (1, -1))
 
 
@@ -56,7 +58,10 @@ def challenge_start(goal: str, shown: Scene) -> Scene:
     """Return the scene a challenge begins with: `shown`, unless it meets the goal or never can."""
     if not evaluate_goal(goal, shown).met and not (goal == ONE_AXIS and _has_concave_shape(shown)):
         return shown
-    start = start_where_right(NAMED[shown.axes]) if goal == BREAK else next(s for g, s in challenges() if g == goal)
+    if goal == BREAK:
+        start = start_where_right(scene_of_case(NAMED[shown.axes]) if shown.axes in NAMED else shown)
+    else:
+        start = next(s for g, s in challenges() if g == goal)
     if start is None:
         raise InvalidScene("this shortcut is wrong at every place near this scene: choose another scene to break")
     return start
@@ -68,19 +73,34 @@ def challenges() -> Iterator[tuple[str, Scene]]:
     yield ONE_AXIS, replace(scene("triangles"), axes="needed")
     yield TOUCH, scene("circle-polygon")
     for row in FAILURE_CASES:
-        start = None if row.how == REFUSED else start_where_right(row)
+        start = None if row.how == REFUSED else start_where_right(scene_of_case(row))
         if start:
             yield BREAK, start
 
 
-def start_where_right(row: FailureCase) -> Scene | None:
-    """Return a failing case's scene with B moved so that the shortcut is right; None if nowhere near."""
-    a, b = row.shapes
-    x0, y0, x1, y1 = bounding_box([a, b])
+def level(goal: str, start: Scene) -> int:
+    """Return how hard a challenge is, from 1 to 3.
+
+    A shortcut is easy to break if it is wrong in a large part of the places near the start: at least a quarter of
+    them for level 1, a twentieth for level 2.  Of the others the one with upright boxes is easy.
+    """
+    if goal != BREAK:
+        return 1 if start.name == "aabb" else 2
+    x0, y0, x1, y1 = bounding_box([start.a, start.b])
+    step = max(x1 - x0, y1 - y0) / LEVEL_STEPS
+    moves = range(-LEVEL_STEPS // 2, LEVEL_STEPS // 2 + 1)
+    places = [replace(start, b=translated(start.b, Vec(i * step, j * step))) for i in moves for j in moves]
+    share = sum(answers(place.record()).is_wrong for place in places) / len(places)
+    return 1 + sum(share < limit for limit in LEVEL_LIMITS)
+
+
+def start_where_right(shown: Scene) -> Scene | None:
+    """Return a shortcut's scene with B moved so that the shortcut is right; None if nowhere near."""
+    x0, y0, x1, y1 = bounding_box([shown.a, shown.b])
     step = float(f"{max(x1 - x0, y1 - y0) / 4:.1g}")
     for size in MOVE_SIZES:
         for x, y in MOVE_DIRECTIONS:
-            start = replace(scene_of_case(row), b=translated(b, Vec(size * step * x, size * step * y)))
+            start = replace(shown, b=translated(shown.b, Vec(size * step * x, size * step * y)))
             if not answers(start.record()).is_wrong:
                 drag_layout(start.record())
                 return start

@@ -40,6 +40,7 @@ CHOICES: Mapping[str, tuple[str, ...]] = {
 ALL_CHOICES = tuple(choice for choices in CHOICES.values() for choice in choices)
 FULL_TURN = Fraction(63, 10)  # an angle beyond a full turn in radians is in degrees
 ONLY_IF_IT_MATTERS = (TURN, ORDER, ROUND)  # asked only where the answer changes
+AT_ORIGIN = ", at the origin"  # of a shape for which the text gives no position
 FORM_WORDS = {
     CORNER_SIZE: "a box by a corner and its size",
     CORNER_CORNER: "a box by two opposite corners",
@@ -62,7 +63,8 @@ class Read:
     negative: str = ""  # the negative size that was given
     box: tuple[Fraction, ...] = ()  # the four numbers of a box, with its form
     form: str = ""
-    keyed: bool = False  # the numbers of a box have names: width, height
+    keyed: bool = False  # the form of a box is known: by its keys, or by the table of notations
+    named: bool = False  # it is known by its keys: width, height
     shift: Pt = ZERO  # the position that was added to its corners
     used: frozenset[int] = frozenset()  # where the numbers of the text end that stand in it
 
@@ -229,7 +231,7 @@ class Boxes(Points):
 def moved(shape: Read, move: Pt) -> Read:
     """Return a shape that was moved."""
     points = tuple((x + move[0], y + move[1]) for x, y in shape.points)
-    said = shape.said.replace(", at the origin", "")
+    said = shape.said.replace(AT_ORIGIN, "")
     said = said if said.endswith(" and a position") else f"{said} and a position"
     box = shape.box
     if box:

@@ -8,6 +8,7 @@ from typing import Any
 
 from .axis_lists import are_axes, joined
 from .boxes import (
+    AT_ORIGIN,
     BOX_FORM,
     CHOICES,
     DIAMETER,
@@ -22,13 +23,15 @@ from .notations import (
     ANY_BOX,
     CENTER_HALF,
     CENTER_SIZE,
+    CORNER_CORNER,
     CORNER_OR_CENTER,
+    CORNER_SIZE,
     RADIANS,
     Notation,
     key,
     notation,
 )
-from .points import ZERO, Pt, places
+from .points import ZERO, Pt, angle_of, places
 from .tree import Bad, Group, Name, Num, Pair
 
 FULL_TURNS = frozenset(["2*pi", "pi*2", "2pi", "tau", "two_pi", "360", "6.283185307179586"])
@@ -166,10 +169,10 @@ class Calls(Keyed):
         if not flat:
             raise Unreadable("a circle without a radius")
         x, y = points[0] if points else ZERO
-        said = "a circle by its center and radius" if points or place else "a circle by its radius, at the origin"
+        said = "a circle by its center and radius" if points or place else f"a circle by its radius{AT_ORIGIN}"
         row = notation(group.name)
         if row and row.alone and len(flat) == 1 and not points and not place:  # SFML's: the corner of its box is there
-            x, y, said = flat[0], flat[0], "a circle by its radius, with its box at the origin"
+            x, y, said = flat[0], flat[0], f"a circle by its radius{AT_ORIGIN}"
         used = places(x, y, *(place or ()), flat[0])
         bare = group.name == "circle" and len(group.items) == 3 and all(isinstance(v, Num) for v in group.items)
         if bare and self._choose(ROUND, CHOICES[ROUND], sure=DIAMETER if self.sketch else "") == DIAMETER:
@@ -215,15 +218,18 @@ class Calls(Keyed):
             form = row.form or CENTER_SIZE
             form = form if form in (CENTER_SIZE, CENTER_HALF) or row.alone else CENTER_SIZE
             flat = [*(place or ZERO), *flat]
-            return [self._made_box(flat, form, group, label, angle, row.unit)]
+            made = self._made_box(flat, form, group, label, angle, row.unit)
+            return [made if place else replace(made, said=f"{made.said}{AT_ORIGIN}")]
         if len(flat) not in (4, 5):
             return self._plain(replace(group, name="", methods=[]), label)
         ask = row.ask or ()
         if not row.form and len(arguments) == 3:
             ask = CORNER_OR_CENTER  # a point, a width and a height
+        if group.bracket == "[" and row.form == CORNER_SIZE:  # Mathematica: Rectangle[{0, 0}, {1, 1}]
+            row, ask = row._replace(form=CORNER_CORNER), ()
         form = self._choose(BOX_FORM, ask, sure=self.mode(group)) if ask else self._overridden(row.form)
         if len(flat) == 5 and angle is None:
-            angle = Num(group.start, group.end, flat[4])
+            angle = angle_of(group, flat)
         if len(arguments) == 4 and not named.fields and row.ask == ANY_BOX:
             self._ask_order()
         made = self._made_box(flat[:4], form, group, label, angle, RADIANS if row.form == CENTER_HALF else row.unit)

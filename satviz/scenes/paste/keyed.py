@@ -6,6 +6,7 @@ from typing import Any
 from .axis_lists import joined, pairs_of_lists
 from .boxes import (
     ABSOLUTE,
+    AT_ORIGIN,
     CHOICES,
     CORNERS,
     Boxes,
@@ -16,12 +17,15 @@ from .boxes import (
 )
 from .names import Obj, Unreadable
 from .notations import (
+    CORNER_CORNER,
     Notation,
     key,
     notation,
 )
-from .points import ZERO, Pt, places
+from .points import ZERO, Numeral, Pt, places
 from .tree import Bad, Group, Name, Num
+
+BODY_SHAPES = frozenset(["shapes", "fixtures", "colliders", "fixturelist"])  # relative to their body
 
 
 class Keyed(Boxes):
@@ -47,8 +51,20 @@ class Keyed(Boxes):
             if kind.text == "MultiPolygon" and isinstance(inside, Group):
                 return [s for each in inside.items for s in self._rings(each, label)]
             return []
+        sort = obj.fields.get(
+            "shape_type"
+        )  # of labelme: two points are corners of a box, or a center and a border point
+        if isinstance(sort, Name) and sort.text == "circle":
+            raise Unreadable("a circle by its center and a point of it: write its radius")
+        if isinstance(sort, Name) and sort.text == "rectangle" and obj.get("points") is not None:
+            two = self.resolve(obj.get("points"))
+            ends = [self.point(v) for v in two.items] if isinstance(two, Group) else []
+            if len(ends) == 2 and ends[0] and ends[1]:
+                return [self._made_box([*ends[0], *ends[1]], CORNER_CORNER, obj, label)]
         angle, unit = obj.get("angle", "degrees", "radians"), unit_of(obj)
         center = obj.get("center", "corner")
+        if isinstance(self.resolve(center), Name) and obj.get("x0") is not None:
+            center = None  # position: absolute
         place = None if center is None else self.vector(center)
         if place is None and obj.get("x") is not None and obj.get("y") is not None:
             place = (self.number(obj.get("x")), self.number(obj.get("y")))
@@ -82,29 +98,41 @@ class Keyed(Boxes):
         sides = all(side in {str(k).lower() for k in obj.fields} for side in "ltrb")
         if radius is not None and isinstance(self.resolve(radius), (Num, Bad)) and not sides:
             made = self._circle_of_keys(obj, place, label, row)
+            if angle is not None and self._is_number(angle):
+                made = replace(made, used=made.used | places(self.number(angle)))  # a circle stays as it is
             return [moved(made, offset) if offset else made]
         if four := self._box_of_keys(obj, place, center, row):
-            made = replace(self._made_box(*four, obj, label, angle, unit), keyed=True)
+            made = replace(self._made_box(*four, obj, label, angle, unit), keyed=True, named=True)
+            if not any(isinstance(number, Numeral) for number in four[0][:2]):
+                made = replace(made, said=f"{made.said}{AT_ORIGIN}")
             return [moved(made, offset) if offset else made]
         if obj.rest and (place is not None or angle is not None):
+            self.consume(obj.rest)
             found = [s for v in obj.rest for s in self.shapes(v, label)]
             found = [moved(s, place) if place and self.point(obj.get("center")) else s for s in found]
             return [self._turned(s, angle, unit, place) if angle is not None else s for s in found]
-        inner = [s for v in obj.rest for s in self.shapes(v, label)]
+        inner = [s for v in obj.rest if not isinstance(v, Name) for s in self.shapes(v, label)]
         for name, value in obj.fields.items():
             if not (isinstance(kind, Name) and name in ("bbox", "properties")):
                 wrapper = isinstance(name, int) or name in ("geometry", "features", "geometries", "shape")
-                inner += self.shapes(value, label if wrapper else str(name).split(" (")[0])
+                held = str(name).lower() in BODY_SHAPES
+                found = self.shapes(value, label if wrapper or held else str(name).split(" (")[0])
+                if held and place is not None:  # the body's position and angle are those of its shapes
+                    found = [self._turned(s, angle, unit, None) if angle is not None else s for s in found]
+                    found = [moved(s, place) for s in found]
+                inner += found
         return inner
 
     def _circle_of_keys(self, obj: Obj, place: Pt | None, label: str, row: Notation | None) -> Read:
         """Return the circle of an object with a radius or a diameter, and a center or its left and top sides."""
+        if any(str(k).lower() in ("sides", "numpoints", "num_points", "numsides") for k in obj.fields):
+            raise Unreadable("a regular polygon by its radius: write its corners")
         given = obj.get("radius")
         size = self.number(given if given is not None else obj.get("diameter"))
         used = places(*(place or ()), size)
         radius = size if given is not None else size / 2
         keys = {str(k).lower(): v for k, v in obj.fields.items()}
-        said = "a circle by its center and radius" if place else "a circle by its radius, at the origin"
+        said = "a circle by its center and radius" if place else f"a circle by its radius{AT_ORIGIN}"
         if place is None and "left" in keys and "top" in keys:
             place = self.number(keys["left"]), self.number(keys["top"])
             used |= places(*place)

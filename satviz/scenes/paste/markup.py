@@ -6,7 +6,7 @@ from fractions import Fraction
 from itertools import islice
 
 from ...engine.geometry import InvalidScene
-from .prose import sentences
+from .prose import fields, sentences
 from .svg_path import PATH_DATA, path_tokens
 from .tables import tables
 from .tokens import CLOSE, FIELD, MARK, MAX_TOKENS, NAME, NUMBER, OPEN, TOO_MANY, Token, tokens
@@ -14,7 +14,7 @@ from .tokens import CLOSE, FIELD, MARK, MAX_TOKENS, NAME, NUMBER, OPEN, TOO_MANY
 _QUOTED = r"\"[^\"<>]*\"|'[^'<>]*'"
 _ELEMENT = re.compile(rf"<(circle|ellipse|rect|polygon|polyline|path)\b((?:[^<>\"']|{_QUOTED})*)>")
 _ATTRIBUTE = re.compile(rf"([\w:-]+)[ \t\r\n]*=[ \t\r\n]*({_QUOTED})")
-_BARE = re.compile(rf"([\"'`])(?=\s*[Mm])({PATH_DATA.pattern})\1")
+_BARE = re.compile(rf"([\"'`])({PATH_DATA.pattern})\1")
 _TRANSFORM = re.compile(r"(\w+)\s*\(([^()]*)\)")
 _VIEW = re.compile(r"\bviewBox\s*=\s*(?:\"[^\"<>]*\"|'[^'<>]*')", re.IGNORECASE)
 # The attributes that are numbers of a shape; 0 is what SVG takes for a place that is not given.
@@ -40,7 +40,7 @@ def all_tokens(text: str) -> list[Token]:
             found = [_mark(OPEN, "[", m.start()), *path_tokens(m[2], m.start(2)), _mark(CLOSE, "]", m.end())]
             parts.append((m.start(), m.end(), found))
     parts += [(m.start(), m.end(), []) for m in _VIEW.finditer(text)]
-    parts += [*tables(text), *sentences(text)]
+    parts += [*tables(text), *sentences(text), *fields(text)]
     if not parts:
         return plain
     parts.sort(key=lambda part: part[0])

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from .notations import BOX, CIRCLE, key, notation
+from .notations import BOX, CIRCLE, OTHER_SHAPE, key, notation
 from .tree import Bad, Group, Name, Pair, Value
 
 
@@ -50,6 +50,9 @@ class Names:
     def _insert(self, pair: Pair) -> None:
         """Store a value under its path; a variable that is declared again keeps its earlier value as another shape."""
         node = self.env
+        size = len(pair.value.items) if isinstance(pair.value, Group) else 0
+        if pair.before and len(pair.path) == 2 and pair.path[1] == size:  # a length: double xs[3] = {0, 4, 4}
+            pair = replace(pair, path=pair.path[:1])
         for part in pair.path[:-1]:
             child = node.fields.get(part)
             if not isinstance(child, Obj):
@@ -63,7 +66,7 @@ class Names:
             node.fields[f"{last} ({len(node.fields)})"] = old
         value = pair.value
         declared = notation(pair.before) if pair.before and isinstance(value, Group) and not value.name else None
-        if declared and declared.kind in (BOX, CIRCLE) and value.bracket in "({":  # Rect r = {0, 0, 1, 1}
+        if declared and declared.kind in (BOX, CIRCLE, OTHER_SHAPE) and value.bracket in "({":  # Rect r = {0, 0, 1, 1}
             value = replace(value, name=pair.before)
         if isinstance(value, Bad) and value.inside:
             value = Group(value.start, value.end, value.inside, "words")

@@ -4,10 +4,11 @@ Names are compared without case, and by their end: `new SAT.Vector` is found as 
 before "rectangle" because the longer ending comes first.
 """
 
+import re
 from typing import NamedTuple
 
 POINT, RING, CIRCLE, BOX, MANY, MOVE, ARC = "point", "ring", "circle", "box", "many", "move", "arc"
-ELLIPSE = "ellipse"
+ELLIPSE, OTHER_SHAPE = "ellipse", "other"
 # How the four numbers of a box are meant, in the words of `--as`.
 CORNER_SIZE, CORNER_CORNER, CENTER_SIZE, CENTER_HALF = "corner-size", "corner-corner", "center-size", "center-half"
 DEGREES, RADIANS = "degrees", "radians"
@@ -46,7 +47,7 @@ NOTATIONS = (
         "svg.path svg.polyline "
         "clipper.makepath makepath path64 pathd paths64 pathsd addface polyshape triangle quad addpolygon "
         "simplepolygon2d collisionpolygon2d convexpolygonshape2d convexpolygon2d graphics.polygon p2.convex "
-        "zip column_stack "
+        "zip column_stack rbind newpolygonshape "
         "edgecollider polygoncollider2d addpoly "
         "seq set z zm double[][] float32array float64array makepolygon fromvertices create_polygon convex newpolygon",
         RING,
@@ -55,7 +56,7 @@ NOTATIONS = (
         "circle circle2d ball disc disk createcircle circleshape addcircle drawcircle bodies.circle c2circle", CIRCLE
     ),
     Notation(
-        "circle.new ball::new newcircle circleimpl circlef colliderbuilder::ball circleshape2d "
+        "circle.new ball::new newcircle circleimpl circlef colliderbuilder::ball circleshape2d newcircleshape "
         "circlecollider2d  makecircle create_circle b2circle arc ellipse2d",
         CIRCLE,
     ),
@@ -63,7 +64,7 @@ NOTATIONS = (
     Notation(
         "bodies.rectangle add.rectangle bodies.rect boxshape2d centered_rect rotatedrect p2.box p2.rectangle "
         "create_box "
-        "poly.create_box bounds rect.fromcenter rectangleshape2d boxcollider2d",
+        "newrectangleshape poly.create_box bounds rect.fromcenter rectangleshape2d boxcollider2d",
         BOX,
         CENTER_SIZE,
     ),
@@ -71,6 +72,7 @@ NOTATIONS = (
         "rectangle rectanglef rect2 rect2i newrect qrect qrectf cgrect cgrectmake sf::floatrect "
         "sf::rect floatrect intrect "
         "sf::intrect pygame.rect "
+        "ccrectmake ccrect "
         "svg.rect rect.fromltwh makerect rectmake qrect.new fillrect strokerect rect2.new rectangle.new "
         "graphics.rectangle drawrectangle "
         "sdl_rect sdl_frect domrect rectangle2d.double rectangle2d.float geom.rectangle recti",
@@ -79,7 +81,7 @@ NOTATIONS = (
     ),
     Notation(
         "shapely.box geometry.box shapely.geometry.box st_makeenvelope makeenvelope envelope bbox boundingbox ltrb "
-        "pixel.r image.rect rect64 rectd rect.fromltrb rect.frompoints rectf bb pymunk.bb box2.new",
+        "pixel.r image.rect rect64 rectd rect.fromltrb rect.frompoints lnglatbounds rectf bb pymunk.bb box2.new",
         BOX,
         CORNER_CORNER,
     ),
@@ -93,6 +95,12 @@ NOTATIONS = (
     Notation("rectangleshape", BOX, CORNER_SIZE, alone=True),
     Notation("sf::circleshape", CIRCLE, alone=True),
     Notation("ellipse svg.ellipse", ELLIPSE),
+    Notation(
+        "capsule b2capsule capsule2d capsuleshape2d segment b2segment linesegment line ray edge roundedrect roundedbox "
+        "b2makeroundedbox makeroundedbox stadium matrix roundrectangle2d.double roundrectangle2d.float roundrect rrect "
+        "create_oval oval rhombus star wedge ring arcshape regularpolygon konva.regularpolygon konva.star",
+        OTHER_SHAPE,
+    ),
     Notation("square", BOX, ask=(CORNER_SIZE, CENTER_SIZE)),
     # what moves the next shape
     Notation(
@@ -170,6 +178,11 @@ HARMLESS = frozenset(
         "freeze",
         "wkt",
         "intersects",
+        "intersect",
+        "merge",
+        "union",
+        "colliderect",
+        "intersectsrect",
         "overlaps",
         "contains",
         "touches",
@@ -195,6 +208,17 @@ TURNS = {
     "rotatedegrees": DEGREES,
 }
 SETTERS = frozenset(["set", "setxy"])
+
+
+# Words in the name of a call that makes a shape, and of one that takes a list of numbers as corners.
+SHAPE_WORDS = re.compile(
+    r"polygon|circle|ellipse|rect|box|ball|triangle|quad|capsule|\barc|cuboid|hull|aabb|cylinder|disc|disk",
+    re.IGNORECASE,
+)
+LIST_WORDS = re.compile(
+    r"poly|triangle|quad|path|hull|point|vert|shape|convex|outline|contour|coord|ring|geom|array|list|vec|tuple|line|\bc$",
+    re.IGNORECASE,
+)
 
 
 def notation(name: str) -> Notation | None:

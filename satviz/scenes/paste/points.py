@@ -5,7 +5,7 @@ from fractions import Fraction
 from typing import Any
 
 from .names import Obj, Unreadable, short
-from .notations import HARMLESS, POINT, RING, notation
+from .notations import HARMLESS, LIST_WORDS, POINT, RING, notation
 from .statements import Statements
 from .tree import Group, Name, Num, Pair, Value
 
@@ -17,6 +17,12 @@ class Numeral(Fraction):
 
     __slots__ = ("at",)
     at: int
+
+
+def angle_of(at: Value, flat: Sequence[Fraction]) -> Num:
+    """Return the fifth number of a box, its angle, as a value with its own place in the text."""
+    number = flat[4]
+    return Num(at.start, number.at if isinstance(number, Numeral) else at.end, number)
 
 
 def places(*numbers: Fraction) -> frozenset[int]:
@@ -151,8 +157,9 @@ class Points(Statements):
             items = [n for v in items for n in (v.items if isinstance(v, Group) and v.bracket == " " else [v])]  # SVG
         flat = self.numbers(items)
         if flat is not None:
-            if len(flat) < 6 or (row and row.kind == POINT):
-                return None
+            unknown = value.bracket == "(" and value.name and row is None and not LIST_WORDS.search(value.name)
+            if len(flat) < 6 or (row and row.kind == POINT) or unknown:
+                return None  # setTransform(1, 0, 0, 1, 5, 5) is no outline
             if len(flat) % 2:
                 raise Unreadable(f"a list of {len(flat)} numbers is no list of x and y: one is missing or too many")
             return list(zip(flat[::2], flat[1::2], strict=True))

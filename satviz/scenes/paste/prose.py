@@ -5,15 +5,38 @@ from collections.abc import Iterator
 
 from .tokens import CLOSE, MARK, NAME, NUMBER, OPEN, Token, tokens
 
-_N = r"[-+\u2212]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
+_N = r"[-+\u2212]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?"
 _PLACE = rf"(?:\([ ]?{_N}[ ]?,[ ]?{_N}[ ]?\)|\b(?:center|centre|at|position)[ ]{_N}[ ]?,[ ]?{_N})"
 _FILL = r"[ ,]{1,3}(?:(?:and|with|has|having|of|is|a|an|the|its|size)[ ,]{1,3}){0,4}"
 # One row for each kind of sentence: the call that it stands for, and its words.
 SENTENCES = (
     ("circle", re.compile(rf"{_PLACE}{_FILL}radius(?:[ ](?:of|is|=))?[ ]{_N}(?![\w.])", re.IGNORECASE)),
+    ("qrect", re.compile(rf"(?<=QRect)\({_N},{_N} {_N}x{_N}\)|(?<=QRectF)\({_N},{_N} {_N}x{_N}\)")),
+    ("circle", re.compile(rf"\({_N}[ ]?,[ ]?{_N}\)[ ]circle[ ]\({_N}\)")),
+    ("image.rect", re.compile(rf"\({_N}[ ]?,[ ]?{_N}\)[ ]rectangle[ ]\({_N}[ ]?,[ ]?{_N}\)")),
     ("rect", re.compile(rf"{_PLACE}{_FILL}{_N}[ ]?[x\u00d7][ ]?{_N}(?![\w.])", re.IGNORECASE)),
 )
 _NUMBER = re.compile(_N)
+
+
+_FIELD = re.compile(rf"<([A-Za-z]\w*)>\s*({_N})\s*</\1>")
+
+
+def fields(text: str) -> Iterator[tuple[int, int, list[Token]]]:
+    """Yield (start, end, tokens) for each element of XML that holds a number, as a key: <xmin>4</xmin> is xmin = 4."""
+    for match in _FIELD.finditer(text):
+        (number,) = tokens(match[2])
+        at = match.start(2)
+        yield (
+            match.start(),
+            match.end(),
+            [
+                Token(NAME, match[1], match.start(), match.start()),
+                Token(MARK, "=", at, at),
+                number._replace(start=at, end=match.end(2)),
+                Token(MARK, ";", match.end(), match.end()),
+            ],
+        )
 
 
 def sentences(text: str) -> Iterator[tuple[int, int, list[Token]]]:

@@ -1,5 +1,6 @@
 """Values of a text as shapes, by the table of notations."""
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
@@ -27,13 +28,15 @@ from .notations import (
     MANY,
     MOVE,
     MOVES,
+    OTHER_SHAPE,
     POINT,
     RADIANS,
     RING,
+    SHAPE_WORDS,
     TURNS,
     notation,
 )
-from .points import ZERO, Pt, places
+from .points import ZERO, Pt, angle_of, places
 from .statements import ATTACHERS
 from .tree import Bad, Group, Name, Num, Pair, Value
 
@@ -59,7 +62,7 @@ class Reader(Calls):
                 self.axes.append((points, (x, y)))
                 entries.append((points.start, name, points))
             self.taken |= {id(x), id(y)}
-        entries = [entry for entry in entries if id(entry[2]) not in self.taken]
+        entries = [e for e in entries if id(e[2]) not in self.taken and not isinstance(e[2], Name)]  # b = a
         entries += [(run.value.start, run.label, run.value) for run in self.runs]
         found: list[tuple[int, Read]] = []
         for _, name, value in sorted(entries, key=lambda entry: entry[0]):
@@ -87,15 +90,19 @@ class Reader(Calls):
         """Return the shapes in a value; what cannot be read is noted in `problems`."""
         value = self.resolve(value)
         try:
+            if isinstance(value, Bad) and value.hides:
+                raise Unreadable("an expression, which is not evaluated")
             if isinstance(value, Bad):
                 return [s for inner in value.inside for s in self.shapes(inner, label)]
             if isinstance(value, Obj):
                 return self._object(value, label)
             if isinstance(value, Group):
-                return self._group(value, label)
+                return self._group(self._by_its_name(value), label)
         except Unreadable as error:
             where = f"{label}: " if label else ""
             part = short(self.text[value.start : value.end]) if isinstance(value, Value) else ""
+            if isinstance(value, Value) and not part.endswith("..."):
+                self.named.append((value.start, value.end))
             if (text := f"{where}{error} (in {part})") not in self.problems:
                 self.problems.append(text)
         return []
@@ -104,6 +111,8 @@ class Reader(Calls):
         """Return the shapes of a bracket, a call or a typed list, with the calls behind it."""
         row = notation(group.name) if group.name else None
         kind = row.kind if row else ""
+        if kind == OTHER_SHAPE and self._has_numbers(group):
+            raise Unreadable(f"{short(group.name)}: satviz takes polygons, boxes and circles")
         if kind in (POINT, MOVE):
             self._refuse_methods(group)  # Point(0, 0).buffer(1)
             return []
@@ -140,6 +149,16 @@ class Reader(Calls):
         else:
             found = self._plain(group, label)
         return self._after(group, found)
+
+    def _by_its_name(self, group: Group) -> Group:
+        """Return a call with the name that its own stands for: var C = SAT.Circle; new C(...)."""
+        other = self.env.before(group.name, group.start) if group.name and not notation(group.name) else None
+        return replace(group, name=other.text) if isinstance(other, Name) else group
+
+    def _has_numbers(self, value: Any) -> bool:
+        """Return whether there is a number in a value."""
+        inner = value.items if isinstance(value, Group) else [value.value] if isinstance(value, Pair) else []
+        return isinstance(value, Num) or any(map(self._has_numbers, inner))
 
     def _attached(self, group: Group, label: str) -> list[Read]:
         """Return the shapes that a call gives to a body, at the body's position: body.addShape(circle)."""
@@ -201,6 +220,9 @@ class Reader(Calls):
             return self._object(self.as_object(group), label)
         if "circle" in group.name.lower() and (circles := self._centers_and_radii(group.items, label)):
             return circles
+        said = self.text[group.start : group.end] if any(isinstance(v, Bad) for v in group.items) else ""
+        if group.bracket in ("[", "(") and re.search(r"\bfor\s+[(\w]", said):
+            raise Unreadable("a comprehension, which is not evaluated")
         outline = self.ring(group)
         if outline is not None and len(outline) > 2:
             return [self._outline(outline, group, label)]
@@ -208,13 +230,19 @@ class Reader(Calls):
             form = self._choose(BOX_FORM, (CORNER_CORNER, CORNER_SIZE, CENTER_SIZE, CENTER_HALF))
             return [self._made_box([*outline[0], *outline[1]], form, group, label)]
         items = [item for item in group.items if item is not None]
+        if group.bracket == "[" and len(items) > 2 and all(isinstance(v, Bad) and not v.inside for v in items):
+            self.number(items[0])  # a list of expressions: says that they are not evaluated
+        sizes = {len(v.items) if isinstance(v, Group) and _is_numeric(v) else 0 for v in items}
+        if len(items) > 2 and len(sizes) > 1 and min(sizes) > 2:
+            raise Unreadable(f"lists of {' and '.join(map(str, sorted(sizes)))} numbers in one list are no corners")
         flat = self.numbers(items) if not _is_call(group) else None
         if flat is not None and len(flat) in (4, 5):
             self._ask_order()
             if len(flat) == 5:
-                return [self._made_box(flat[:4], CENTER_SIZE, group, label, Num(group.start, group.end, flat[4]))]
+                return [self._made_box(flat[:4], CENTER_SIZE, group, label, angle_of(group, flat))]
             return [self._made_box(flat, self._choose(BOX_FORM, ANY_BOX), group, label)]
-        if len(items) in (2, 3) and all(self._is_number(item) for item in items[1:]):
+        shaped = not group.name or SHAPE_WORDS.search(group.name)
+        if shaped and len(items) in (2, 3) and all(self._is_number(item) for item in items[1:]):
             center = self.point(items[0])
             if center is not None and len(items) == 2:
                 radius = self.number(items[1])
@@ -258,6 +286,11 @@ class Reader(Calls):
                 turned = self._turned(shape, angle, RADIANS, None) if angle is not None else shape
                 yield moved(turned, move) if move else turned
                 move, angle = None, None
+
+
+def _is_numeric(group: Group) -> bool:
+    """Return whether a group holds numbers alone."""
+    return not group.name and all(isinstance(v, Num) for v in group.items)
 
 
 def _is_call(group: Group) -> bool:

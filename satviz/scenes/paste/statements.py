@@ -6,8 +6,8 @@ from dataclasses import replace
 from typing import Any, NamedTuple
 
 from .names import Names, Obj, is_block, short
-from .notations import BOX, CIRCLE, MOVES, POINT, SETTERS, TURNS, key, notation
-from .tree import Bad, Group, Num, Pair
+from .notations import BOX, CIRCLE, MOVES, OTHER_SHAPE, POINT, SETTERS, TURNS, key, notation
+from .tree import Bad, Group, Name, Num, Pair
 
 # Calls that add a corner to a list, that draw an outline with a pen, and that give a shape to a body.
 ADDERS = frozenset(
@@ -22,6 +22,7 @@ _SKETCH = re.compile(r"\b(?:rectMode|ellipseMode|createCanvas|beginShape|noStrok
 _LETTERS = "x|y|w|h|r|cx|cy|width|height|radius|diameter"
 _NUMBERED = re.compile(rf"(?P<key>{_LETTERS}|left|top|right|bottom)_?(?P<owner>\d+|[a-dA-D])")
 _PREFIXED = re.compile(rf"(?P<owner>\w+?)(?:_(?P<key>{_LETTERS})|(?P<camel>X|Y|W|H|R|Width|Height|Radius|Diameter))")
+_CORNER = re.compile(r"(?P<name>(?:v|p|pt|point|vertex|vert|corner)?)[ _]?(?P<number>\d{1,4})", re.IGNORECASE)
 _LETTERED = re.compile(r"(?P<owner>[a-dA-DpPqQ])(?P<key>[xywhr])")
 
 
@@ -38,11 +39,14 @@ class Statements(Names):
     def __init__(self, text: str) -> None:
         super().__init__(text)
         self.runs: list[Run] = []
+        self.named: list[tuple[int, int]] = []  # where short parts stand that a problem quotes in full
         self.taken: set[int] = set()  # values that a run has
         self.modes: list[tuple[int, str]] = []  # rectMode(CENTER), where it stands
         self._open: dict[str, Obj] = {}  # runs that may go on
         self._grown: set[int] = set()  # lists to which corners were added
         self._pen: Group | None = None
+        self._corners: Obj | None = None  # a numbered list that may go on
+        self._next, self._named = 0, ""
         self.sketch = bool(_SKETCH.search(text))  # of Processing or p5.js
         self._draws = "lineto" in text.lower()  # moveTo is that of a pen, and of no body
 
@@ -50,7 +54,7 @@ class Statements(Names):
         """Sort the lines of a text or block: what gets a name, and what stands alone."""
         column: list[Group] = []
         for item in (*items, None):
-            if isinstance(item, Group) and item.bracket in (",", " ") and self._is_row(item):
+            if isinstance(item, Group) and not item.name and item.bracket != '"' and self._is_row(item):
                 column.append(item)
                 continue
             if len(column) > 2:
@@ -60,10 +64,12 @@ class Statements(Names):
             column = []
             if item is None or not isinstance(item, Pair):
                 self._end_run("")
+                self._end_corners()
             self._line(item)
         for owner in list(self._open):
             self._end_run(owner)
         self._end_pen()
+        self._end_corners()
 
     def _is_row(self, item: Group) -> bool:
         """Return whether a line consists of two numbers."""
@@ -76,13 +82,16 @@ class Statements(Names):
             self._line(item.value)
         elif isinstance(item, Pair):
             self._insert(item)
+            self._number(item)
             self._go_on(item)
         elif isinstance(item, Bad):
             for inner in item.inside:
                 self._line(inner)
         elif isinstance(item, Group):
             declared = notation(item.before) if item.before else None
-            if declared and (declared.kind in (BOX, CIRCLE) or not notation(item.name)):  # Circle c(0, 0, 1)
+            if declared and (
+                declared.kind in (BOX, CIRCLE, OTHER_SHAPE) or not notation(item.name)
+            ):  # Circle c(0, 0, 1)
                 made = replace(item, name=item.before, before="")
                 self._insert(Pair(item.start, item.end, _path(item.name), made))
             elif item.bracket == "{" and not item.name and is_block(item):
@@ -114,9 +123,7 @@ class Statements(Names):
             self._insert(Pair(item.start, item.end, (*item.name.split("."), number), item.methods[0][1]))
         elif last in SETTERS and owner and len(item.items) == 2:  # circle.m_p.Set(1, 2)
             self._insert(Pair(item.start, item.end, owner, replace(item, name="")))
-        elif (
-            last in (*MOVES, *TURNS) and owner and not (last == "moveto" and self._draws) and len(item.items) in (1, 2)
-        ):
+        elif last in (*MOVES, *TURNS) and owner and len(item.items) in (1, 2) and not self._is_drawn(last, item):
             value = item if last in MOVES and len(item.items) == 2 else item.items[0]
             value = Group(item.start, item.end, item.items, "(") if value is item else value
             self._insert(Pair(item.start, item.end, (*owner, "position" if last in MOVES else "angle"), value))
@@ -134,6 +141,10 @@ class Statements(Names):
         else:
             return False
         return True
+
+    def _is_drawn(self, last: str, call: Group) -> bool:
+        """Return whether a call moves a pen, or what its first argument names: Body.setPosition(a, {x: 1, y: 2})."""
+        return (last == "moveto" and self._draws) or (len(call.items) > 1 and isinstance(call.items[0], Name))
 
     def _add(self, path: tuple[str, ...], point: Group) -> None:
         """Add a corner to the list of this name."""
@@ -159,7 +170,27 @@ class Statements(Names):
             self.loose.append(self._pen)
         self._pen = None
 
-    # -- numbers with names of their own
+    # -- corners and numbers with names of their own
+
+    def _number(self, pair: Pair) -> None:
+        """Take a corner of a numbered list: v0: 0 0, Vertex 1: (4, 0), 2: {x: 0, y: 3}."""
+        found = _CORNER.fullmatch(f"{pair.path[0]}{pair.number}") if len(pair.path) == 1 else None
+        if found is None or not _is_point(pair.value):
+            self._end_corners()
+            return
+        number = int(found["number"])
+        if self._corners is None or number != self._next or found["name"] != self._named:
+            self._end_corners()
+            self._corners = Obj(pair.start, pair.end)
+        self._corners.fields[number] = pair.value
+        self._corners.end = pair.end
+        self._next, self._named = number + 1, found["name"]
+
+    def _end_corners(self) -> None:
+        """End a numbered list of corners."""
+        if self._corners is not None and len(self._corners.fields) > 2:
+            self.runs.append(Run(self._corners, ""))
+        self._corners = None
 
     def _go_on(self, pair: Pair) -> None:
         """Go on with the shape whose number this is: x1 = 0; y1 = 0; r1 = 5."""
@@ -226,3 +257,11 @@ def _point_of(call: Group) -> Group | None:
         return inner if len(inner.items) in (2, 3) and _are_numbers(inner) else None
     pair = len(call.items) == 2 and all(not isinstance(v, (Group, Pair)) for v in call.items)
     return Group(call.start, call.end, call.items, "(") if pair else None
+
+
+def _is_point(value: Any) -> bool:
+    """Return whether a value is a point: two numbers, or x and y."""
+    if not isinstance(value, Group) or len(value.items) != 2:
+        return False
+    keys = {key(v.path[0]) for v in value.items if isinstance(v, Pair) and len(v.path) == 1}
+    return _are_numbers(value) or keys == {"x", "y"}

@@ -32,6 +32,7 @@ _TOKEN = re.compile(
     (?P<space>[ \t\r\f\v\ufeff\u00a0]+|\\\n|'''|"\""+|```\w*)
   | (?P<comment>(?<![\d)\]])//[^\n]*|\#[^\n]*|--(?=[ \[])[^\n]*|/\*.*?\*/|<!--.*?-->)
   | (?P<line>\n)
+  | (?P<tag>/>|</[A-Za-z][\w:.-]*>|(?<![\w>])<[A-Za-z][\w:.-]*>)
   | (?P<number>(?:(?<![\w)\].])[+\-\u2212])?
         (?:0[xX][0-9a-fA-F]+(?:\.[0-9a-fA-F]*)?(?:[pP][+-]?[0-9]+)?
          |(?:[0-9][0-9_]*(?:'[0-9]{3})*(?:\.(?!\.)[0-9_]*)?|\.[0-9][0-9_]*)(?:[eE][+\-\u2212]?[0-9]+)?)
@@ -42,7 +43,7 @@ _TOKEN = re.compile(
   | (?P<field>(?:\.|->|::)[^\W\d]\w*)
   | (?P<open>[(\[{])
   | (?P<close>[)\]}])
-  | (?P<mark><?->|[\u2192\u2194\u21d2]|=>|==|:=|<=|>=|!=|[,;:=])
+  | (?P<mark><-(?=[ ])|<?->|[\u2192\u2194\u21d2]|=>|==|:=|<=|>=|!=|[,;:=])
   | (?P<other>.)
     """,
     re.VERBOSE | re.DOTALL,
@@ -104,6 +105,12 @@ def _scan(text: str) -> Iterator[Token]:
         kind = match.lastgroup or OTHER
         kind = NUMBER if kind == "suffix" else kind
         if kind in ("space", "comment"):
+            continue
+        if kind == "tag":  # the end of an element of XML
+            yield Token(MARK, ";", match.start(), match.end())
+            continue
+        if match[0] == "<-":  # R
+            yield Token(MARK, "=", match.start(), match.end())
             continue
         if kind != NUMBER:
             yield Token(kind, match[0], match.start(), match.end())

@@ -37,6 +37,8 @@ export class CheckPage {
     this.judging = false;
     /** @type {HTMLTextAreaElement} */
     this.editor = find(root, "textarea");
+    /** @type {HTMLSelectElement} */
+    this.program = find(root, '[name="program"]');
     this.run = /** @type {HTMLButtonElement} */ (find(root, ".run"));
     this.forget = /** @type {HTMLButtonElement} */ (find(root, ".forget"));
     this.status = find(root, ".check-status");
@@ -47,12 +49,14 @@ export class CheckPage {
     python.models.set("check", this);
     this.run.addEventListener("click", () => (this.running ? this.stop() : this.check()));
     this.forget.addEventListener("click", () => this.forgetCode());
-    for (const radio of root.querySelectorAll('[name="language"]')) radio.addEventListener("change", () => this.open());
-    this.editor.addEventListener("input", () => keep(this.language, this.editor.value));
+    for (const radio of root.querySelectorAll('[name="language"]')) radio.addEventListener("change", () => this.openProgram(""));
+    this.program.addEventListener("change", () => this.openProgram(this.program.value));
+    addEventListener("hashchange", () => this.openProgram(location.hash.slice(1)));
+    this.editor.addEventListener("input", () => keep(this.opened, this.editor.value));
     this.editor.addEventListener("keydown", (event) => this.keyPressed(event));
     place.onstate = (state) => this.judge(state);
     this.leaves = false;
-    this.open();
+    this.openProgram(location.hash.slice(1));
     this.run.disabled = false;
   }
 
@@ -61,13 +65,23 @@ export class CheckPage {
     return /** @type {HTMLInputElement} */ (find(this.root, '[name="language"]:checked')).value === "javascript" ? "javascript" : "python";
   }
 
-  open() {
-    this.editor.value = kept(this.language) ?? this.skeletons[this.language];
+  /** What stands in the editor: the name of a given program, or the language of the reader's own. */
+  get opened() {
+    return this.program.value || this.language;
+  }
+
+  // Each program is kept by itself, so a given one never takes the place of the reader's own.
+  /** @param {string} name Of a given program, all of which are Python; otherwise the reader's own is opened. */
+  openProgram(name) {
+    const given = [...this.program.options].some(({ value }) => value && value === name);
+    this.program.value = given ? name : "";
+    if (given) find(this.root, '[value="python"]').checked = true;
+    this.editor.value = kept(this.opened) ?? this.skeletons[this.opened];
   }
 
   forgetCode() {
-    for (const language of Object.keys(this.skeletons)) keep(language, null);
-    this.open();
+    for (const name of Object.keys(this.skeletons)) keep(name, null);
+    this.openProgram(this.program.value);
     this.say("Your code is deleted from this browser.");
   }
 
@@ -219,22 +233,22 @@ function find(root, selector) {
   return found;
 }
 
-/** @param {string} language */
-function kept(language) {
+/** @param {string} name Of a language or of a given program. */
+function kept(name) {
   try {
-    return localStorage.getItem(KEPT + language);
+    return localStorage.getItem(KEPT + name);
   } catch {
     return null;
   }
 }
 
 /**
- * @param {string} language
+ * @param {string} name
  * @param {string | null} code
  */
-function keep(language, code) {
+function keep(name, code) {
   try {
-    if (code === null) localStorage.removeItem(KEPT + language);
-    else localStorage.setItem(KEPT + language, code);
+    if (code === null) localStorage.removeItem(KEPT + name);
+    else localStorage.setItem(KEPT + name, code);
   } catch {} // a browser that keeps nothing still checks
 }

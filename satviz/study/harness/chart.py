@@ -12,7 +12,6 @@ from matplotlib.axes import Axes
 from matplotlib.axis import XAxis, YAxis
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from matplotlib.patches import Rectangle
 
 from ...pictures import LIGHT, THEMES, Theme
 from ...pictures.float_geometry import clip_segment
@@ -21,9 +20,10 @@ from ...render.formats import DPI
 from ...safe_write import MADE_BY, write
 from .cells import JsonRow
 
-TEXT_POINTS, TITLE_POINTS = 10.0, 13.0  # at final size
-TITLE_LETTER, TEXT_LETTER = 9.0, 6.0  # points that a letter takes, by which lines are wrapped
-WIDTH = 520.0  # points of a chart: on a phone its letters can still be read
+WIDTH = 390.0  # points of a chart: as wide as a phone, where a letter then has its size in points
+TEXT_POINTS, TITLE_POINTS = 11.0, 13.5
+TITLE_LETTER, TEXT_LETTER = 8.6, 6.0  # points that a letter takes, by which lines are wrapped
+TITLE_LINE, TEXT_LINE = 17.0, 14.5  # points from line to line
 # the colour role of each family of methods; every mark has its name beside it as well
 FAMILY_ROLES = {
     "exact": "exact",
@@ -131,34 +131,36 @@ def add_axes(fig: Figure, box: tuple[float, float, float, float], theme: Theme, 
     return ax
 
 
-def head_height(title: str, lines: Sequence[str], width: float) -> float:
-    """Return the height in points of what `draw_headline` draws on a chart of this width."""
-    return 12.0 + sum(17 if is_title else 14 for _, is_title in _headline(title, lines, width))
+def head_height(title: str, lines: Sequence[str]) -> float:
+    """Return the height in points of what `draw_headline` draws."""
+    return 12.0 + sum(TITLE_LINE if is_title else TEXT_LINE for _, is_title in _headline(title, lines))
 
 
 def draw_headline(fig: Figure, theme: Theme, title: str, *lines: str) -> None:
     """Draw the chart's title at its upper left, and smaller lines below it, wrapped to the chart's width."""
-    width, height = (size * 72 for size in fig.get_size_inches())
+    height = fig.get_size_inches()[1] * 72
     style: dict[str, Any] = {"ha": "left", "va": "top", "parse_math": False}
     down = 8.0
-    for text, is_title in _headline(title, lines, width):
+    for text, is_title in _headline(title, lines):
         look: dict[str, Any] = {"color": theme.roles["guide"], "fontsize": TEXT_POINTS}
         if is_title:
             look = {"color": theme.roles["ink"], "fontsize": TITLE_POINTS, "fontweight": "bold"}
-        fig.text(6 / width, 1 - down / height, text, **look, **style)
-        down += 17 if is_title else 14
+        fig.text(6 / WIDTH, 1 - down / height, text, **look, **style)
+        down += TITLE_LINE if is_title else TEXT_LINE
 
 
-def _headline(title: str, lines: Sequence[str], width: float) -> list[tuple[str, bool]]:
-    """Return the lines of a title (True) and of the text below it (False), wrapped to a width in points."""
-    found = [(text, True) for text in wrap(title, int(width / TITLE_LETTER))]
-    return found + [(text, False) for line in lines for text in wrap(line, int(width / TEXT_LETTER))]
+def _headline(title: str, lines: Sequence[str]) -> list[tuple[str, bool]]:
+    """Return the lines of a title (True) and of the text below it (False), wrapped to the chart's width."""
+    found = [(text, True) for text in wrap(title, int(WIDTH / TITLE_LETTER))]
+    return found + [(text, False) for line in lines for text in wrap(line, int(WIDTH / TEXT_LETTER))]
 
 
-def set_time_ticks(axis: XAxis | YAxis, limits: Sequence[float], *, labels: bool = True) -> None:
-    """Set ticks in ns, µs, ms or s at the powers of ten within the limits; without `labels` ticks have no text."""
+def set_time_ticks(axis: XAxis | YAxis, limits: Sequence[float], *, step: int = 1) -> None:
+    """Set ticks in ns, µs, ms or s at the powers of ten within the limits; every `step`-th has a text."""
     decades = [10.0**e for e in range(-1, 11) if limits[0] <= 10.0**e <= limits[1]]
-    axis.set_ticks(decades, labels=[format_time(d).replace(".0", "") if labels else "" for d in decades])
+    axis.set_ticks(
+        decades, labels=["" if k % step else format_time(d).replace(".0", "") for k, d in enumerate(decades)]
+    )
     axis.minorticks_off()
 
 
@@ -166,33 +168,6 @@ def format_time(ns: float) -> str:
     """Return a time in ns, µs, ms or s with two or three digits."""
     size, unit = next(((s, u) for s, u in ((1e9, "s"), (1e6, "ms"), (1e3, "µs")) if ns >= s), (1.0, "ns"))
     return f"{ns / size:.{0 if ns >= 10 * size else 1}f} {unit}"
-
-
-def draw_table(
-    ax: Axes,
-    theme: Theme,
-    columns: Sequence[str],
-    rows: Sequence[str],
-    entry: Callable[[int, int], tuple[str, str, float]],
-) -> None:
-    """Draw a table; `entry(row, column)` returns its text, its colour, and the strength of the colour from 0 to 1.
-
-    Strength 0 draws the text alone, in grey.
-    """
-    ax.set(xlim=(-0.5, len(columns) - 0.5), ylim=(len(rows) - 0.5, -0.5))
-    ax.spines[["left", "bottom"]].set_visible(False)
-    ax.tick_params(length=0)
-    ax.xaxis.tick_top()
-    ax.set_xticks(range(len(columns)), columns)
-    ax.set_yticks(range(len(rows)), rows)
-    for y in range(len(rows)):
-        for x in range(len(columns)):
-            words, shade, strength = entry(y, x)
-            if strength:
-                alpha = 0.1 + 0.5 * strength
-                ax.add_patch(Rectangle((x - 0.48, y - 0.45), 0.96, 0.9, color=shade, alpha=alpha, lw=0))
-            ink = theme.roles["ink" if strength else "guide"]
-            ax.text(x, y, words, ha="center", va="center_baseline", fontsize=TEXT_POINTS, color=ink)
 
 
 def family_colour(theme: Theme, family: str, *, text: bool = False) -> str:
@@ -217,15 +192,14 @@ def draw_time_curves(
         ax.plot(xs, [row["ns"] for row in own], color=shade, ls=style, lw=1.8, marker="o", ms=4)
         for x, row in zip(xs, own, strict=True):
             ax.plot([x, x], [row["ns_low"], row["ns_high"]], color=shade, lw=1)
-        label = f"{name}: {format_time(own[-1]['ns'])}"
-        ends.append((xs[-1], own[-1]["ns"], label, family_colour(theme, family, text=True)))
+        ends.append((xs[-1], own[-1]["ns"], name, family_colour(theme, family, text=True)))
     ax.set_yscale("log")
     set_time_ticks(ax.yaxis, ax.get_ylim())
-    label_ends(ax, ends, gap=15)
+    label_ends(ax, ends)
 
 
 def label_ends(
-    ax: Axes, ends: Sequence[tuple[float, float, str, str]], *, gap: float = 13.0, space: float = 12.0
+    ax: Axes, ends: Sequence[tuple[float, float, str, str]], *, gap: float = 15.0, space: float = 8.0
 ) -> None:
     """Write a label for each (x, y, text, colour) right of the axes, `gap` points apart, tied to its point.
 

@@ -1,8 +1,10 @@
 """The sections of the study: one module for each question.
 
-Every section has the same two functions:
-    cells(settings) -> list[Cell]            the work, in cells that are run once and kept on disk
-    charts(found, settings) -> list[Chart]   the charts, from `found`: the results of all cells by their names
+Every section has the same two functions and one table:
+    cells(settings) -> list[Cell]   the work, in cells that are run once and kept on disk
+    rows(found) -> dict             the numbers of each chart by its stem, from the results of all cells by their names
+    CHARTS                          by stem: the function (rows, settings) -> Chart, which sees nothing but its numbers
 
-A result is a list of rows: dictionaries of plain JSON values (`harness.cells.JsonRow`).
+Results and numbers are rows: dictionaries of plain JSON values (`harness.cells.JsonRow`).  A chart is left out where
+its methods are not installed; then it has no rows.
 """

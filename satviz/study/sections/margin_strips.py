@@ -8,6 +8,8 @@ method is wrong, a search (`adversary`) how far, and a proof where that ends.  T
 SAT in float64 above its proven margin, while no product of coordinates leaves the range of float64.
 """
 
+from collections.abc import Sequence
+from itertools import groupby
 from math import log2
 from typing import Any
 
@@ -136,21 +138,21 @@ def float32_beyond(settings: Settings) -> list[JsonRow]:
 
     float32 holds neither the products of the first nor the coordinates of the second.
     """
-    box, rows = np.array([[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]]), []
+    box, answered = np.array([[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]]), []
     (method,) = (m for m in all_methods() if m.name == "SAT, float32")
     for words, (scale, away, gap) in FLOAT32_BEYOND.items():
         a, b = (box + away) * scale, (box + np.array([1 + gap, 0]) + away) * scale
         ((_, answers),) = answers_by_method([method], a, b)
-        rows.append({"where": words, "margin": float(relative_margins(batch_shapes(a), batch_shapes(b))[0]),
+        answered.append({"where": words, "margin": float(relative_margins(batch_shapes(a), batch_shapes(b))[0]),
                      "wrong": bool(wrong_answers(answers, true_relations(a, b))[0])})  # fmt: skip
-    return rows
+    return answered
 
 
-def rows_of(found: dict[str, Any]) -> list[JsonRow]:
-    """Return a row for each strip: shares by octave, at touches, and the largest margins, found and proven."""
-    counted = [row for name, rows in found.items() if name.startswith("margin-") and name != "margin-float32"
-               for row in rows if "family" in row]  # fmt: skip
-    rows = []
+def rows(found: dict[str, Any]) -> dict[str, list[JsonRow]]:
+    """Return a row for each strip, with shares by octave and the largest margins; and rows where float32 ends."""
+    counted = [row for name, own in found.items() if name.startswith("margin-") and name != "margin-float32"
+               for row in own if "family" in row]  # fmt: skip
+    strips = []
     for what, name in ROWS:
         own = [row for row in counted if (row["what"], row["method"]) == (what, name)]
         if not own:
@@ -167,16 +169,16 @@ def rows_of(found: dict[str, Any]) -> list[JsonRow]:
         searched = [r for key, r in found.items() if key.startswith("search-") and r["method"] == name]
         row["tried"] = sum(r["tried"] for r in searched) if what == SHAPES else 0
         row["worst"] = max([row["largest_in_sample"], *(r["margin"] for r in searched if what == SHAPES)])
-        rows.append(row)
-    return rows
+        strips.append(row)
+    compiled = any((row["what"], row["method"]) == (SHAPES, "SAT, raw normals") for row in strips)
+    return {"relative-margin": [*strips, *found["margin-float32"]] if compiled else []}
 
 
-def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
+def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     """Return the chart of strips, one for each method, along the relative margin."""
-    rows = rows_of(found)
-    by = {(row["what"], row["method"]): row for row in rows}
-    if (SHAPES, "SAT, raw normals") not in by:
-        return []
+    strips = [row for row in rows if "family" in row]
+    beyond = [row for row in rows if "where" in row]
+    by = {(row["what"], row["method"]): row for row in strips}
     raw, unit = by[SHAPES, "SAT, raw normals"], by[SHAPES, "SAT, unit normals"]
     title = (
         f"SAT in float64 is proven right from {raw['proven']} roundings off touching (unit normals {unit['proven']}); "
@@ -186,22 +188,23 @@ def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
         "Dark: half of the answers are wrong, no better than a coin. Pale: none of this sample is wrong. "
         "▲ the worst that a sample or a search found. | proven right from here on.",
     )
-    head, tall = head_height(title, lines, WIDTH), 22.0 * (len(rows) + 1)
-    size = WIDTH, head + tall + 66
+    head, tall = head_height(title, lines), 22.0 * (len(strips) + 1)
+    size = WIDTH, head + tall + 72
 
     def draw(fig: Figure, theme: Theme) -> None:
         """Draw a strip of octaves for each method, and before it a field for exact touches."""
         draw_headline(fig, theme, title, *lines)
-        ax = add_axes(fig, (124 / WIDTH, 44 / size[1], (WIDTH - 140) / WIDTH, (tall + 14) / size[1]), theme)
-        places = [k + (k >= sum(row["what"] == SHAPES for row in rows)) for k in range(len(rows))]
-        for y, row in zip(places, rows, strict=True):
+        ax = add_axes(fig, (162 / WIDTH, 50 / size[1], (WIDTH - 174) / WIDTH, (tall + 14) / size[1]), theme)
+        places = [k + (k >= sum(row["what"] == SHAPES for row in strips)) for k in range(len(strips))]
+        for y, row in zip(places, strips, strict=True):
             shade = family_colour(theme, row["family"])
             shares = [(float(k), w / p if p else 0.0) for k, w, p in zip(MARGIN_OCTAVES, row["wrong"], row["pairs"])]
             if row["what"] == SHAPES:
                 shares.append((TOUCH_AT, row["touches_wrong"] / row["touches"]))
-            for x, share in shares:
+            for (share, _), same in groupby(shares, lambda pair: (round(pair[1], 2), pair[0] == TOUCH_AT)):
+                xs = [x for x, _ in same]
                 alpha = 0.07 + 0.93 * min(1.0, 2 * share)
-                ax.add_patch(Rectangle((x, y - 0.36), 1, 0.72, fc=shade, alpha=alpha, lw=0))
+                ax.add_patch(Rectangle((xs[0], y - 0.36), xs[-1] + 1 - xs[0], 0.72, fc=shade, alpha=alpha, lw=0))
             if row["worst"] > 2.0**MARGIN_OCTAVES.start:
                 worst = min(log2(row["worst"]), MARGIN_OCTAVES.stop - 0.3)
                 ax.plot([worst], [y], "^", color=theme.roles["ink"], mec=theme.paper, ms=8)
@@ -209,23 +212,28 @@ def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
                 ax.plot([log2(row["proven"])], [y], "|", color=theme.roles["ink"], ms=15, mew=2)
         ax.set(xlim=(TOUCH_AT - 0.4, MARGIN_OCTAVES.stop), ylim=(places[-1] + 0.6, -0.6))
         ax.set_xticks([TOUCH_AT + 0.5, 0, 10, 20, 30], ["touch", "1", "2¹⁰", "2²⁰", "2³⁰"])
-        ax.set_yticks(places, [row["method"] if row["what"] == SHAPES else f"circles: {row['method']}" for row in rows])
+        ax.set_yticks(
+            places, [row["method"] if row["what"] == SHAPES else f"circles: {row['method']}" for row in strips]
+        )
         ax.tick_params(axis="y", length=0)
         ax.spines["left"].set_visible(False)
-        ax.set_xlabel("relative margin: the distance from touching, in roundings of float64", fontsize=TEXT_POINTS)
+        ax.set_xlabel("relative margin, in roundings of float64", fontsize=TEXT_POINTS)
 
     text = f"{title}. "
-    for row in rows:
+    for row in strips:
         pairs, wrong = sum(row["pairs"]), sum(row["wrong"])
         low, high = wilson_interval(wrong, pairs)
         text += f"{row['method']} ({row['what']}): {wrong:,} of {pairs:,} wrong ({low:.1%} to {high:.1%})"
         text += f", up to a margin of {row['worst']:.3g}" if row["worst"] else ""
         text += f", {row['touches_wrong']:,} of {row['touches']:,} touches wrong. " if "touches" in row else ". "
-    for row in found["margin-float32"]:
+    for row in beyond:
         text += f"float32 is {'wrong' if row['wrong'] else 'right'} about boxes {row['where']}, at a margin of 2^"
         text += f"{log2(row['margin']):.0f}: "
         text += "no relative margin is enough there. "
-    return [Chart("relative-margin", title, size, draw, [*rows, *found["margin-float32"]], text.strip())]
+    return Chart("relative-margin", title, size, draw, rows, text.strip())
+
+
+CHARTS = {"relative-margin": chart}
 
 
 TOUCH_AT = MARGIN_OCTAVES.start - 2.5  # where the field for exact touches stands, in octaves

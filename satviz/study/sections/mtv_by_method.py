@@ -1,18 +1,21 @@
 """The push out of an overlap (MTV) by method: is it long enough, short enough, and in the right direction?
 
-Question: how wrong are the pushes that fast methods give?  Workload: pairs that overlap, convex, one inside the other,
-and with a concave outline.  Methods: satviz (`trace.mtv`), SAT with normals of length 1 in float64 and in float32, SAT
-with raw normals, upright boxes, and for concave outlines the deepest pair of convex parts and the convex hull.  After
-the push the shapes are tested exactly.  The least push comes from the exact difference of the shapes, and for concave
-outlines from the union of the differences of their parts (shapely).  The claim is refuted by a push of satviz after
-which the shapes still overlap, or that is longer than the least push by more than roundings.
+Question: how wrong are the pushes that fast methods give, in length and in direction?  Workload: pairs that overlap,
+convex, one inside the other, and with a concave outline.  Methods: satviz (`trace.mtv`), SAT with normals of length 1
+in float64 and in float32, SAT with raw normals, upright boxes, and for concave outlines the deepest pair of convex
+parts and the convex hull.  After the push the shapes are tested exactly, by both oracles.  The least push comes from
+the exact difference of the shapes, and for concave outlines from the union of the differences of their parts (shapely,
+in floats).  The claim is refuted by a push of satviz after which the shapes still overlap, or that is longer than the
+least push by more than roundings.
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Sequence
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ...engine.convex_parts import parts
@@ -26,15 +29,18 @@ from ..harness.chart import TEXT_POINTS, WIDTH, Chart, add_axes, draw_headline, 
 from ..harness.machine import is_installed
 from ..workloads.generators import Array, ngons, turn_rings, turned_boxes, unit_vectors
 
-CONVEX, CONTAINED, CONCAVE = "convex, overlapping", "one inside the other", "with a dent"
+CONVEX, CONTAINED, CONCAVE = "convex, overlapping", "one in the other", "with a dent"
 ROUNDING, VISIBLE = 1e-9, 0.01  # shares of the least push: below, an error is rounding; above, it is seen
+TURNED = 1.0  # degrees, from which on a push goes in another direction
+LEAST_ERROR = 1e-17  # where errors of 0 are drawn
 OUTCOMES = {  # by name: (colour role, hatch)
     "right": ("gap", ""),
-    "overlap left by rounding": ("tolerance", "..."),
+    "overlap left by rounding": ("tolerance", "|||"),
     "more than 1 % too long": ("B", "///"),
     "overlap left, seen": ("wrong", "xxx"),
 }
 Push = Callable[[Polygon, Polygon], tuple[float, float]]
+Vector = tuple[Fraction, Fraction]
 
 
 def sat_push(dtype: Any, *, unit: bool) -> Push:
@@ -131,92 +137,145 @@ def _parts(shape: Polygon) -> list[Polygon]:
     return [part for part in parts(shape) if isinstance(part, Polygon)]
 
 
-def least_push(kind: str, a: Polygon, b: Polygon) -> float:
-    """Return the length of the least push, exact but for its last rounding (concave: for some roundings)."""
+def least_push(kind: str, a: Polygon, b: Polygon) -> tuple[float, list[Vector]]:
+    """Return the length of the least push and its directions, exact but for the last rounding (concave: for some)."""
     if kind != CONCAVE:
-        return math.sqrt(truth.squared_gap(a, b))
+        return math.sqrt(truth.squared_gap(a, b)), [(Fraction(x), Fraction(y)) for x, y in truth.least_pushes(a, b)]
     import shapely
 
     differences = ([(px - qx, py - qy) for px, py in one.vertices for qx, qy in other.vertices]
                    for one in _parts(a) for other in _parts(b))  # fmt: skip
     regions = [shapely.MultiPoint(points).convex_hull for points in differences]
-    return float(shapely.union_all(regions).boundary.distance(shapely.Point(0, 0)))
+    way = shapely.shortest_line(shapely.Point(0, 0), shapely.union_all(regions).boundary)
+    return float(way.length), [truth.exact(way.coords[1])]
+
+
+def angle_between(push: tuple[float, float], directions: Iterable[Vector]) -> float:
+    """Return the angle in degrees from a push to the nearest of the directions; a tiny one is not lost in rounding."""
+    x, y = truth.exact(push)
+    return min(math.degrees(math.atan2(abs(x * ny - y * nx), x * nx + y * ny)) for nx, ny in directions)
 
 
 def measure(kind: str, n: int, settings: Settings) -> list[JsonRow]:
-    """Return for each method how many pushes have which outcome, and the largest errors of length and direction."""
+    """Return for each method how many pushes have which outcome, and its errors of length and direction.
+
+    An error of length is a share of the least push, an error of direction an angle in degrees.
+    """
     pairs = overlapping_pairs(kind, settings.rng("mtv", kind), n)
     right = [least_push(kind, a, b) for a, b in pairs]
-    rows = []
+    found = []
     for name, push in METHODS[kind].items():
-        counts, longest, turned = dict.fromkeys(OUTCOMES, 0), 0.0, 0
-        for (a, b), least in zip(pairs, right, strict=True):
+        counts, lengths, angles = dict.fromkeys(OUTCOMES, 0), list[float](), list[float]()
+        for (a, b), (least, directions) in zip(pairs, right, strict=True):
             x, y = push(a, b)
-            excess = float(np.hypot(x, y)) / least - 1
-            longest = max(longest, abs(excess))
+            excess = math.hypot(x, y) / least - 1
+            lengths.append(abs(excess))
+            angles.append(angle_between((x, y), directions))
             if _relation(a, b, (x, y)) is Relation.OVERLAPPING:
                 more = 1 + ROUNDING if excess > -1e-6 else 1.001
                 rounded = _relation(a, b, (x * more, y * more)) is not Relation.OVERLAPPING
                 counts["overlap left by rounding" if rounded or abs(excess) < 1e-6 else "overlap left, seen"] += 1
             else:
                 counts["more than 1 % too long" if excess > VISIBLE else "right"] += 1
-            turned += excess > VISIBLE
-        rows.append({"kind": kind, "method": name, "pairs": n, **counts, "largest_error": longest, "not_least": turned})
-    return rows
+        row: JsonRow = {"kind": kind, "method": name, "pairs": n, **counts}
+        row["turned"] = sum(angle > TURNED for angle in angles)
+        for column, errors in ("length", lengths), ("angle", angles):
+            row |= {f"{column}_median": float(np.median(errors)), f"{column}_largest": max(errors)}
+        found.append(row)
+    return found
 
 
-def charts(found: dict[str, Any], settings: Settings) -> list[Chart]:
-    """Return the chart of outcomes: a bar for each kind of pairs and method."""
-    rows: list[JsonRow] = [row for name, own in found.items() if name.startswith("mtv-") for row in own]
+def rows(found: dict[str, Any]) -> dict[str, list[JsonRow]]:
+    """Return the rows of the chart: one for each kind of pairs and method."""
+    return {"mtv": [row for name, own in found.items() if name.startswith("mtv-") for row in own]}
+
+
+def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
+    """Return the chart of outcomes and errors: a line for each kind of pairs and method."""
     own = [row for row in rows if row["method"] == "satviz"]
     left = sum(row["pairs"] - row["right"] for row in own)
-    raw = next(row for row in rows if (row["kind"], row["method"]) == (CONVEX, "SAT, raw normals"))
-    plain = next(row for row in rows if (row["kind"], row["method"]) == (CONVEX, "SAT, float64"))
+    by = {(row["kind"], row["method"]): row for row in rows}
+    raw, plain = by[CONVEX, "SAT, raw normals"], by[CONVEX, "SAT, float64"]
     title = (
         f"After a push by SAT in float64 {plain['overlap left by rounding'] / plain['pairs']:.0%} of the pairs still "
-        f"overlap by a rounding; raw normals push {raw['more than 1 % too long'] / raw['pairs']:.0%} too far; of "
-        f"satviz's pushes {left if left else 'none'} {'is' if left < 2 else 'are'} wrong"
+        f"overlap by a rounding; raw normals turn {raw['turned'] / raw['pairs']:.0%} of the pushes; of satviz's pushes "
+        f"{left if left else 'none'} {'is' if left < 2 else 'are'} wrong"
     )
-    lines = ("Pairs that overlap, pushed apart by each method and then tested exactly.",)
-    head, step = head_height(title, lines, WIDTH), 20.0
+    lines = (
+        "Pairs that overlap, pushed apart by each method and then tested exactly. Right: how far the push is off in "
+        "direction and in length; from the median (ring) to the worst (dot).",
+    )
+    head, step = head_height(title, lines), 20.0
     kinds = list(dict.fromkeys(row["kind"] for row in rows))
-    size = WIDTH, head + step * (len(rows) + 1.4 * len(kinds)) + 66
+    places, y = list[float](), 0.0
+    for kind in kinds:
+        places += [y + 1 + k for k in range(sum(row["kind"] == kind for row in rows))]
+        y = places[-1] + 1.4
+    size = WIDTH, head + step * y + 108
 
     def draw(fig: Figure, theme: Theme) -> None:
-        """Draw a bar for each method, in parts by outcome, under the name of each kind of pairs."""
+        """Draw for each method a bar of outcomes and its errors, under the name of each kind of pairs."""
         draw_headline(fig, theme, title, *lines)
-        ax = add_axes(fig, (122 / WIDTH, 56 / size[1], (WIDTH - 140) / WIDTH, (size[1] - head - 60) / size[1]), theme)
-        y, ticks = 0.0, []
+        ink = theme.roles["ink"]
+
+        def panel(left: float, wide: float, heading: str) -> Axes:
+            """Add one column of the chart; they have the same lines."""
+            box = left / WIDTH, 76 / size[1], wide / WIDTH, (step * y) / size[1]
+            ax = add_axes(fig, box, theme)
+            ax.set(ylim=(y - 0.8, -0.6), yticks=[])
+            ax.spines["left"].set_visible(False)
+            ax.text(0.5, -1.2, heading, ha="center", va="center", fontsize=TEXT_POINTS, color=theme.roles["guide"],
+                    transform=ax.get_yaxis_transform())  # fmt: skip
+            return ax
+
+        ax = panel(128, 92, "outcome")
         for kind in kinds:
-            ax.text(-0.005, y, kind, ha="right", va="center_baseline", fontsize=TEXT_POINTS, fontweight="bold",
-                    color=theme.roles["ink"], transform=ax.get_yaxis_transform())  # fmt: skip
-            y += 1
-            for row in (row for row in rows if row["kind"] == kind):
-                start = 0.0
-                for outcome, (role, hatch) in OUTCOMES.items():
-                    share = row[outcome] / row["pairs"]
-                    ax.barh(y, share, 0.74, start, color=theme.roles[role], hatch=hatch, edgecolor=theme.paper, lw=0)
-                    start += share
-                ticks.append((y, row["method"]))
-                y += 1
-            y += 0.4
-        ax.set(xlim=(0, 1), ylim=(y - 0.8, -0.6))
-        ax.set_yticks([at for at, _ in ticks], [name for _, name in ticks])
-        ax.set_xticks([0, 0.5, 1], ["0", "half of the pairs", "all"])
+            at = min(place for place, row in zip(places, rows, strict=True) if row["kind"] == kind)
+            ax.text(0, at - 1, kind, ha="right", va="center_baseline", fontsize=TEXT_POINTS, fontweight="bold",
+                    color=ink, transform=ax.get_yaxis_transform())  # fmt: skip
+        for at, row in zip(places, rows, strict=True):
+            start = 0.0
+            for outcome, (role, hatch) in OUTCOMES.items():
+                share = row[outcome] / row["pairs"]
+                if not share:
+                    continue
+                ax.barh(at, share, 0.74, start, color=theme.roles[role], hatch=hatch, edgecolor=theme.paper, lw=0)
+                start += share
+        ax.set_yticks(places, [row["method"] for row in rows])
         ax.tick_params(axis="y", length=0)
-        ax.spines[["left", "bottom"]].set_visible(False)
-        spots = zip((0.012, 0.115, 0.45, 0.745), OUTCOMES.items(), strict=True)
-        for x, (outcome, (role, hatch)) in spots:
-            key = fig.add_axes((x, 12 / size[1], 12 / WIDTH, 10 / size[1]))
+        ax.set(xlim=(0, 1))
+        ax.set_xticks([0, 1], ["0", "all"])
+        errors = ("angle", 236.0, "direction", [1e-12, 1], ["10⁻¹²°", "1°"], 180.0)
+        for column, left, heading, ticks, names, most in (
+            errors, ("length", 314.0, "length", [1e-12, 1e-2], ["10⁻¹²", "1 %"], 10.0)
+        ):  # fmt: skip
+            ax = panel(left, 66, heading)
+            for at, row in zip(places, rows, strict=True):
+                mid, worst = (max(LEAST_ERROR, row[f"{column}_{which}"]) for which in ("median", "largest"))
+                ax.plot([mid, worst], [at, at], color=ink, lw=1, solid_capstyle="butt")
+                ax.plot([mid], [at], "o", mec=ink, mfc=theme.paper, ms=5)
+                ax.plot([worst], [at], "o", color=ink, ms=5)
+            ax.set(xscale="log", xlim=(LEAST_ERROR / 4, most * 4))
+            ax.set_xticks(ticks, names)
+            ax.minorticks_off()
+        for k, (outcome, (role, hatch)) in enumerate(OUTCOMES.items()):
+            x, up = (8 + 190 * (k % 2)) / WIDTH, (30 - 18 * (k // 2)) / size[1]
+            key = fig.add_axes((x, up, 12 / WIDTH, 10 / size[1]))
             key.set_facecolor(theme.paper)
             key.barh(0, 1, 1, color=theme.roles[role], hatch=hatch, edgecolor=theme.paper, lw=0)
             key.set(xlim=(0, 1), ylim=(-0.5, 0.5))
             key.axis("off")
-            fig.text(x + 16 / WIDTH, 17 / size[1], outcome, fontsize=TEXT_POINTS, va="center", color=theme.roles["ink"])
+            fig.text(x + 16 / WIDTH, up + 5 / size[1], outcome, fontsize=TEXT_POINTS, va="center", color=ink)
 
     text = f"{title}. "
     for row in rows:
         told = ", ".join(f"{row[outcome]:,} {outcome}" for outcome in OUTCOMES if row[outcome])
-        text += f"{row['kind']}, {row['method']}: {told} of {row['pairs']:,}. "
-    text += "A push that is longer than the least by more than 1 % goes in another direction."
-    return [Chart("mtv", title, size, draw, rows, text)]
+        text += f"{row['kind']}, {row['method']}: {told} of {row['pairs']:,}; direction off by "
+        text += f"{row['angle_median']:.2g}° in the median and {row['angle_largest']:.2g}° at worst, length by "
+        text += f"{row['length_median']:.2g} and {row['length_largest']:.2g} of the least push. "
+    text += f"A push is turned where it is more than {TURNED:g}° off. For concave outlines the least push is computed "
+    text += "in floats, so smaller errors than 10⁻¹² are not seen there."
+    return Chart("mtv", title, size, draw, rows, text)
+
+
+CHARTS = {"mtv": chart}

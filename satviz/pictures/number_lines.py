@@ -1,0 +1,84 @@
+"""Number lines for paper: a line for each axis of a run, empty to draw the ranges on, or with the ranges."""
+
+from math import ceil, floor, log10
+
+from ..engine import describe
+from ..engine.geometry import Vec
+from ..engine.trace import Trace
+from .float_geometry import gap_or_overlap
+from .letters import text_size
+from .marks import Mark, Picture
+from .sheet import MAX_ROWS, Row, all_rows, covered_range, text_from, truncate
+
+WIDTH_PT, ROW_PT, MARGIN_PT = 480.0, 68.0, 18.0
+NAME_PT, NUMBER_PT, TICK_PT = 31.0, 16.0, 5.0  # a name above its line, the numbers below it, half a tick
+TRACK_PT = 9.0  # from a line to A's bar above it and to B's bar above that
+MAX_TICKS = 16
+
+
+def number_lines(trace: Trace, *, filled: bool) -> Picture:
+    """Return a number line for each axis of the run over every axis, at most 12; `filled` draws ranges and gaps.
+
+    All lines have one scale, and it says nothing about which axes separate.
+    """
+    rows = all_rows(trace)[:MAX_ROWS]
+    ends = [covered_range(row.test) for row in rows]
+    step = _tick_step(max((hi for _, hi in ends), default=1.0) - min((lo for lo, _ in ends), default=0.0))
+    first = floor(min((lo for lo, _ in ends), default=0.0) / step) - 1
+    last = ceil(max((hi for _, hi in ends), default=1.0) / step) + 1
+    scale = (WIDTH_PT - 2 * MARGIN_PT) / ((last - first) * step)
+    height = ROW_PT * len(rows) + MARGIN_PT
+    marks: list[Mark] = []
+    for n, row in enumerate(rows, 1):
+        y = height - ROW_PT * n + NUMBER_PT
+        marks += _line(row, n, y, [k * step for k in range(first, last + 1)], scale)
+        if filled:
+            marks += _ranges(row, n, y, first * step, scale)
+    kind = "with the ranges" if filled else "to draw the ranges on"
+    said = f"{len(rows)} number {'line' if len(rows) == 1 else 'lines'} {kind} of {' and '.join(trace.names)}."
+    return Picture(tuple(marks), (0.0, 0.0, WIDTH_PT, height), (WIDTH_PT, height), "", said)
+
+
+def _tick_step(length: float) -> float:
+    """Return 1, 2 or 5 times a power of ten, so that at most 16 ticks cover the length."""
+    power = 10.0 ** floor(log10((length or 1.0) / MAX_TICKS))
+    return next(factor * power for factor in (1, 2, 5, 10, 20) if length / (factor * power) <= MAX_TICKS)
+
+
+def _line(row: Row, number: int, y: float, ticks: list[float], scale: float) -> list[Mark]:
+    """Return a named line with ticks and their numbers."""
+    pair = "" if row.run.names == ("A", "B") else f"{row.run.names.a} and {row.run.names.b}: "
+    name = f"{pair}axis {row.number}, {describe.axis_name(row.test.axis, (row.run.a, row.run.b), row.run.names)}"
+    marks = [
+        text_from("name", truncate(name, WIDTH_PT - 2 * MARGIN_PT), "ink", MARGIN_PT, y + NAME_PT, number),
+        Mark("line", "arrow", "ink", (Vec(4, y), Vec(WIDTH_PT - 4, y)), number=number),
+    ]
+    for value in ticks:
+        x = MARGIN_PT + (value - ticks[0]) * scale
+        part = f"tick-{value:g}"
+        marks.append(Mark(part, "segment", "ink", (Vec(x, y - TICK_PT), Vec(x, y + TICK_PT)), number=number))
+        text = f"{round(value, 12) + 0.0:g}".replace("-", "−")
+        marks.append(Mark(f"{part}-name", "label", "guide", (Vec(x, y - NUMBER_PT),), number=number, text=text))
+    return marks
+
+
+def _ranges(row: Row, number: int, y: float, start: float, scale: float) -> list[Mark]:
+    """Return the bars of both ranges above the line, and of the gap or overlap on it."""
+
+    def bar(part: str, role: str, lo: float, hi: float, level: float, owner: str = "") -> Mark:
+        """Return a bar from one coordinate to another."""
+        points = Vec(MARGIN_PT + (lo - start) * scale, level), Vec(MARGIN_PT + (hi - start) * scale, level)
+        return Mark(part, "interval", role, points, owner=owner, number=number)
+
+    a, b = row.test.a.interval, row.test.b.interval
+    a_is_lower = a.lo + a.hi <= b.lo + b.hi
+    marks = []
+    sides = ("A", row.run.names.a, a, a_is_lower), ("B", row.run.names.b, b, not a_is_lower)
+    for k, (role, name, interval, names_left) in enumerate(sides, 1):
+        level = y + TRACK_PT * k - 2
+        drawn = bar("range", role, *interval, level, name)
+        beside = drawn.points[0].x - 5 - text_size(name)[0] if names_left else drawn.points[1].x + 5  # clear of the gap
+        marks += [drawn, text_from("range-name", name, role, beside, level, number)._replace(owner=name)]
+    if row.test.gap:
+        marks.append(bar("gap", "gap" if row.test.gap > 0 else "overlap", *gap_or_overlap(row.test), y))
+    return marks

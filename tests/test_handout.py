@@ -1,0 +1,152 @@
+"""Handouts to print: they ask everything and answer nothing, and the solutions answer all of it."""
+
+import re
+from html import unescape
+from typing import get_args
+
+import pytest
+
+import satviz as sv
+from satviz.cli import PAPERS, main
+from satviz.engine.geometry import InvalidScene
+from satviz.lessons import handout as lessons
+from satviz.lessons.chapter_text import chapters
+from satviz.pictures.number_lines import number_lines
+from satviz.pictures.playback import table_rows
+from satviz.scenes.failing import FAILURE_CASES, REFUSED
+from satviz.scenes.named import ALL_SCENES
+
+pytest.importorskip("markdown_it", reason="a handout of a chapter needs markdown-it-py")
+
+from satviz.lessons.questions import questions
+
+CHAPTERS = [chapter.title.split()[0] for chapter in chapters()]
+
+
+def words(html):
+    """The text of a page, without its style sheet, with single spaces."""
+    body = re.sub(r"<style>.*?</style>|<[^>]+>", " ", html, flags=re.DOTALL)
+    return re.sub(r"\s+", " ", unescape(body))
+
+
+@pytest.mark.parametrize("number", CHAPTERS)
+def test_a_chapters_handout_asks_and_its_solutions_answer(number):
+    (chapter,) = (each for each in chapters() if each.title.startswith(number))
+    asked, solved = words(sv.handout(number)), words(sv.handout(number, solutions=True))
+    found, exercises = questions(chapter)
+    assert len(exercises) in (2, 3)
+    for question in [*found, *exercises]:
+        answer, reasons = words(question.answer).strip(), [words(why).strip() for *_, why in question.choices]
+        assert words(question.words).strip() in asked
+        assert answer and answer in solved and answer not in asked
+        assert all(reason in solved and reason not in asked for reason in reasons), question
+        assert all(words(choice).strip() in asked for _, choice, _ in question.choices)
+    assert "✓" not in asked and "Drag" not in words("".join(q.words for q in found))
+
+
+def test_a_chapter_asks_on_paper_what_it_asks_of_the_reader():
+    counts = {chapter.title[0]: len(questions(chapter)[0]) for chapter in chapters()}
+    assert counts["1"] == 3 and counts["2"] == 4 and all(counts.values())
+
+
+ONE_OF_TEN = [pytest.param(s.name, marks=[pytest.mark.slow] if i % 10 else []) for i, s in enumerate(ALL_SCENES)]
+
+
+@pytest.mark.parametrize("name", ONE_OF_TEN)
+def test_a_scene_is_asked_without_its_results(name):
+    trace = sv.scene(name).record()
+    whole = (trace.truth if trace.shortcut else trace).without_early_exit()
+    rows = [row for row in table_rows(whole) if "reason" not in row][:12]
+    asked, solved = sv.handout(name), sv.handout(name, solutions=True)
+    cells = re.findall(r"<td>(.*?)</td>", asked)
+    assert len(cells) == 7 * len(rows) and not any("".join(cells[7 * i + 3 : 7 * i + 7]) for i in range(len(rows)))
+    for row in rows:
+        assert row["outcome"] not in words(asked).replace(row["axis"], "") and row["outcome"] in words(solved)
+    assert whole.sentence not in words(asked) and 'class="solved"' not in asked
+
+
+@pytest.mark.parametrize("name", ["triangles", "concave", "circles", "far-centers"])
+def test_empty_lines_have_the_same_ticks_as_those_with_ranges_and_nothing_on_them(name):
+    trace = sv.scene(name).record()
+    empty, filled = number_lines(trace, filled=False), number_lines(trace, filled=True)
+    assert {mark.kind for mark in empty.marks} == {"arrow", "segment", "label"}
+    assert set(empty.marks) < set(filled.marks) and "interval" in {mark.kind for mark in filled.marks}
+    width, height = filled.size
+    assert all(0 <= x <= width and 0 <= y <= height for mark in filled.marks for x, y in mark.points)
+
+
+def test_a_range_is_drawn_at_its_numbers():
+    """The bar ends where the ticks of its ends are: upright boxes have whole numbers."""
+    drawn = number_lines(sv.scene("aabb").record(), filled=True)
+    ticks = {(m.number, float(m.part[5:])): m.points[0].x for m in drawn.marks if m.kind == "segment"}
+    for n, test in enumerate(sv.scene("aabb").record().without_early_exit().tests, 1):
+        for name, side in ("A", test.a), ("B", test.b):
+            (bar,) = (m for m in drawn.marks if (m.part, m.owner, m.number) == ("range", name, n))
+            for point, end in zip(bar.points, side.interval, strict=True):
+                assert point.x == pytest.approx(ticks[n, end])
+
+
+@pytest.mark.parametrize("axes", [10.0**k for k in (-12, -3, 0, 5, 12)])
+def test_ticks_fit_any_scale(axes):
+    a, b = sv.Circle((0, 0), axes), sv.Circle((3 * axes, axes), axes)
+    drawn = number_lines(sv.record(a, b), filled=True)
+    assert 6 <= sum(mark.kind == "segment" for mark in drawn.marks) <= 20
+
+
+def test_of_many_axes_the_first_twelve_are_asked():
+    from math import cos, pi, sin
+
+    ring = [(cos(pi * k / 20), sin(pi * k / 20)) for k in range(40)]
+    html = sv.handout(sv.Scene("rings", sv.Polygon(ring), sv.Polygon([(x + 3, y + 0.01 * x) for x, y in ring])))
+    assert "These are the first 12 of" in html and "and 28 more" in html
+
+
+def test_a_handout_is_black_and_white_and_a_file_of_its_own():
+    html = sv.handout("triangles", "1", paper="letter")
+    assert (
+        "@page { size: letter;" in html
+        and "<script" not in html
+        and "http" not in re.sub(r"http://(www\.w3|purl)\.org", "", html).replace("http-equiv", "")
+    )
+    colours = set(re.findall(r"#[0-9a-fA-F]{3,6}\b", html))
+    assert colours <= {"#000", "#fff", "#555"}, colours
+    assert html.count('<article class="sheet">') == 2
+
+
+def test_a_shortcut_is_asked_by_its_claim():
+    case = next(row for row in FAILURE_CASES if row.how != REFUSED)
+    asked, solved = words(sv.handout(case.name)), words(sv.handout(case.name, solutions=True))
+    assert f"“{case.claim}”" in asked and case.how not in asked and case.how in solved
+
+
+def test_a_trace_and_two_shapes_have_handouts_too():
+    a, b = sv.Circle((0, 0), 1), sv.Circle((3, 0), 1)
+    assert sv.handout(sv.record(a, b)) and "Do they collide?" in sv.handout(sv.Scene("mine", a, b))
+
+
+def test_what_cannot_be_printed_is_refused():
+    with pytest.raises(ValueError, match=r"paper is 'A3': expected one of A4, letter"):
+        sv.handout("triangles", paper="A3")
+    with pytest.raises(ValueError, match="nothing to print"):
+        sv.handout()
+    with pytest.raises(InvalidScene):
+        sv.handout("nothing-of-that-name")
+    with pytest.raises(InvalidScene):
+        sv.handout(next(row.name for row in FAILURE_CASES if row.how == REFUSED))
+    assert get_args(lessons.Paper) == PAPERS
+
+
+def test_the_command_writes_both_sheets_also_of_a_file(tmp_path, capsys):
+    own = tmp_path / "mine.json"
+    own.write_text(sv.Scene("mine", sv.Circle((0, 0), 1), sv.Circle((3, 0), 1), title="My circles").to_json())
+    out = tmp_path / "out"
+    for _ in range(2):
+        assert main(["handout", "2-sat", str(own), "--out", str(out)]) == 0
+    assert capsys.readouterr().out.splitlines()[:2] == [
+        str(out / "handout-2-mine.html"),
+        str(out / "handout-2-mine-solutions.html"),
+    ]
+    asked, solved = (path.read_text() for path in sorted(out.iterdir(), reverse=True))
+    assert "My circles" in asked and "My circles: solutions" in solved and "size: A4" in asked
+    assert main(["handout", "nope", "--out", str(out)]) == 2
+    assert "no scene 'nope'" in capsys.readouterr().err
