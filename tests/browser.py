@@ -10,6 +10,7 @@ import subprocess
 import sys
 import tarfile
 import tempfile
+import threading
 import time
 import urllib.request
 from contextlib import contextmanager
@@ -87,6 +88,32 @@ def explored(browser, exploring, errors, *, keys=False, **more):
     page.locator("[data-handle]").first.wait_for(state="attached")
     yield page
     context.close()
+
+
+def site_with_python(folder):
+    """The site with Python in its pages, written into the folder."""
+    from satviz.safe_write import write
+    from satviz.site.build import site
+
+    found, lacks = site()
+    if lacks:
+        missing(lacks[0])
+    for path, data in found:
+        write(folder / path, data)
+    return folder
+
+
+@contextmanager
+def served(folder):
+    """The address of a server of the site in this folder."""
+    from satviz.site.serving import server
+
+    with server(folder) as serving:
+        thread = threading.Thread(target=serving.serve_forever, daemon=True)
+        thread.start()
+        yield f"http://127.0.0.1:{serving.server_address[1]}/"
+        serving.shutdown()
+        thread.join()
 
 
 def axe():

@@ -37,7 +37,6 @@ export class ScenePlace {
     this.onstate = null;
     this.model = new SiteModel(python, this.name, { opened: (content) => this.opened(content), changed: (state) => this.changed(state) });
     python.startListeners.push((start) => this.showStart(start));
-    this.open();
     if (linked) addEventListener("hashchange", () => this.open());
   }
 
