@@ -308,6 +308,8 @@ def _parser() -> argparse.ArgumentParser:
         "out", nargs="?", type=_folder, default=Path("satviz-site"), metavar="DIR", help="(default: satviz-site)"
     )
     site.add_argument("--open", action="store_true", help="serve it on this machine and open it, until Ctrl-C")
+    site.add_argument("--zip", action="store_true", help="write DIR.zip, a package for a learning platform, instead")
+    site.add_argument("--url", default="", metavar="URL", help="the address it will have: for the sitemap and previews")
     site.add_argument("--pyodide", type=_folder, metavar="DIR", help="Pyodide's core, if npm is not to fetch it")
     site.add_argument("--still", action="store_true", help="without Python in the page: pictures do not move")
     site.add_argument("--force", action="store_true", help="overwrite files that satviz did not make")
@@ -440,6 +442,8 @@ def _clash_of_check(args: argparse.Namespace) -> str | None:
 
 def _clash_of_site(args: argparse.Namespace) -> str | None:
     """Return an error line for options of `site` that cannot be given together, or None."""
+    if args.zip and args.open:
+        return "--zip writes no folder that could be served: give it without --open"
     return "--still has no Python in the page: give it without --pyodide" if args.still and args.pyodide else None
 
 

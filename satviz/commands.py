@@ -395,7 +395,8 @@ def explain(args: argparse.Namespace) -> int:
     found = paste(_text_of(args.file), args.as_)
     number = args.pair - 1
     if args.to in (None, "json", "wkt"):
-        out_json(found.to_json()) if args.to == "json" else out(found.wkt if args.to == "wkt" else str(found))
+        said = found.report(sentence=bool(found.traces))  # without an answer the sentence is the error line
+        out_json(found.to_json()) if args.to == "json" else out(found.wkt if args.to == "wkt" else said)
     elif number >= len(found.pairs):
         raise Refused(f"there is no pair {args.pair}: {found.sentence}")
     elif args.to == "link":
@@ -568,18 +569,35 @@ def site(args: argparse.Namespace) -> int:
     from .site.build import PythonMissing, site
 
     try:
-        pages, lacks = site(pyodide=args.pyodide, live=not args.still)
+        pages, lacks = site(pyodide=args.pyodide, live=not args.still, url=args.url)
         files = dict(pages)
     except ImportError as error:
         raise Failed(str(error)) from None
     except PythonMissing as error:
         raise Refused(str(error)) from None
+    if args.zip:
+        return _write_archive(args, files, lacks)
     _write_all(args, files)
     for line in lacks:
         say(line)
     megabytes = sum(map(len, files.values())) / 1e6
     out(f"{len(files)} files ({megabytes:.1f} MB) in {visible(str(args.out))}")
     return _serve(args.out) if args.open else 0
+
+
+def _write_archive(args: argparse.Namespace, files: Mapping[str, bytes], lacks: Sequence[str]) -> int:
+    """Write the site as one zip beside the folder that it would have; return exit code 0."""
+    from .lessons.chapter_text import chapters
+    from .site.hosting import archive
+
+    path = args.out.with_name(f"{args.out.name}.zip")
+    safe_write.check(path, force=args.force)
+    data = archive(files, chapters())
+    safe_write.write(path, data, force=args.force)
+    for line in lacks:
+        say(line)
+    out(f"{visible(str(path))} ({len(data) / 1e6:.1f} MB, {len(files)} files)")
+    return 0
 
 
 def _write_all(args: argparse.Namespace, files: Mapping[str, bytes]) -> None:

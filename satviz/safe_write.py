@@ -25,6 +25,9 @@ _MAKER_FIELDS = {
     ".css": f"/* {MADE_BY} */\n",
     ".bin": f"{MADE_BY}\0",
     ".md": f"\n\n{MADE_BY}: ",
+    ".txt": f"# {MADE_BY}\n",
+    ".xml": f"<!-- {MADE_BY} -->",
+    ".zip": f"{MADE_BY}: a site",
 }
 
 

@@ -2173,4 +2173,340 @@ np.array([[[5, 0]], [[9, 0]], [[9, 4]]], dtype=int32)""",
 <gml:posList>5 0 9 0 9 4 5 0</gml:posList>""",
         ((0, 0, 4, 3), (5, 0, 9, 4)),
     ),
+    # -- of more libraries
+    Paste(
+        "jmoenig/morphic.js#34",
+        "new Rectangle(10,10,20,20).intersect(new Rectangle(15,25,19,25))",
+        ((10, 10, 20, 20), (15, 25, 19, 25)),
+        as_="corner-corner",
+    ),
+    Paste(
+        "jmoenig/morphic.js#34 (as it prints)",
+        """  origin: Point
+    x: 15
+    y: 25
+  corner: Point
+    x: 19
+    y: 20
+circle((0,0),1)""",
+        ((-1, -1, 1, 1),),
+        says="x",
+    ),
+    Paste(
+        "raysan5/raylib#680",
+        r"""    float paddleWidth = 10;
+    float paddleHeight = 50;
+    float paddleX = 780;
+    float paddleY = 275;
+    float ballRadius = 10.0;
+    float ballX = 400;
+    float ballY = 300;
+        if( CheckCollisionCircleRec( (Vector2){ballX, ballY}, ballRadius,
+            (Rectangle){ paddleWidth, paddleHeight, paddleX, paddleY } ) )
+        {
+            std::cout << "Collided 1\n";
+        }""",
+        ((390, 290, 410, 310), (10, 50, 790, 325)),
+        as_="corner-size",
+    ),
+    Paste(
+        "llnl/Tribol#229",
+        """  const double xA[3] = {0.0, 4.0, 0.0};
+  const double yA[3] = {0.0, 0.0, 3.0};
+  const double xB[3] = {5.0, 9.0, 9.0};
+  const double yB[3] = {0.0, 0.0, 4.0};
+  std::cout << signedArea(xA, yA, 3);""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "nenjack/check2d#25 (the answer)",
+        """const s = new System();
+s.createCircle({"x":13.3338,"y":0}, 50);
+s.createCircle({"x":-86.6663,"y":0}, 50);
+s.update()""",
+        ((-36.6662, -50, 63.3338, 50), (-136.6663, -50, -36.6663, 50)),
+    ),
+    Paste(
+        "UBC-Thunderbots/Software#1159",
+        """    EXPECT_THROW(ConvexPolygon({{-3.0f, 0.0f},
+                                {-3.0f, 3.0f},
+                                {3.0f, 3.0f},
+                                {3.0f, 0.0f}}),
+                 std::invalid_argument);
+    ConvexPolygon b({{5, 0}, {9, 0}, {9, 4}});""",
+        ((-3, 0, 3, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "macroquad#483",
+        """let c = Circle::new(5.0, 5.0, 2.0);
+let r = Rect::new(6.5, 6.5, 4.0, 4.0);
+assert!(c.overlaps_rect(&r));""",
+        ((3, 3, 7, 7), (6.5, 6.5, 10.5, 10.5)),
+        as_="corner-size",
+    ),
+    Paste(
+        "cocos",
+        """CCRect a = CCRectMake(0, 0, 10, 10);
+CCRect b = CCRectMake(10, 0, -5, 10);
+a.intersectsRect(b);""",
+        ((0, 0, 10, 10), (5, 0, 10, 10)),
+    ),
+    Paste(
+        "Nez",
+        """var r = new RectangleF(0, 0, 10, 10);
+var c = new Circle(5f) { position = new Vector2(12, 5) };""",
+        ((0, 0, 10, 10), (-5, -5, 5, 5)),
+        says="c.position 12, 5",
+    ),
+    Paste(
+        "libgdx circle",
+        """Circle c = new Circle(5f, 5f, 2f);
+Rectangle r = new Rectangle(7f, 0f, 10f, 10f);
+Intersector.overlaps(c, r);""",
+        ((3, 3, 7, 7), (7, 0, 17, 10)),
+    ),
+    Paste(
+        "libgdx polygon transform",
+        """Polygon p = new Polygon(new float[]{0,0,4,0,0,3});
+p.setPosition(5, 0);
+p.setRotation(90);
+p.setScale(2, 2);
+Polygon q = new Polygon(new float[]{5,0,9,0,9,4});""",
+        ((2, 0, 5, 4), (5, 0, 9, 4)),
+        as_="degrees y-up",
+        says="setScale",
+    ),
+    Paste(
+        "jbox2d",
+        """PolygonShape s = new PolygonShape();
+s.setAsBox(1, 2, new Vec2(5, 5), 0);
+CircleShape c = new CircleShape();
+c.m_p.set(7, 5);
+c.m_radius = 1;""",
+        ((4, 3, 6, 7), (6, 4, 8, 6)),
+    ),
+    Paste(
+        "dyn4j",
+        """Rectangle r = new Rectangle(2.0, 1.0);
+r.translate(5.0, 0.0);
+Circle c = new Circle(1.0);
+c.translate(7.0, 0.0);""",
+        ((4, -0.5, 6, 0.5), (6, -1, 8, 1)),
+    ),
+    Paste(
+        "chipmunk",
+        """cpShape *a = cpCircleShapeNew(body, 5, cpv(0, 0));
+cpShape *b = cpBoxShapeNew2(body2, cpBBNew(4, -5, 14, 5), 0);""",
+        (),
+        says="no shape",
+    ),
+    Paste(
+        "Farseer",
+        """var a = PolygonTools.CreateRectangle(1f, 2f);
+var b = new CircleShape(1f, 1f);""",
+        ((-1, -1, 1, 1),),
+        says="CreateRectangle",
+    ),
+    Paste(
+        "ncollide",
+        """let cuboid = Cuboid::new(Vector2::new(1.0, 1.0));
+let ball = Ball::new(1.0);
+let cuboid_pos = Isometry2::identity();
+let ball_pos = Isometry2::translation(1.5, 0.0);
+query::contact(&ball_pos, &ball, &cuboid_pos, &cuboid, 0.0)""",
+        ((0.5, -1, 2.5, 1), (-1, -1, 1, 1)),
+    ),
+    Paste(
+        "bevy_xpbd",
+        """Collider::rectangle(2.0, 2.0), Transform::from_xyz(0.0, 0.0, 0.0)
+Collider::circle(1.0), Transform::from_xyz(1.5, 0.0, 0.0)""",
+        ((-1, -1, 1, 1), (-1, -1, 1, 1)),
+        says="from_xyz",
+    ),
+    Paste(
+        "p5 collide2D",
+        """collideRectCircle(0, 0, 10, 10, 12, 5, 6)
+collidePolyPoly([createVector(0,0), createVector(4,0), createVector(0,3)],
+    [createVector(5,0), createVector(9,0), createVector(9,4)], true)""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+        says="collideRectCircle",
+    ),
+    Paste(
+        "Excalibur",
+        """ex.Shape.Box(10, 10)
+ex.Shape.Circle(5, ex.vec(12, 0))""",
+        ((-5, -5, 5, 5), (7, -5, 17, 5)),
+    ),
+    Paste(
+        "melonJS",
+        """new me.Rect(0, 0, 10, 10)
+new me.Ellipse(12, 5, 6, 6)
+new me.Polygon(0, 0, [{x:0,y:0},{x:4,y:0},{x:0,y:3}])""",
+        ((0, 0, 10, 10), (9, 2, 15, 8), (0, 0, 4, 3)),
+        as_="corner-size",
+    ),
+    Paste(
+        "collider2d",
+        """new Box(new Vector(0, 0), 10, 10).toPolygon()
+new Circle(new Vector(12, 5), 3)""",
+        ((0, 0, 10, 10), (9, 2, 15, 8)),
+        as_="corner-size",
+    ),
+    Paste(
+        "detect-collisions",
+        """system.createBox({x: 0, y: 0}, 10, 10, {angle: 0.5})
+system.createCircle({x: 12, y: 5}, 3)""",
+        ((0, 0, 10, 10), (9, 2, 15, 8)),
+        as_="corner-size radians",
+        says="angle 0.5",
+    ),
+    Paste(
+        "geometric",
+        "geometric.polygonIntersectsPolygon([[0,0],[4,0],[0,3]], [[5,0],[9,0],[9,4]])",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "rbush",
+        """{minX: 0, minY: 0, maxX: 10, maxY: 10}
+{minX: 10, minY: 0, maxX: 20, maxY: 10}""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+    ),
+    Paste(
+        "d3 quadtree extent",
+        """[[0, 0], [10, 10]]
+[[10, 0], [20, 10]]""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+        as_="corner-corner",
+    ),
+    Paste(
+        "mapbox bounds",
+        """new LngLatBounds([0, 0], [10, 10])
+new LngLatBounds([10, 0], [20, 10])""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+        as_="corner-corner",
+    ),
+    Paste(
+        "leaflet bounds",
+        """L.latLngBounds([[0, 5], [10, 15]])
+L.latLngBounds([[0, 0], [10, 5]])""",
+        ((0, 5, 10, 15), (0, 0, 10, 5)),
+        as_="corner-corner",
+    ),
+    Paste(
+        "google bounds",
+        """{south: 0, west: 0, north: 10, east: 10}
+{south: 0, west: 10, north: 10, east: 20}""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+    ),
+    Paste(
+        "wkt with numbers",
+        """1 | POLYGON((0 0, 4 0, 0 3, 0 0)) | 12.5
+2 | POLYGON((5 0, 9 0, 9 4, 5 0)) | 7""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "psql",
+        """ id | geom
+----+---------------------------------
+  1 | POLYGON((0 0,4 0,0 3,0 0))
+  2 | POLYGON((5 0,9 0,9 4,5 0))
+(2 rows)""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "ewkt",
+        """SRID=3857;POLYGON((0 0, 4 0, 0 3, 0 0))
+SRID=4326;POLYGON((5 0, 9 0, 9 4, 5 0))""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "email quote",
+        """> a = [(0,0),(4,0),(0,3)]
+> b = [(5,0),(9,0),(9,4)]
+I think so too.""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "diff",
+        """-    Rect(0, 0, 5, 5),
++    Rect(0, 0, 10, 10),
+     Rect(10, 0, 10, 10),""",
+        ((0, 0, 5, 5), (0, 0, 10, 10), (10, 0, 20, 10)),
+        as_="corner-size",
+    ),
+    Paste(
+        "code fence",
+        """```js
+const a = [[0,0],[4,0],[0,3]];
+```
+```js
+const b = [[5,0],[9,0],[9,4]];
+```""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "html escaped",
+        """[{&quot;x&quot;:0,&quot;y&quot;:0},{&quot;x&quot;:4,&quot;y&quot;:0},{&quot;x&quot;:0,&quot;y&quot;:3}]
+[(5,0),(9,0),(9,4)]""",
+        ((5, 0, 9, 4),),
+    ),
+    Paste(
+        "scale before points",
+        """scale: 2
+points: [(0,0),(4,0),(0,3)]
+circle((20, 0), 1)""",
+        ((0, 0, 4, 3), (19, -1, 21, 1)),
+        says="scale 2",
+    ),
+    Paste(
+        "transform after",
+        """points: [(0,0),(4,0),(0,3)]
+rotation: 45
+circle((20, 0), 1)""",
+        ((-2.121320343559643, 0, 2.8284271247461903, 2.8284271247461903), (19, -1, 21, 1)),
+        as_="y-up degrees",
+    ),
+    Paste(
+        "unity polygon print",
+        """(0.00, 0.00)
+(4.00, 0.00)
+(0.00, 3.00)
+
+(5.00, 0.00)
+(9.00, 0.00)
+(9.00, 4.00)""",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
+    ),
+    # -- whole bodies as printed
+    Paste(
+        "a body of p2 as JSON",
+        """{"mass":1,"position":[3,4],"angle":0,"shapes":[{"type":8,"width":2,"height":1,"position":[0,0],"angle":0}]}
+{"mass":1,"position":[5,4],"angle":0,"shapes":[{"type":1,"radius":1,"position":[0,0],"angle":0}]}""",
+        ((2, 3.5, 4, 4.5), (4, 3, 6, 5)),
+        as_="center-size",
+    ),
+    Paste(
+        "a body of planck as JSON",
+        """{"type":"dynamic","position":{"x":3,"y":4},"angle":0,
+ "fixtures":[{"density":1,"shape":{"type":"polygon","vertices":[{"x":-1,"y":-1},{"x":1,"y":-1},{"x":1,"y":1}]}}]}
+{"type":"static","position":{"x":0,"y":0},"angle":0,
+ "fixtures":[{"shape":{"type":"circle","p":{"x":0,"y":0},"radius":1}}]}""",
+        ((2, 3, 4, 5), (-1, -1, 1, 1)),
+        says="density",
+    ),
+    Paste(
+        "a body with an angle",
+        """{"position":{"x":3,"y":4},"angle":90,
+ "fixtures":[{"shape":{"type":"polygon","vertices":[{"x":-1,"y":-1},{"x":2,"y":-1},{"x":2,"y":1}]}}]}
+circle((0,0),1)""",
+        ((2, 3, 4, 6), (-1, -1, 1, 1)),
+        as_="degrees y-up",
+    ),
+    Paste(
+        "quoted words that begin with M",
+        """{"shape": "mast", "math": "mlh", "x": 0, "y": 0, "radius": 5, "mass": 3}
+{"shape": 'Mat', "x": 9, "y": 0, "radius": 5, "mass": 3}""",
+        ((-5, -5, 5, 5), (4, -5, 14, 5)),
+        says="mass 3",
+    ),
 )

@@ -160,10 +160,14 @@ def test_a_vertex_is_dragged_and_a_crossing_outline_is_refused(hand):
     hand.page.mouse.move(bx, by, steps=8)  # two corners on one spot: no area
     why.filter(has_text="Not possible").wait_for(timeout=5000)
     hand.page.mouse.up()
-    why.wait_for(state="hidden", timeout=5000)
     hand.said("A and B")
     assert hand.kernel("len(set(w.scene.a.vertices))") == "3"
+    assert (
+        why.is_visible() and hand.widgets.first.locator(".sv-drawing.sv-wrong path").count() == 1
+    )  # until the next change
     reset(hand)
+    why.wait_for(state="hidden", timeout=5000)
+    assert hand.widgets.first.locator(".sv-drawing path").count() == 0
 
 
 def test_the_keyboard_moves_and_turns(hand):
@@ -369,6 +373,36 @@ def test_the_explorer_saves_what_it_shows(hand):
     copied = hand.page.evaluate("() => navigator.clipboard.readText()")
     assert copied == hand.kernel("w.scene.to_json()")
     reset(hand)
+
+
+@pytest.mark.parametrize("width", [1500, 390])
+def test_a_paste_in_a_notebook_is_explained_and_sent_on(hand, width):
+    before = hand.page.viewport_size
+    sidebar = "jupyterapp.commands.execute('application:toggle-left-area')"  # leaves no room on a phone
+    if width < 500:
+        hand.page.evaluate(sidebar)
+    hand.page.set_viewport_size({"width": width, "height": before["height"]})
+    widget = hand.widgets.first
+    if not widget.locator(".sv-paste[open]").count():
+        widget.locator(".sv-paste > summary").click()
+    widget.locator(".sv-text").fill("int[] xs = {0, 4, 4, 0};\nint[] ys = {0, 0, 4, 4};\ncircle((5, 2), 1)\nscale = 3")
+    hand.press("explain")
+    widget.locator(".sv-verdict", has_text="A and B touch").wait_for(timeout=20_000)
+    assert "Not applied to a shape: scale 3" in widget.locator(".sv-findings").inner_text()
+    hand.until("w.scene.b == sv.Circle((5, 2), 1)")
+    widget.get_by_text("send it on").click()
+    with hand.page.expect_download() as found:
+        hand.press("save picture as SVG")
+    assert "A and B touch" in found.value.path().read_text(encoding="utf-8")
+    box = widget.bounding_box()
+    text = widget.locator(".sv-text").bounding_box()
+    assert text["x"] + text["width"] <= box["x"] + box["width"] + 1, "nothing is wider than the widget"
+    hand.page.set_viewport_size(before)
+    if width < 500:
+        hand.page.evaluate(sidebar)
+    widget.locator(".sv-paste > summary").click()
+    widget.get_by_label("presets").select_option("triangles")  # what reset goes back to
+    hand.until(AT_START)
 
 
 LOOKS = """() => {

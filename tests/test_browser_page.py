@@ -2,6 +2,7 @@
 
 import json
 import re
+from itertools import pairwise
 from xml.etree import ElementTree
 
 import numpy as np
@@ -441,9 +442,10 @@ def test_the_curve_is_right_under_the_picture_where_it_is_not_beside_it(browser,
         with explored(browser, ExplorerModel(sv.scene("triangles")), errors, **screen) as page:
             page.get_by_label("free axis").check()
             page.locator(".sv-curve").wait_for()
-            picture, curve = (page.locator(c).bounding_box() for c in (".sv-board", ".sv-curve"))
-            assert (0 <= curve["y"] - picture["y"] - picture["height"] < 30) is under
-            assert (curve["x"] >= picture["x"] + picture["width"]) is not under
+            parts = [page.locator(c).bounding_box() for c in (".sv-board", ".sv-line", ".sv-dial", ".sv-curve")]
+            for above, below in pairwise(parts) if under else [parts[:2], parts[2:]]:
+                assert 0 <= below["y"] - above["y"] - above["height"] < 30
+            assert (parts[2]["x"] >= parts[0]["x"] + parts[0]["width"]) is not under
 
 
 def test_a_finger_beside_the_shapes_scrolls_the_page_and_one_on_a_shape_drags_it(browser, errors):

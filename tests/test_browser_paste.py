@@ -67,6 +67,19 @@ def test_a_report_is_explained(desk, width, thread):
 
 
 @WIDTHS
+def test_the_bundle_holds_a_picture_of_the_pair(desk, width):
+    desk.paste("circle((0, 0), 2) circle((9, 9), 1) [0,0, 4,0, 0,4]")
+    desk.page.get_by_text("send it on").click()
+    for form, begins in ("SVG", b"<svg"), ("PNG", b"\x89PNG"):
+        with desk.page.expect_download() as found:
+            desk.page.get_by_role("button", name=f"save picture as {form}").click()
+        data = found.value.path().read_bytes()
+        assert found.value.suggested_filename == f"satviz.{form.lower()}" and data.startswith(begins)
+        assert form == "PNG" or b"A and C overlap" in data
+    assert desk.page.evaluate("document.documentElement.scrollWidth <= innerWidth"), "nothing is wider than the page"
+
+
+@WIDTHS
 def test_a_question_is_asked_with_both_answers(desk, width):
     desk.paste(BY_THREAD["nenjack/check2d#52"].text)
     buttons = desk.page.locator(".sv-question button").all_inner_texts()
@@ -121,7 +134,7 @@ def test_a_refused_outline_stays_with_the_reason_and_can_be_mended(desk, width):
     desk.click((0.2, 0.2), (0.5, 0.5), (0.5, 0.2), (0.2, 0.5))
     desk.press("done")
     assert desk.model.scene.a == first.a
-    assert "cross" in desk.page.locator(".sv-stage > .sv-why, .sv-columns > .sv-why").first.inner_text()
+    assert "cross" in desk.page.locator(".sv-board > .sv-why").first.inner_text()
     assert desk.page.locator(".sv-drawing.sv-wrong path").count() == 1
     assert desk.page.locator(".sv-drawing circle").count() == 4
     desk.page.locator(".sv-plane").press("Backspace")
@@ -144,7 +157,7 @@ def test_an_outline_that_keys_make_cross_stays_with_the_reason(desk, width):
         if desk.page.locator(".sv-drawing.sv-wrong path").count():
             break
     assert desk.page.locator(".sv-drawing.sv-wrong circle").count() == 4
-    assert "Not possible" in desk.page.locator(".sv-stage > .sv-why, .sv-columns > .sv-why").first.inner_text()
+    assert "Not possible" in desk.page.locator(".sv-board > .sv-why").first.inner_text()
     desk.press("undo")
     assert desk.page.locator(".sv-drawing circle").count() == 0
 
@@ -177,7 +190,7 @@ def test_a_circle_is_made_and_corners_come_and_go(desk, width):
     assert len(desk.model.scene.a.vertices) == count
     desk.click((0.15, 0.6))
     assert len(desk.model.scene.a.vertices) == count, "two corners are no polygon"
-    assert "Not possible" in desk.page.locator(".sv-stage > .sv-why, .sv-columns > .sv-why").first.inner_text()
+    assert "Not possible" in desk.page.locator(".sv-board > .sv-why").first.inner_text()
 
 
 def test_everything_by_hand_can_be_done_with_keys(browser):

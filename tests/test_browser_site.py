@@ -5,7 +5,8 @@ import re
 import shutil
 import threading
 from contextlib import contextmanager
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from functools import partial
+from http.server import BaseHTTPRequestHandler, SimpleHTTPRequestHandler, ThreadingHTTPServer
 from xml.etree import ElementTree
 
 import pytest
@@ -155,6 +156,8 @@ def test_a_site_comes_to_life_where_a_browser_has_no_room_to_keep_its_files(visi
         "",
         "gallery.html",
         "challenges.html",
+        "glossary.html",
+        "handout-2.html",
         "guides.html",
         "traces.html",
         "2-sat.html",
@@ -166,7 +169,7 @@ def test_a_site_comes_to_life_where_a_browser_has_no_room_to_keep_its_files(visi
     "more", [{"color_scheme": "dark"}, {"viewport": {"width": 390, "height": 844}}], ids=["dark", "phone"]
 )
 def test_no_page_shuts_anyone_out(visit, axe_core, path, more):
-    page = visit(path, live=path not in ("gallery.html", "challenges.html", "guides.html", "traces.html"), **more)
+    page = visit(path, live=path in ("", "2-sat.html", "6-where-it-fails.html", "scene.html#far-centers"), **more)
     assert shut_out(axe_core, page) == []
 
 
@@ -603,6 +606,27 @@ def test_a_challenge_is_chosen_undone_and_kept_in_the_address(visit):
     goal.wait_for(state="hidden")
 
 
+# -- in a folder of any server
+
+
+def test_in_a_folder_of_a_plain_server_all_is_as_it_is_at_its_root(built, visit, tmp_path):
+    """No setting, no header of satviz's: what Python's own server sends is enough."""
+    (tmp_path / "courses").mkdir()
+    (tmp_path / "courses" / "sat").symlink_to(built)
+    handler = partial(SimpleHTTPRequestHandler, directory=str(tmp_path))
+    with ThreadingHTTPServer(("127.0.0.1", 0), handler) as serving:
+        thread = threading.Thread(target=serving.serve_forever, daemon=True)
+        thread.start()
+        at = f"http://127.0.0.1:{serving.server_address[1]}/courses/sat/"
+        for path in "", "2-sat.html", "scene.html?embed#circles":
+            page = visit(path, at=at)  # and no request leaves the folder
+            page.locator('.live.ready [data-handle="B-move"]').first.press("ArrowLeft")
+            page.wait_for_function("() => document.querySelector('.live.ready .sv-sentence').textContent.length > 10")
+            page.context.close()
+        serving.shutdown()
+        thread.join()
+
+
 # -- a scene in a frame of another page
 
 
@@ -720,6 +744,62 @@ def test_a_built_in_scene_has_its_own_picture_until_python_has_come(visit):
     page.context.route("**/worker.js*", lambda route: route.fulfill(body="", content_type="text/javascript"))
     page.reload()
     assert page.locator(".live .still img").get_attribute("src") == "pictures/circles.svg"
+
+
+def test_what_was_solved_is_kept_in_this_browser_until_it_is_forgotten(visit):
+    page = visit("challenges.html", live=False)
+    progress, forget = page.locator(".progress"), page.get_by_role("button", name="Forget")
+    assert "None of" in progress.inner_text() and not forget.is_visible()
+    page.locator("li[data-challenge='touch:aabb'] a").click()
+    page.locator(".live.ready").wait_for(timeout=LIVE)
+    page.locator('[data-handle="B-move"]').focus()
+    for _ in range(60):
+        page.keyboard.press("ArrowLeft")
+        page.wait_for_timeout(30)
+        if "met" in page.locator(".sv-goal").get_attribute("class"):
+            break
+    page.goto(page.url.partition("scene.html")[0] + "challenges.html")
+    item = page.locator("li[data-challenge='touch:aabb']")
+    assert "solved" in item.get_attribute("class") and item.inner_text().endswith("solved")
+    assert "You have solved 1 of" in progress.inner_text()
+    forget.click()
+    assert "None of" in progress.inner_text() and page.evaluate("localStorage.length") == 0
+
+
+def test_the_front_page_shows_the_idea_once_and_then_asks_to_drag(visit):
+    page = visit("", live=False)
+    page.clock.install()
+    page.reload()
+    now, turning = page.locator(".told .now"), page.locator(".turning")
+    page.clock.run_for(500)
+    assert "shadows overlap" in now.inner_text() and turning.locator('[data-id="overlap"]').count()
+    page.clock.run_for(5000)
+    assert now.inner_text().startswith("The line turns")
+    page.clock.run_for(5000)
+    assert "there is a gap" in now.inner_text() and turning.locator('[data-id="gap"]').count()
+    page.clock.run_for(3000)
+    assert not turning.count() and not now.count() and page.locator(".live").is_visible()
+    page.get_by_role("button", name="Show it again").click()
+    page.clock.run_for(500)
+    assert turning.count() and now.count()
+    page.get_by_role("button", name="Stop").click()
+    assert not turning.count() and not now.count()
+
+
+def test_nothing_moves_by_itself_where_a_reader_wants_less_motion(visit):
+    page = visit("", live=False, reduced_motion="reduce")
+    assert not page.locator(".turning, .again").count() and page.locator(".told li").count() == 3
+
+
+def test_who_reaches_for_a_scene_while_it_shows_itself_drags_it(visit):
+    page = visit("")
+    page.get_by_role("button", name="Show it again").or_(page.get_by_role("button", name="Stop")).wait_for()
+    if not page.locator(".turning").count():
+        page.get_by_role("button", name="Show it again").click()
+    page.locator('[data-handle="B-move"]').focus()
+    page.locator(".turning").wait_for(state="detached")
+    page.keyboard.press("ArrowLeft")
+    says(page, "1.")
 
 
 # -- the page "Is yours right?"

@@ -395,3 +395,9 @@ def test_a_function_that_knows_whole_numbers_only_is_told_so():
     found = sv.check(whole)
     assert found.finding == "error" and found.line.endswith("(whole_numbers=True leaves such pairs out)")
     assert "whole numbers, please" in found.line and sv.check(whole, whole_numbers=True).right
+
+
+def test_a_function_that_says_the_same_for_every_pair_is_told_so_and_given_no_mistake():
+    for said, words in (True, "hit"), (False, "no hit"):
+        found = sv.check(lambda a, b, said=said: said)
+        assert found.finding == "wrong" and not found.behaves_like and f"It says {words} for every pair." in str(found)

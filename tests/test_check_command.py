@@ -12,6 +12,7 @@ from satviz.checking.checker import check_asker
 from satviz.checking.options import Options
 from satviz.checking.programs import Program
 from satviz.cli import main
+from satviz.scenes.harnesses import HARNESSES
 
 OWN = Path(__file__).parent / "own_functions"
 SAT = "def collide(a, b):\n    return True\n"
@@ -41,7 +42,7 @@ def test_a_function_is_named_and_a_right_one_gives_exit_code_0(tmp_path, capsys)
 
 
 def test_the_report_as_json_and_the_counterexample_as_files(tmp_path, capsys):
-    file = written(tmp_path, SAT)
+    file = f"{OWN / 'wrong.py'}:bounding_boxes"
     assert main(["check", file, "--json", "--out", str(tmp_path / "out"), "--whole-numbers"]) == 1
     text = capsys.readouterr().out
     data = json.loads(text[: text.rindex("}") + 1])
@@ -156,3 +157,55 @@ def test_a_right_function_in_rust_passes(tmp_path):
     subprocess.run(["rustc", "-o", tmp_path / "mine", OWN / "correct.rs"], check=True, timeout=120)
     found = check_asker(Program(str(tmp_path / "mine"), 5), Options())
     assert found.right and found.near.asked, str(found)
+
+
+COLLIDES = {  # the bounding boxes, in three languages
+    "JavaScript": """const collide = (a, b) => [0, 1].every((k) => {
+  const [s, t] = [a, b].map((shape) => shape.map((p) => p[k]));
+  return Math.max(...s) >= Math.min(...t) && Math.max(...t) >= Math.min(...s);
+});
+""",
+    "C++": """#include <algorithm>
+bool collide(const Polygon &a, const Polygon &b) {
+  for (auto k : {&Point::x, &Point::y}) {
+    auto less = [k](const Point &p, const Point &q) { return p.*k < q.*k; };
+    auto s = std::minmax_element(a.begin(), a.end(), less), t = std::minmax_element(b.begin(), b.end(), less);
+    if (*s.second.*k < *t.first.*k || *t.second.*k < *s.first.*k) return false;
+  }
+  return true;
+}
+""",
+    "Rust": """fn collide(a: &[(f64, f64)], b: &[(f64, f64)]) -> bool {
+    [|p: &(f64, f64)| p.0, |p: &(f64, f64)| p.1].iter().all(|k| {
+        let range = |s: &[(f64, f64)]| {
+            (s.iter().map(k).fold(f64::MAX, f64::min), s.iter().map(k).fold(f64::MIN, f64::max))
+        };
+        let (s, t) = (range(a), range(b));
+        s.1 >= t.0 && t.1 >= s.0
+    })
+}
+""",
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("harness", HARNESSES, ids=lambda harness: harness.language)
+def test_the_smallest_harness_of_a_language_works(harness, tmp_path, monkeypatch, capsys):
+    """As `satviz scenes --json` and the guide give it, with a function behind it and its own commands."""
+    tool = (harness.build or harness.run).split()[0]
+    needs(tool)
+    written(tmp_path, f"{harness.code}\n{COLLIDES[harness.language]}", harness.file)
+    monkeypatch.chdir(tmp_path)
+    if harness.build:
+        subprocess.run(harness.build.split(), check=True, timeout=120)
+    assert main(["check", "--command", harness.run, "--json"]) == 1
+    found = json.loads(capsys.readouterr().out)
+    assert found["behaves_like"][0]["name"] == "aabb-not-upright" and found["pairs"] > 300
+
+
+def test_the_harnesses_of_the_guide_are_those_of_the_scenes(capsys):
+    assert main(["scenes", "--json"]) == 0
+    printed = json.loads(capsys.readouterr().out)["harnesses"]
+    guide = (Path(__file__).parent.parent / "satviz" / "guides" / "check.md").read_text(encoding="utf-8")
+    assert [each["language"] for each in printed] == list(COLLIDES)
+    assert all(f"\n{each['code']}```\n" in guide for each in printed)

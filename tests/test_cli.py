@@ -584,6 +584,8 @@ CLASHES = {
     "bench --force": "give it with --chart",
     "bench --quick --pairs 100000": "--quick sets the pairs and the rounds: give it without --pairs",
     "bench --rounds 9 --quick": "--quick sets the pairs and the rounds: give it without --rounds",
+    "site --still --zip --open": "--zip writes no folder that could be served",
+    "site --still --url example.org": "the address is",
     "site --still --pyodide somewhere": "--still has no Python in the page: give it without --pyodide",
 }
 

@@ -39,13 +39,17 @@ def texts(drawn: Picture, prefix: str) -> dict[str, str]:
 
 
 def struck(drawn: Picture) -> list[str]:
-    """What is struck out: the labels through whose middle a line goes."""
+    """What is struck out: the labels through each of whose lines a line goes, but for the remark below a gap."""
     lines = [mark for mark in drawn.marks if mark.part.endswith("-strike")]
     found = []
     for line in lines:
         (label,) = (m for m in drawn.labels if m._replace(part=f"{m.part}-strike").id == line.id)
         ys = [p.y for p in line.points]
-        assert len(set(ys)) == len(label.text.split("\n")) and max(ys) + min(ys) == pytest.approx(2 * label.points[0].y)
+        rows = label.text.split("\n")
+        if label.part.endswith("gap-name") and len(rows) == 2:
+            assert len(set(ys)) == 1 and ys[0] > label.points[0].y
+        else:
+            assert len(set(ys)) == len(rows) and max(ys) + min(ys) == pytest.approx(2 * label.points[0].y)
         found.append(ascii_minus(label.text))
     return found
 
@@ -501,3 +505,11 @@ def test_one_inset_of_a_panel_stands_in_a_free_corner_of_it():
                     side = drawn.size[0] / 2
                     if (p.x < side) is (box_[0] < side):
                         assert clip_segment(*p, *q, *box_) is None, (name, mark.id)
+
+
+def test_a_remark_below_a_struck_out_number_is_true_and_not_struck_out():
+    drawn = sv.picture("raw-depth")
+    remarks = [text for text in drawn.texts if "its normal is" in text]
+    assert sorted(text.split("\n")[1] for text in remarks) == ["its normal is 1 long", "its normal is 2 long"]
+    (line,) = (m for m in drawn.marks if m.part == "claimed-gap-name-strike")
+    assert len(line.points) == 2

@@ -155,3 +155,12 @@ def test_too_many_steps_are_thinned_then_refused(monkeypatch):
     monkeypatch.setattr(module, "MAX_STEPS", 3)
     with pytest.raises(ValueError, match="too many"):
         playback(TRIANGLES)
+
+
+def test_a_page_that_asks_folds_the_answer_where_no_script_runs_and_on_paper():
+    asks = sv.page("triangles", predict=True)
+    section = asks[asks.index('<section class="sv-static">') : asks.index("</section>")]
+    open_part, folded, rest = section.partition("<details><summary>The answer</summary>")
+    assert folded and rest.rstrip().endswith("</details>") and open_part.count("<svg") == 1 == rest.count("<svg")
+    assert "1.213" not in open_part and "1.213" in rest
+    assert "<details><summary>The answer" not in sv.page("triangles")

@@ -52,6 +52,17 @@ def test_a_missing_corner_and_lists_of_two_lengths_are_named():
             sv.paste(text)
 
 
+def test_what_is_not_read_is_said_once():
+    pasted = sv.paste("this.add.circle(9, 9, 4)\nthis.add.rectangle(15, 10, 4, 2).setOrigin(0, 0)")
+    assert [finding.kind for finding in pasted.findings] == ["not-read"]
+
+
+def test_several_refused_shapes_are_listed_in_words():
+    pasted = sv.paste("[0,0, 1,1, 2,2]\n[0,0, 2,2, 3,3]\n[0,0, 1,1, 5,5]")
+    assert pasted.sentence == "A, B and C are no valid shapes, so there is no answer."
+    assert sv.paste("[0, 0, 4, 4]\n[3, 3, 1, 2]").sentence.startswith("Four readings are possible")
+
+
 @pytest.mark.parametrize(
     "text",
     [

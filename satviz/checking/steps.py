@@ -19,6 +19,7 @@ from .answers import (
     MTV,
     RELATION,
     Rules,
+    in_words,
     is_right,
     is_tolerated,
     plain,
@@ -84,6 +85,8 @@ def steps(options: Options) -> Steps:
     if bad.problem:
         return _found(bad, rules, results, unasked, notes, ())
     bad = yield from _shrunk(_easiest(results), rules, options)
+    if always := _always_note(results, rules):
+        return _found(bad, rules, results, unasked, [*notes, always], ())
     notes += _touching_notes(results, rules) + _order_notes(results)
     return _found(bad, rules, results, unasked, notes, tuple(likenesses(results, rules)))
 
@@ -183,6 +186,12 @@ def _is_fit(pair: Pair, bad: Result, options: Options) -> bool:
 def _has_repeats(shape: Shape) -> bool:
     """Return whether a vertex is listed twice."""
     return len(set(shape.vertices)) < len(shape.vertices)
+
+
+def _always_note(results: Sequence[Result], rules: Rules) -> str:
+    """Return a note where the answer is the same for every pair: such a function has no mistake yet, only a result."""
+    answers = [None if result.problem else in_words(result.answer, rules.returns) for result in results]
+    return f"It says {answers[0]} for every pair." if len(set(answers)) == 1 and answers[0] else ""
 
 
 def _touching_notes(results: Sequence[Result], rules: Rules) -> list[str]:

@@ -211,7 +211,8 @@ def _table(trace: Trace, *, filled: bool) -> str:
         lines.append("<tr>" + "".join(f"<td>{escape(cell)}</td>" for cell in cells) + "</tr>")
     more = f"<p>These are the first {MAX_ROWS} of {len(rows)} axes.</p>" if len(rows) > MAX_ROWS else ""
     kind = "solved" if filled else "to-fill"
-    return f'<table class="{kind}"><thead><tr>{head}</tr></thead><tbody>{"".join(lines)}</tbody></table>{more}'
+    table = f'<table class="{kind}"><thead><tr>{head}</tr></thead><tbody>{"".join(lines)}</tbody></table>'
+    return f'<div class="table" tabindex="0">{table}</div>{more}'
 
 
 def _figure(drawn: Picture, kind: str = "") -> str:

@@ -216,11 +216,11 @@ def strike_wrong_answers(drawn: Picture, trace: Trace) -> Picture:
 
 
 def _strike(label: Mark, scale: float) -> Mark:
-    """Return the mark that strikes out a label: one segment through each line of its text."""
+    """Return the mark that strikes out a label: one segment through each line of its text, but not through a remark."""
     (x, y), lines = label.points[0], label.text.split("\n")
     high = text_size(label.text, label.weight)[1] / len(lines) / scale
     ends: list[Vec] = []
-    for i, line in enumerate(lines):
+    for i, line in enumerate(lines[:1] if label.part.endswith("gap-name") else lines):
         half, level = text_size(line, label.weight)[0] / 2 / scale, y + ((len(lines) - 1) / 2 - i) * high
         ends += [Vec(x - half, level), Vec(x + half, level)]
     return Mark(f"{label.part}-strike", "segment", "ink", tuple(ends), label.owner, label.axis, label.number)

@@ -35,6 +35,7 @@ from .layout import Group, Layout
 from .sketch import RING_PT, Sketch
 
 PROVES_NOTHING = "true, but proves nothing"
+RAW_NORMAL = "its normal is"
 
 
 class PanelSketch(Sketch):
@@ -79,6 +80,8 @@ def draw_claimed_tests(trace: Trace, layout: Layout) -> Sketch:
     if len(tests) > 1 and set(remarks) == {PROVES_NOTHING}:
         sketch.note("remark", "true, but they prove nothing", "overlap", first=3)
         remarks = [""] * len(tests)
+    elif any(remark.startswith(RAW_NORMAL) for remark in remarks):
+        remarks = [r or f"{RAW_NORMAL} {number(t.axis.length)} long" for r, t in zip(remarks, tests, strict=True)]
     for test, place, remark in zip(tests, layout.places, remarks, strict=False):
         if any(test.axis.normal):
             if len(tests) == 1:
@@ -104,7 +107,7 @@ def remark_on(trace: Trace, test: AxisTest) -> str:
         return PROVES_NOTHING if trace.false_hit and test.gap < 0 else ""
     exact = next(axis_tests(trace.a, trace.b, [test.axis])).gap
     if is_about_push(trace) and test.axis.length != 1 and isclose(exact * test.axis.length, test.gap, rel_tol=1e-9):
-        return f"its normal is {number(test.axis.length)} long"
+        return f"{RAW_NORMAL} {number(test.axis.length)} long"
     return ""
 
 

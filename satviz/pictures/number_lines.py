@@ -6,6 +6,7 @@ from ..engine import describe
 from ..engine.geometry import Vec
 from ..engine.trace import Trace
 from .float_geometry import gap_or_overlap
+from .letters import text_size
 from .marks import Mark, Picture
 from .sheet import MAX_ROWS, Row, all_rows, covered_range, text_from, truncate
 
@@ -69,12 +70,15 @@ def _ranges(row: Row, number: int, y: float, start: float, scale: float) -> list
         points = Vec(MARGIN_PT + (lo - start) * scale, level), Vec(MARGIN_PT + (hi - start) * scale, level)
         return Mark(part, "interval", role, points, owner=owner, number=number)
 
+    a, b = row.test.a.interval, row.test.b.interval
+    a_is_lower = a.lo + a.hi <= b.lo + b.hi
     marks = []
-    sides = ("A", row.run.names.a, row.test.a.interval), ("B", row.run.names.b, row.test.b.interval)
-    for k, (role, name, interval) in enumerate(sides, 1):
+    sides = ("A", row.run.names.a, a, a_is_lower), ("B", row.run.names.b, b, not a_is_lower)
+    for k, (role, name, interval, names_left) in enumerate(sides, 1):
         level = y + TRACK_PT * k - 2
         drawn = bar("range", role, *interval, level, name)
-        marks += [drawn, text_from("range-name", name, role, drawn.points[1].x + 5, level, number)._replace(owner=name)]
+        beside = drawn.points[0].x - 5 - text_size(name)[0] if names_left else drawn.points[1].x + 5  # clear of the gap
+        marks += [drawn, text_from("range-name", name, role, beside, level, number)._replace(owner=name)]
     if row.test.gap:
         marks.append(bar("gap", "gap" if row.test.gap > 0 else "overlap", *gap_or_overlap(row.test), y))
     return marks

@@ -62,7 +62,8 @@ def page(
     `what` is a scene (or its name), two shapes, or a trace.  With `predict` the page asks before it shows.  Instead
     of the run, with `sweep` it shows an axis that turns, as `satviz.sweep` does, and with `difference` how B - A
     comes about, as `satviz.difference_steps` does.  `speed`: how many times as fast it plays at first.
-    Without JavaScript, and on paper, it shows the first and the last picture instead.
+    Without JavaScript, and on paper, it shows the first and the last picture instead; with `predict` the answer is
+    folded there.
     A failing scene whose outlines are refused has no steps: the page has its picture and the reason.
     ValueError for a scene that cannot be drawn, or one with too many steps.
     """
@@ -97,15 +98,22 @@ def page_of_run(
     drawn = turning_axis(trace) if sweep else difference_steps(trace) if difference else ()
     first, last = (drawn[i] if drawn else picture(trace, i) for i in (0, -1))
     sentences = list(dict.fromkeys(s["sentence"] for s in shows[0]["steps"]))
-    body = [
-        '<div id="satviz-player"></div>',
-        '<section class="sv-static">',
-        *(f"<figure>{inline_svg(one, stem=stem)}</figure>" for one, stem in ((first, "first"), (last, "last"))),
+    pictures = [f"<figure>{inline_svg(one, stem=stem)}</figure>" for one, stem in ((first, "first"), (last, "last"))]
+    rest = [
         f'<pre tabindex="0">{escape(str(trace))}</pre>',
         "<h2>Step by step</h2>",
         "<ol>",
         *(f"<li>{escape(sentence)}</li>" for sentence in sentences),
         "</ol>",
+    ]
+    if predict:  # the answer is folded, also on paper
+        shown = [pictures[0], "<details><summary>The answer</summary>", pictures[1], *rest, "</details>"]
+    else:
+        shown = [*pictures, *rest]
+    body = [
+        '<div id="satviz-player"></div>',
+        '<section class="sv-static">',
+        *shown,
         "</section>",
         f"<footer>{MADE_BY}</footer>",
         f'<script type="application/json" id="satviz-show">{data}</script>',

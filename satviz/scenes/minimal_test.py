@@ -13,6 +13,7 @@ from ..engine.relate import relate
 from ..engine.shapes import Circle, Polygon, Shape
 from .article import SCENES
 from .failing import FAILURE_CASES, REFUSED, FailureCase
+from .harnesses import HARNESSES
 from .named import scene_of_case
 from .scenefile import Scene, shape_data
 
@@ -239,10 +240,14 @@ def _raw(outline: Any) -> list[list[float]]:
 
 
 def scenes_json() -> str:
-    """Return every built-in scene, the failing ones included, with its exact expected answer, as JSON."""
+    """Return every built-in scene, the failing ones included, with its exact expected answer, as JSON.
+
+    The harnesses are those for `satviz check --command`.
+    """
     scenes = [_expected(scene, None) for scene in SCENES]
     scenes += [
         _expected_refusal(case) if case.how == REFUSED else _expected(scene_of_case(case), case)
         for case in FAILURE_CASES
     ]
-    return json.dumps({"satviz": "scenes 1", "scenes": scenes}, ensure_ascii=False, indent=1)
+    harnesses = [harness._asdict() for harness in HARNESSES]
+    return json.dumps({"satviz": "scenes 1", "scenes": scenes, "harnesses": harnesses}, ensure_ascii=False, indent=1)

@@ -9,8 +9,9 @@ from ..lessons.chapter_text import chapters
 from ..lessons.handout import style_sheet as handout_style
 from ..render.script import javascript, stylesheet
 from ..safe_write import MADE_BY
-from . import check_page, guides, pages
-from .chapters import chapter_body
+from ..scenes.link import site_folder
+from . import check_page, glossary_page, guides, hosting, pages
+from .chapters import GLOSSARY, chapter_body
 from .reference import reference
 from .runtime import PythonMissing as PythonMissing
 from .runtime import runtime_files
@@ -22,10 +23,13 @@ ICON = (
 )
 
 
-def site(*, pyodide: Path | None = None, live: bool = True) -> tuple[Iterator[tuple[str, bytes]], list[str]]:
+def site(
+    *, pyodide: Path | None = None, live: bool = True, url: str = ""
+) -> tuple[Iterator[tuple[str, bytes]], list[str]]:
     """Return (path, content) of each file of the site, and one line for each thing that is missing.
 
     `pyodide` is a folder that holds Pyodide's core; None takes the core from npm.  `live=False` leaves Python out.
+    `url` is the address of the site's folder: with it, pages say where they are, and there is a sitemap.
     Raise PythonMissing if that folder has no core, and ImportError if no Markdown reader is installed.
     """
     python: dict[str, bytes] = {}
@@ -48,14 +52,20 @@ def site(*, pyodide: Path | None = None, live: bool = True) -> tuple[Iterator[tu
     version = sha256(
         b"".join([script, style, _browser_file("embed.js"), *(python[name] for name in sorted(python))])
     ).hexdigest()[:12]
-    return _files(script, style, python, version, reference_files), missing
+    url = site_folder(url, "the address")
+    return _with_sitemap(_files(script, style, python, version, reference_files, url), url), missing
 
 
 def _files(
-    script: bytes, style: bytes, python: dict[str, bytes], version: str, reference_files: list[tuple[str, bytes]]
+    script: bytes,
+    style: bytes,
+    python: dict[str, bytes],
+    version: str,
+    reference_files: list[tuple[str, bytes]],
+    url: str,
 ) -> Iterator[tuple[str, bytes]]:
     """Yield (path, content) of each file of the site; `version` is part of the links to its scripts and styles."""
-    frame = pages.Frame(chapters(), guides.guides(), version, bool(python), bool(reference_files))
+    frame = pages.Frame(chapters(), guides.guides(), version, bool(python), bool(reference_files), url)
     chapter_bodies = [chapter_body(chapter) for chapter in frame.chapters]  # may raise: then nothing is written
     yield "site.js", script
     yield "site.css", style
@@ -65,6 +75,8 @@ def _files(
     for name, data in python.items():
         yield f"python/{name}", data if not name.endswith(".js") else _with_maker(data)
     yield from pages.scene_pictures()
+    yield from hosting.social_pictures(frame.chapters)
+    yield from glossary_page.pictures()
     yield from guides.pictures()
     for chapter, body in zip(frame.chapters, chapter_bodies, strict=True):
         yield chapter.path, pages.chapter_page(frame, chapter, body)
@@ -75,11 +87,25 @@ def _files(
         yield guide.path, pages.guide_page(frame, guide, guides.guide_body(guide))
     for path, data in reference_files:
         yield f"{pages.REFERENCE}/{path}", data
+    yield GLOSSARY, glossary_page.glossary_page(frame)
     yield "gallery.html", pages.gallery_page(frame)
     yield "challenges.html", pages.challenges_page(frame)
     yield check_page.PATH, check_page.check_page(frame)
     yield "scene.html", pages.explorer_page(frame)
     yield "index.html", pages.front_page(frame)
+    yield hosting.NOT_FOUND, pages.not_found_page(frame)
+    yield "robots.txt", hosting.robots_txt(url)
+
+
+def _with_sitemap(found: Iterator[tuple[str, bytes]], url: str) -> Iterator[tuple[str, bytes]]:
+    """Yield the files, and then a sitemap of the pages among them if the site's address is known."""
+    listed = []
+    for path, data in found:
+        yield path, data
+        if path.endswith(".html") and "/" not in path and path != hosting.NOT_FOUND:
+            listed.append(path)
+    if url:
+        yield "sitemap.xml", hosting.sitemap(url, listed)
 
 
 def _script() -> bytes:

@@ -21,12 +21,14 @@ from ..lessons.chapter_text import (
     link_targets,
     page_words,
 )
+from ..lessons.glossary import TermLinker
 from ..lessons.markdown import highlighted_code, markdown_parser
 from ..lessons.themed import themed_svg
 from ..scenes.resolve import resolve
 from ..widgets.explorer_model import ExplorerModel
 from . import parts
 
+GLOSSARY = "glossary.html"
 FRAMES = 13  # pictures of a slider
 
 
@@ -40,10 +42,11 @@ class Widget(NamedTuple):
 def chapter_body(chapter: Chapter) -> str:
     """Return the chapter's HTML, which needs no JavaScript; raise ImportError if no Markdown reader is installed."""
     markdown, text, widgets = markdown_parser(), _FoldedText(), _WidgetFinder(chapter.cells)
+    terms = TermLinker(GLOSSARY)
     for i, cell in enumerate(chapter.cells):
         source = "".join(cell["source"])
         if cell["cell_type"] == "markdown":
-            _add_prose(text, markdown, source)
+            _add_prose(text, markdown, terms, source)
             continue
         shown = widgets.widget(i)
         if shown is None or len(ast.parse(source).body) > 1:  # the code of a widget alone says nothing more
@@ -107,7 +110,7 @@ class _FoldedText:
         return "\n".join(self.parts)
 
 
-def _add_prose(text: _FoldedText, markdown: Any, source: str) -> None:
+def _add_prose(text: _FoldedText, markdown: Any, terms: TermLinker, source: str) -> None:
     """Add a Markdown cell in the words of a page, without the notebook's fold: the page folds answers itself."""
     source = page_words(source)
     env: dict[str, Any] = {}
@@ -125,6 +128,8 @@ def _add_prose(text: _FoldedText, markdown: Any, source: str) -> None:
             continue
         if first.type == "heading_open":
             text.end_answer()
+        if first.type in ("paragraph_open", "bullet_list_open", "ordered_list_open"):
+            html = terms.linked(html)
         if first.type == "paragraph_open" and QUESTION.search(block[1].content):
             text.ask(html)
         else:
@@ -208,7 +213,8 @@ def _output_html(output: dict[str, Any]) -> str:
     data = {kind: "".join(value) for kind, value in output.get("data", {}).items()}
     words = f'<pre class="out" tabindex="0">{escape(data.get("text/plain", ""))}</pre>'
     if "image/svg+xml" in data:
-        report = words if "<pre>" in data.get("text/html", "") else ""  # what `sv.check` found has both
+        # what `sv.check` found has both
+        report = f'<div class="report">{words}</div>' if "<pre>" in data.get("text/html", "") else ""
         return f"<figure>{themed_svg(data['image/svg+xml'])}</figure>{report}"
     return words
 

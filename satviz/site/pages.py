@@ -21,9 +21,10 @@ from ..scenes.link import BREAK, PAGE, link
 from ..scenes.named import ALL_SCENES, scene
 from ..scenes.scenefile import Scene
 from ..widgets.explorer_model import ExplorerModel
-from ..widgets.goals import GOAL_TASKS, challenges
-from . import parts
-from .chapters import lead
+from ..widgets.goals import GOAL_TASKS, challenges, level
+from . import hosting, parts
+from .chapters import GLOSSARY, lead
+from .first_minute import SENTENCES, first_minute
 from .guides import INDEX as GUIDES
 from .guides import Guide
 
@@ -33,13 +34,30 @@ POLICY = (
     "style-src 'self'; img-src 'self' blob:; base-uri 'none'; form-action 'none'"
 )
 REFERENCE = "reference"  # the folder of its pages
+# how a shortcut fails: the title of its group in the gallery, and what it means
+HOW_IN_WORDS = {
+    "false hit": ("False hits", "The shortcut says “hit”, but the shapes are apart."),
+    "missed hit": (
+        "Missed hits",
+        "The shortcut says “apart”, but the shapes collide. They would go through each other.",
+    ),
+    "wrong number": ("Wrong numbers", "The yes or no is right, but a depth, a move or a distance is wrong."),
+    REFUSED: ("Refused", "The outline is no polygon, so no answer is right. satviz says what is wrong with it."),
+}
+# the levels of the challenges: title, and what is said about them
+LEVELS = {
+    1: ("First steps", "A few drags are enough."),
+    2: ("For some thought", "Only some places are right. The red area shows where, if the scene has one."),
+    3: ("Hard to find", "The place is small, or it needs exact steps. The arrow keys move a shape step by step."),
+}
 FAILING_ON_FRONT = "aabb-turned", "no-nearest-vertex", "far-centers", "box-in-u"
 
 
 class Frame(NamedTuple):
     """What all pages of a site share: chapters, guides, the version of its files, and whether it has Python.
 
-    `guides` begins with their index; `reference` says whether the site has the reference.
+    `guides` begins with their index; `reference` says whether the site has the reference; `url` is the address of
+    its folder, or empty if that is not known.
     """
 
     chapters: Sequence[Chapter]
@@ -47,6 +65,7 @@ class Frame(NamedTuple):
     version: str
     python: bool
     reference: bool
+    url: str = ""
 
 
 def html_page(
@@ -86,6 +105,7 @@ def html_page(
         f'<meta name="generator" content="{MADE_BY}">',
         f'<meta name="description" content="{escape(describe.printable(description))}">',
         f"<title>{escape(title)}</title>",
+        *hosting.head_lines(frame.chapters, frame.url, path, title, describe.printable(description)),
         f'<link rel="stylesheet" href="site.css?{frame.version}">',
         '<link rel="icon" href="icon.svg" type="image/svg+xml">',
         f'<script defer src="site.js?{frame.version}"></script>',
@@ -95,7 +115,7 @@ def html_page(
         f'<header><nav aria-label="site">{nav}</nav></header>',
         f'<main id="main">{body}</main>',
         f"<footer><p>This site was {MADE_BY} {__version__}. Its answers are exact. "
-        "Shapes that touch count as a hit.</p></footer>",
+        f'Shapes that touch count as a hit. The <a href="{GLOSSARY}">glossary</a> explains the terms.</p></footer>',
         "</body>",
         "</html>",
     ]
@@ -114,24 +134,32 @@ def front_page(frame: Frame) -> bytes:
 <div class="first">
 <div class="says">
 <h1>Do they collide?</h1>
-<p class="lead"><b>Drag a triangle.</b> Look at the shadows of both triangles. If some direction shows a gap between
-the shadows, the triangles are apart. If no direction shows a gap, they collide.</p>
+<ol class="told">{"".join(f"<li>{sentence}</li>" for sentence in SENTENCES)}</ol>
+<p class="lead"><b>Now you: drag a triangle.</b> If some line shows a gap, the triangles are apart. If no line shows a
+gap, they collide.</p>
 </div>
-<section class="stage" aria-label="two triangles to drag">{parts.explorer(ExplorerModel(scene("triangles")))}</section>
+<section class="stage" aria-label="two triangles to drag">{parts.explorer(ExplorerModel(scene("triangles")))}
+{first_minute()}</section>
 </div>
 <section class="read">
 <h2>That is the Separating Axis Theorem</h2>
-<p>A program cannot see that two shapes are apart. It drops both shapes onto a line, like shadows on a wall. The
-shadows are two ranges on the line. <span class="gap">A gap</span> between the ranges proves that the shapes are apart.
-<span class="overlap">An overlap</span> proves nothing, so the program turns the wall and tries again. The theorem says
-which few directions are enough: the directions at right angles to an edge.</p>
+<p>A program cannot see that two shapes are apart. It projects both shapes onto a line, which gives two ranges: their
+shadows. <span class="gap">A gap</span> between the ranges proves that the shapes are apart.
+<span class="overlap">An overlap</span> proves nothing, so the program tries the next line. The theorem says which few
+lines are enough: those at right angles to an edge.</p>
+<p>Games, robots and drawing programs ask this question thousands of times a second. A test that is nearly right lets a
+ball fall through a floor. Here you see why, and you can check each answer yourself.</p>
+<p class="action"><a href="1-aabb.html">Begin with chapter 1</a></p>
 </section>
-<section id="chapters"><h2>Seven chapters</h2><ol class="chapters">{listed}</ol></section>
+<section id="chapters"><h2>The chapters</h2>
+<p>They begin with two boxes and end with your own program. You need to know what a point is. The
+<a href="{GLOSSARY}">glossary</a> has each term with a picture.</p>
+<ol class="chapters">{listed}</ol></section>
 <section><h2>Where shortcuts fail</h2>
-<p>A collision test is often made shorter than the theorem allows. Then it is sometimes wrong. The
-<a href="gallery.html#failing">gallery</a> has {len(FAILURE_CASES)} such scenes. In the
-<a href="challenges.html">challenges</a> you look for such scenes yourself.</p>
-<div class="cards wide">{cards}</div></section>
+<p>A collision test is often made shorter than the theorem allows. Then it is sometimes wrong.</p>
+<div class="cards wide">{cards}</div>
+<p class="action"><a href="challenges.html">Break a shortcut yourself</a>
+<a class="other" href="gallery.html#failing">See all {len(FAILURE_CASES)}</a></p></section>
 <section><h2>Guides</h2>
 <p>The <a href="{GUIDES}">guides</a> say how to use satviz in Python, in a notebook and on the command line.</p>
 <ul class="challenges">{guides}</ul></section>
@@ -143,14 +171,25 @@ which few directions are enough: the directions at right angles to an edge.</p>
 
 def gallery_page(frame: Frame) -> bytes:
     """Return the page with every scene: its picture and its sentence."""
+    groups = {how: [row.name for row in FAILURE_CASES if row.how == how] for how in HOW_IN_WORDS}
+    failing = "".join(
+        f'<h3 id="{how.replace(" ", "-")}">{title} ({len(groups[how])})</h3><p>{words}</p>'
+        f'<div class="cards wide">{"".join(map(_card, groups[how]))}</div>'
+        for how, (title, words) in HOW_IN_WORDS.items()
+    )
+    jumps = "".join(
+        f'<li><a href="#{how.replace(" ", "-")}">{title}</a></li>' for how, (title, _) in HOW_IN_WORDS.items()
+    )
     body = f"""
 <h1>Gallery</h1>
-<p class="lead">Choose a scene. It opens in the explorer, where you can drag it.</p>
+<p class="lead">Each picture is a scene of two shapes. <b>Choose one.</b> It opens in the explorer, where you can drag
+it and see the answer change.</p>
 <section><h2>Scenes of the chapters</h2><div class="cards">{"".join(_card(s.name) for s in SCENES)}</div></section>
 <section id="failing"><h2>Where shortcuts fail</h2>
-<p>The left panel shows what the shortcut claims. The right panel shows what is true. The claim of the shortcut stands
-under each picture, and its mistake in the line below.</p>
-<div class="cards wide">{"".join(_card(row.name) for row in FAILURE_CASES)}</div></section>
+<p>The left panel shows what a shortcut claims, and the right panel shows what is true. If you write collision tests,
+you have probably written one of these.</p>
+<ul class="jumps">{jumps}</ul>
+{failing}</section>
 """
     description = "All scenes, and where shortcuts fail."
     return html_page(frame, "gallery.html", "Gallery: every scene of satviz", body, description=description)
@@ -177,21 +216,42 @@ triangles. The <a href="gallery.html">gallery</a> has a still picture of every s
     return html_page(frame, PAGE, title, body, description=description, kind="explorer", script="embed.js")
 
 
+def not_found_page(frame: Frame) -> bytes:
+    """Return the page for an address that leads to no page."""
+    body = """
+<h1>There is no such page</h1>
+<p class="lead">The address may be old, or a letter of it may be missing.</p>
+<ul><li><a href="index.html">The front page</a> has a list of the chapters and of the guides.</li>
+<li>The <a href="gallery.html">gallery</a> shows every scene.</li></ul>
+"""
+    title, description = "There is no such page", "This address leads to no page of the site."
+    page = html_page(frame, hosting.NOT_FOUND, title, body, description=description)
+    return hosting.from_anywhere(page, frame.url)
+
+
 def challenges_page(frame: Frame) -> bytes:
     """Return the page of the challenges; each of them is a link to the explorer."""
-    items = [
-        (goal, f'<li><a href="{escape(link(begin, goal=goal))}">{escape(_challenge_text(goal, begin))}</a></li>')
-        for goal, begin in challenges()
-    ]
+    items: dict[int, list[str]] = {number: [] for number in LEVELS}
+    for goal, begin in challenges():
+        text, to = escape(_challenge_text(goal, begin)), escape(link(begin, goal=goal))
+        asks = "Break it: " if goal == BREAK else ""
+        items[level(goal, begin)].append(
+            f'<li data-challenge="{goal}:{escape(begin.name)}"><a href="{to}">{asks}{text}</a> '
+            '<span class="mark"></span></li>'
+        )
+    listed = "".join(
+        f'<section><h2>{title}</h2><p>{words}</p><ul class="challenges">{"".join(items[number])}</ul></section>'
+        for number, (title, words) in LEVELS.items()
+    )
     body = f"""
 <h1>Challenges</h1>
-<p class="lead">Choose a challenge, and drag the shapes until it is met. Every answer is checked exactly. The address of
-the page keeps your challenge, so you can send it to somebody.</p>
-<ul class="challenges">{"".join(item for goal, item in items if goal != BREAK)}</ul>
-<h2>Break a shortcut</h2>
-<p>Many people believe these claims. Each challenge begins with shapes for which the claim is right. Move the shapes
-until it is wrong.</p>
-<ul class="challenges">{"".join(item for goal, item in items if goal == BREAK)}</ul>
+<p class="lead"><b>Choose a challenge, and drag the shapes until it is met.</b> Most challenges are a claim that many
+people believe. Each claim begins with shapes for which it is right: find a place where it is wrong. Who has broken a
+shortcut will not use it. Every answer is checked exactly.</p>
+<p class="progress" hidden><span class="count" role="status" tabindex="-1"></span>
+<button type="button">Forget what I have solved</button></p>
+{listed}
+<p class="note">What you have solved is kept in this browser only. The address of a challenge opens it for anybody.</p>
 """
     description = "Break a shortcut, or make two shapes touch exactly."
     return html_page(frame, "challenges.html", "Challenges", body, description=description)

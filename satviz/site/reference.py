@@ -39,7 +39,9 @@ def reference(*, in_site: bool = False) -> Iterator[tuple[str, bytes]]:
         pages = {name.replace(".", "/"): render.html_module(module, modules) for name, module in modules.items()}
         pages["index"] = render.html_index(modules)
     for stem, page in pages.items():
-        yield f"{stem}.html", page.replace("<head>", f'<head><meta name="author" content="{MADE_BY}">', 1).encode()
+        about = f"The reference of satviz: {stem.replace('/', '.')}, each public name with an example."
+        head = f'<head><meta name="author" content="{MADE_BY}"><meta name="description" content="{about}">'
+        yield f"{stem}.html", page.replace("<head>", head, 1).encode()
     yield "search.js", f"// {MADE_BY}\n{render.search_index(modules)}".encode()
 
 

@@ -28,9 +28,11 @@ GOAL_HINTS = {
     TOUCH: "Bring an edge flush with an edge, or a corner onto one. The arrow keys move a shape by the same step each "
     "time, with Shift by a tenth of it. A round shape touches exactly where its center is level with a corner or "
     "another center. Where all edges are slanted, drag a corner of each to the same place.",
-    BREAK: "Ask where the shortcut and the shapes disagree. If the picture shows a red region, the shortcut is wrong "
-    "while the dot lies in it.",
+    BREAK: "Ask where the shortcut and the shapes disagree: which pairs of shapes does its one step treat as equal? "
+    "If you give up, a map shows in red where it is wrong.",
 }
+# how far B is moved to find a challenge's level: as far as the scene is wide, in so many steps
+LEVEL_STEPS, LEVEL_LIMITS = 8, (0.25, 0.05)
 MOVE_SIZES, MOVE_DIRECTIONS = (1, 2, 3, 4, 6, 8), ((1, 0), (0, 1), (-1, 0), (0, -1), (1, 1), (-1, 1), (-1, -1), (1, -1))
 
 
@@ -74,6 +76,22 @@ def challenges() -> Iterator[tuple[str, Scene]]:
         start = None if row.how == REFUSED else start_where_right(scene_of_case(row))
         if start:
             yield BREAK, start
+
+
+def level(goal: str, start: Scene) -> int:
+    """Return how hard a challenge is, from 1 to 3.
+
+    A shortcut is easy to break if it is wrong in a large part of the places near the start: at least a quarter of
+    them for level 1, a twentieth for level 2.  Of the others the one with upright boxes is easy.
+    """
+    if goal != BREAK:
+        return 1 if start.name == "aabb" else 2
+    x0, y0, x1, y1 = bounding_box([start.a, start.b])
+    step = max(x1 - x0, y1 - y0) / LEVEL_STEPS
+    moves = range(-LEVEL_STEPS // 2, LEVEL_STEPS // 2 + 1)
+    places = [replace(start, b=translated(start.b, Vec(i * step, j * step))) for i in moves for j in moves]
+    share = sum(answers(place.record()).is_wrong for place in places) / len(places)
+    return 1 + sum(share < limit for limit in LEVEL_LIMITS)
 
 
 def start_where_right(shown: Scene) -> Scene | None:

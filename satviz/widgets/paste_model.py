@@ -3,10 +3,12 @@
 from typing import Any
 
 from ..engine.geometry import InvalidScene, Vec
+from ..pictures import picture
 from ..pictures.outlines import outlines_picture
 from ..scenes.link import fragment
 from ..scenes.minimal_test import LANGUAGES
 from ..scenes.paste.exact import crossing
+from ..scenes.paste.pair_findings import Pair
 from ..scenes.paste.pasted import Pasted, paste
 from ..scenes.scenefile import Scene
 from ..scenes.strictjson import require_type
@@ -39,7 +41,21 @@ def read_paste(content: dict[str, Any]) -> tuple[Scene | None, dict[str, Any]]:
     pair = found.pairs[number]
     if (pair.a.name, pair.b.name) != ("A", "B"):
         data["note"] = f"The picture calls {pair.a.name} A, and {pair.b.name} B."
-    return scene, data | {"pair": number, "tests": tests, "scene": scene.to_json(), "link": fragment(scene)}
+    return scene, data | {
+        "pair": number,
+        "tests": tests,
+        "scene": scene.to_json(),
+        "link": fragment(scene),
+        "picture": _drawn(pair),
+    }
+
+
+def _drawn(pair: Pair) -> dict[str, Any] | None:
+    """Return the picture of a pair, which a page can save; None for coordinates that no canvas holds."""
+    try:
+        return picture(pair.trace, -1).data()
+    except (ValueError, OverflowError):
+        return None
 
 
 def _refused(found: Pasted) -> dict[str, Any] | None:

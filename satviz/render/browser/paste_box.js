@@ -1,6 +1,7 @@
 // The paste box: shapes as text go to Python, which says how they were read, how they lie, why, and what can be sent on.
 // What comes back is shown as text, and the box keeps what was pasted.
 
+import { PAGE_FORMATS, savePictures } from "./download.js";
 import { button, element } from "./elements.js";
 import { Pen } from "./pen.js";
 import { copyText, sceneLink } from "./save_menu.js";
@@ -91,7 +92,7 @@ export class PasteBox {
   }
 
   /** @param {Pasted} pasted */
-  bundle({ wkt = "", json = "", scene = "", link = "", tests = {} }) {
+  bundle({ wkt = "", json = "", scene = "", link = "", tests = {}, picture }) {
     const status = element("span", { class: "sv-done", role: "status" });
     /** @param {string} text */
     const copy = async (text) => {
@@ -101,7 +102,16 @@ export class PasteBox {
     const texts = { link: () => sceneLink(this.explorer.model.get("site"), link), "scene file": () => scene, WKT: () => wkt, JSON: () => json };
     const copies = Object.entries(texts).map(([name, text]) => button(`copy ${name}`, () => copy(text())));
     const languages = element("select", { "aria-label": "language of the minimal test" }, ...Object.keys(tests).map((name) => element("option", { value: name }, name)));
-    return element("div", { class: "sv-controls" }, ...copies, languages, button("copy minimal test", () => copy(tests[languages.value])), status);
+    const svg = element("svg", { class: "sv-picture", role: "img" });
+    const pen = new Pen(svg);
+    if (picture) pen.draw(picture);
+    /** @param {string} form */
+    const save = (form) => savePictures([pen], form).catch(() => {
+      status.textContent = "This browser cannot draw the file.";
+    });
+    const saves = picture ? PAGE_FORMATS.map((form) => button(`save picture as ${form.toUpperCase()}`, () => save(form))) : [];
+    const controls = element("div", { class: "sv-controls" }, ...copies, ...saves, languages, button("copy minimal test", () => copy(tests[languages.value])), status);
+    return element("div", {}, controls, ...(picture ? [svg] : []));
   }
 
   remove() {

@@ -63,7 +63,8 @@ class Read:
     negative: str = ""  # the negative size that was given
     box: tuple[Fraction, ...] = ()  # the four numbers of a box, with its form
     form: str = ""
-    keyed: bool = False  # the numbers of a box have names: width, height
+    keyed: bool = False  # the form of a box is known: by its keys, or by the table of notations
+    named: bool = False  # it is known by its keys: width, height
     shift: Pt = ZERO  # the position that was added to its corners
     used: frozenset[int] = frozenset()  # where the numbers of the text end that stand in it
 

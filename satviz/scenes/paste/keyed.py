@@ -25,6 +25,8 @@ from .notations import (
 from .points import ZERO, Numeral, Pt, places
 from .tree import Bad, Group, Name, Num
 
+BODY_SHAPES = frozenset(["shapes", "fixtures", "colliders", "fixturelist"])  # relative to their body
+
 
 class Keyed(Boxes):
     """Reads objects with keys."""
@@ -96,9 +98,11 @@ class Keyed(Boxes):
         sides = all(side in {str(k).lower() for k in obj.fields} for side in "ltrb")
         if radius is not None and isinstance(self.resolve(radius), (Num, Bad)) and not sides:
             made = self._circle_of_keys(obj, place, label, row)
+            if angle is not None and self._is_number(angle):
+                made = replace(made, used=made.used | places(self.number(angle)))  # a circle stays as it is
             return [moved(made, offset) if offset else made]
         if four := self._box_of_keys(obj, place, center, row):
-            made = replace(self._made_box(*four, obj, label, angle, unit), keyed=True)
+            made = replace(self._made_box(*four, obj, label, angle, unit), keyed=True, named=True)
             if not any(isinstance(number, Numeral) for number in four[0][:2]):
                 made = replace(made, said=f"{made.said}{AT_ORIGIN}")
             return [moved(made, offset) if offset else made]
@@ -111,7 +115,12 @@ class Keyed(Boxes):
         for name, value in obj.fields.items():
             if not (isinstance(kind, Name) and name in ("bbox", "properties")):
                 wrapper = isinstance(name, int) or name in ("geometry", "features", "geometries", "shape")
-                inner += self.shapes(value, label if wrapper else str(name).split(" (")[0])
+                held = str(name).lower() in BODY_SHAPES
+                found = self.shapes(value, label if wrapper or held else str(name).split(" (")[0])
+                if held and place is not None:  # the body's position and angle are those of its shapes
+                    found = [self._turned(s, angle, unit, None) if angle is not None else s for s in found]
+                    found = [moved(s, place) for s in found]
+                inner += found
         return inner
 
     def _circle_of_keys(self, obj: Obj, place: Pt | None, label: str, row: Notation | None) -> Read:

@@ -14,7 +14,7 @@ from .tokens import CLOSE, FIELD, MARK, MAX_TOKENS, NAME, NUMBER, OPEN, TOO_MANY
 _QUOTED = r"\"[^\"<>]*\"|'[^'<>]*'"
 _ELEMENT = re.compile(rf"<(circle|ellipse|rect|polygon|polyline|path)\b((?:[^<>\"']|{_QUOTED})*)>")
 _ATTRIBUTE = re.compile(rf"([\w:-]+)[ \t\r\n]*=[ \t\r\n]*({_QUOTED})")
-_BARE = re.compile(rf"([\"'`])(?=\s*[Mm])({PATH_DATA.pattern})\1")
+_BARE = re.compile(rf"([\"'`])({PATH_DATA.pattern})\1")
 _TRANSFORM = re.compile(r"(\w+)\s*\(([^()]*)\)")
 _VIEW = re.compile(r"\bviewBox\s*=\s*(?:\"[^\"<>]*\"|'[^'<>]*')", re.IGNORECASE)
 # The attributes that are numbers of a shape; 0 is what SVG takes for a place that is not given.

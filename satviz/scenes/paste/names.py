@@ -50,6 +50,9 @@ class Names:
     def _insert(self, pair: Pair) -> None:
         """Store a value under its path; a variable that is declared again keeps its earlier value as another shape."""
         node = self.env
+        size = len(pair.value.items) if isinstance(pair.value, Group) else 0
+        if pair.before and len(pair.path) == 2 and pair.path[1] == size:  # a length: double xs[3] = {0, 4, 4}
+            pair = replace(pair, path=pair.path[:1])
         for part in pair.path[:-1]:
             child = node.fields.get(part)
             if not isinstance(child, Obj):

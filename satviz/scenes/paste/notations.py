@@ -72,6 +72,7 @@ NOTATIONS = (
         "rectangle rectanglef rect2 rect2i newrect qrect qrectf cgrect cgrectmake sf::floatrect "
         "sf::rect floatrect intrect "
         "sf::intrect pygame.rect "
+        "ccrectmake ccrect "
         "svg.rect rect.fromltwh makerect rectmake qrect.new fillrect strokerect rect2.new rectangle.new "
         "graphics.rectangle drawrectangle "
         "sdl_rect sdl_frect domrect rectangle2d.double rectangle2d.float geom.rectangle recti",
@@ -80,7 +81,7 @@ NOTATIONS = (
     ),
     Notation(
         "shapely.box geometry.box shapely.geometry.box st_makeenvelope makeenvelope envelope bbox boundingbox ltrb "
-        "pixel.r image.rect rect64 rectd rect.fromltrb rect.frompoints rectf bb pymunk.bb box2.new",
+        "pixel.r image.rect rect64 rectd rect.fromltrb rect.frompoints lnglatbounds rectf bb pymunk.bb box2.new",
         BOX,
         CORNER_CORNER,
     ),
@@ -177,6 +178,11 @@ HARMLESS = frozenset(
         "freeze",
         "wkt",
         "intersects",
+        "intersect",
+        "merge",
+        "union",
+        "colliderect",
+        "intersectsrect",
         "overlaps",
         "contains",
         "touches",

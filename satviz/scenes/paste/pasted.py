@@ -17,10 +17,12 @@ from ..link import link
 from ..scenefile import MAX_VERTICES, Scene
 from . import findings, others
 from .boxes import ALL_CHOICES, ONLY_IF_IT_MATTERS, Read
-from .findings import KINDS, Finding, Pair, PastedShape, listed
+from .findings import KINDS, Finding, PastedShape, listed
 from .objects import as_text
+from .pair_findings import Pair, clear, of_pair
+from .parser import parse
 from .reading import Reader
-from .tree import Group, parse
+from .tree import Group
 from .unused import unused
 
 MAX_SHAPES = 40
@@ -172,9 +174,13 @@ class Pasted:
         return f"<Pasted: {self.sentence}>"
 
     def __str__(self) -> str:
-        return "\n".join(self._lines())
+        return self.report()
 
-    def _lines(self) -> Iterator[str]:
+    def report(self, *, sentence: bool = True) -> str:
+        """Return everything as text; without the `sentence` where it is said elsewhere."""
+        return "\n".join(self._lines(sentence))
+
+    def _lines(self, sentence: bool) -> Iterator[str]:
         """Yield the lines of the report."""
         for each in self.readings:
             yield f"{each.title}: {each.said}{', refused' if not each.shape else ''}"
@@ -182,8 +188,9 @@ class Pasted:
         for question in self.questions:
             yield ""
             yield str(question)
-        yield ""
-        yield number_format.ascii_minus(self.sentence)
+        if sentence:
+            yield ""
+            yield number_format.ascii_minus(self.sentence)
         if self.findings:
             yield ""
             yield "What lies behind it:"
@@ -261,16 +268,16 @@ def paste(what: Any, as_: str | Sequence[str] = ()) -> Pasted:
     made = Pasted(text, chosen, tuple(shapes), questions, (), ())
     notes = [Finding("not-read", (), f"Not read: {problem}.") for problem in reader.problems[:5]]
     notes += [Finding("note", (), f"{remark[0].upper()}{remark[1:]}.") for remark in (*reader.remarks, *tree.remarks)]
-    notes += unused(tree._replace(indices=tree.indices | reader.counts), reads, text)
+    notes += unused(tree._replace(indices=tree.indices | reader.counts), reads, text, reader.named)
     if made.open:
         return replace(made, findings=tuple(notes))
     pairs = _pairs(shapes)
     found = [finding for each in shapes for finding in findings.of_shape(each)]
     for pair in pairs[:MAX_TRACES]:
-        found += findings.of_pair(pair, decimals=isinstance(what, str))
+        found += of_pair(pair, decimals=isinstance(what, str))
     found = findings.merged([*found, *notes])
     if pairs and not any(KINDS.index(finding.kind) < KINDS.index("clear") for finding in found):
-        found.append(findings.clear(pairs[0]))
+        found.append(clear(pairs[0]))
     found.sort(key=lambda finding: KINDS.index(finding.kind))
     return replace(made, pairs=tuple(pairs), findings=tuple(found))
 

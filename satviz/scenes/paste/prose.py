@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 from .tokens import CLOSE, MARK, NAME, NUMBER, OPEN, Token, tokens
 
-_N = r"[-+\u2212]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
+_N = r"[-+\u2212]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?"
 _PLACE = rf"(?:\([ ]?{_N}[ ]?,[ ]?{_N}[ ]?\)|\b(?:center|centre|at|position)[ ]{_N}[ ]?,[ ]?{_N})"
 _FILL = r"[ ,]{1,3}(?:(?:and|with|has|having|of|is|a|an|the|its|size)[ ,]{1,3}){0,4}"
 # One row for each kind of sentence: the call that it stands for, and its words.

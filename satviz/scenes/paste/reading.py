@@ -101,6 +101,8 @@ class Reader(Calls):
         except Unreadable as error:
             where = f"{label}: " if label else ""
             part = short(self.text[value.start : value.end]) if isinstance(value, Value) else ""
+            if isinstance(value, Value) and not part.endswith("..."):
+                self.named.append((value.start, value.end))
             if (text := f"{where}{error} (in {part})") not in self.problems:
                 self.problems.append(text)
         return []

@@ -39,6 +39,7 @@ class Statements(Names):
     def __init__(self, text: str) -> None:
         super().__init__(text)
         self.runs: list[Run] = []
+        self.named: list[tuple[int, int]] = []  # where short parts stand that a problem quotes in full
         self.taken: set[int] = set()  # values that a run has
         self.modes: list[tuple[int, str]] = []  # rectMode(CENTER), where it stands
         self._open: dict[str, Obj] = {}  # runs that may go on
@@ -53,7 +54,7 @@ class Statements(Names):
         """Sort the lines of a text or block: what gets a name, and what stands alone."""
         column: list[Group] = []
         for item in (*items, None):
-            if isinstance(item, Group) and item.bracket in (",", " ") and self._is_row(item):
+            if isinstance(item, Group) and not item.name and item.bracket != '"' and self._is_row(item):
                 column.append(item)
                 continue
             if len(column) > 2:

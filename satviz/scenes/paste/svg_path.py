@@ -7,7 +7,7 @@ from fractions import Fraction
 from .tokens import CLOSE, MARK, NUMBER, OPEN, Token, number
 
 _PART = re.compile(r"[A-Za-z]|[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?")
-PATH_DATA = re.compile(r"\s*[Mm][\s0-9.,+\-eEMmLlHhVvZzCcSsQqTtAa]*")
+PATH_DATA = re.compile(r"\s*[Mm][\s,]*[-+.]?[0-9][\s0-9.,+\-eEMmLlHhVvZzCcSsQqTtAa]*")
 _TAKES = {"M": 2, "L": 2, "H": 1, "V": 1}
 CURVES = "a path with a curve: satviz takes polygons and circles"
 PARTS = "a path of several parts: paste each part alone"

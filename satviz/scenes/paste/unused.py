@@ -10,7 +10,8 @@ from typing import Any, NamedTuple
 from .boxes import Read
 from .findings import Finding
 from .notations import MOVE, POINT, SHAPE_WORDS, key, notation
-from .tree import Bad, Group, Num, Pair, Tree
+from .parser import Tree
+from .tree import Bad, Group, Num, Pair
 
 MAX_NAMED = 6  # keys that are named in a line, and numbers without a key
 
@@ -41,14 +42,18 @@ class Left(NamedTuple):
     value: Fraction | None
 
 
-def unused(tree: Tree, reads: Sequence[Read], text: str) -> Iterator[Finding]:
-    """Yield the findings about numbers of a text that stand in no shape: not applied, or left out."""
+def unused(tree: Tree, reads: Sequence[Read], text: str, named: Sequence[tuple[int, int]]) -> Iterator[Finding]:
+    """Yield the findings about numbers of a text that stand in no shape: not applied, or left out.
+
+    `named`: where parts stand that are named already as unread.
+    """
     used = frozenset().union(*(read.used for read in reads)) | tree.indices
     known = {left.end: left for left in _walk(tree, tree.root, "")}
     for token in tree.numbers:
         known.setdefault(token.end, Left(token.start, token.end, "", token.value))
     unread = dict(_unread(tree, tree.root, used))
-    rest = sorted((left for left in known.values() if left.end not in used), key=lambda left: left.start)
+    told = (left for left in known.values() if not any(start <= left.start < end for start, end in named))
+    rest = sorted((left for left in told if left.end not in used), key=lambda left: left.start)
     not_read = [left._replace(key=unread[left.end]) for left in rest if left.end in unread]
     read = [left for left in rest if left.end not in unread]
     changing: list[Left] = []

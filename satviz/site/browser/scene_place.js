@@ -5,6 +5,7 @@ import { element } from "../../render/browser/elements.js";
 import { Explorer } from "../../render/browser/explorer.js";
 import { Player } from "../../render/browser/player.js";
 import { SiteModel } from "./python_worker.js";
+import { keepSolved } from "./solved.js";
 
 /** @import { State } from "../../render/browser/messages.js" */
 /** @import { NotOpened, Opened, PythonWorker, Start } from "./python_worker.js" */
@@ -76,6 +77,7 @@ export class ScenePlace {
   /** @param {State} state */
   changed(state) {
     this.updateLink(state.link);
+    keepSolved(state);
     this.onstate?.(state);
   }
 

@@ -5,10 +5,12 @@ import { element } from "../../render/browser/elements.js";
 import { Player } from "../../render/browser/player.js";
 import { CheckPage } from "./check.js";
 import { judgedChoices } from "./choices.js";
+import { playFirstMinute } from "./first_minute.js";
 import { fitFrame } from "./fit_frame.js";
 import { slidingFrames } from "./frames.js";
 import { PythonWorker } from "./python_worker.js";
 import { SITE, ScenePlace, statusOf } from "./scene_place.js";
+import { showSolved } from "./solved.js";
 
 for (const root of document.querySelectorAll(".player")) {
   const { shows, ...options } = JSON.parse(root.querySelector("script")?.textContent ?? "");
@@ -19,6 +21,8 @@ for (const root of document.querySelectorAll(".player")) {
 
 for (const list of document.querySelectorAll(/** @type {"ul"} */ ("ul.choices"))) judgedChoices(list);
 for (const place of document.querySelectorAll(/** @type {"div"} */ (".frames"))) slidingFrames(place);
+for (const stage of document.querySelectorAll(/** @type {"section"} */ (".front .stage"))) playFirstMinute(stage);
+for (const place of document.querySelectorAll(/** @type {"p"} */ (".progress"))) showSolved(place);
 
 /** @type {HTMLElement[]} */
 const scenes = [...document.querySelectorAll(/** @type {"div"} */ (".live"))];

@@ -1,0 +1,367 @@
+"""Tokens as a tree of values: what is written inside what.  It knows brackets, calls, pairs and lines, but no library.
+
+Every notation has the same few forms, so one grammar reads them all: a list in any bracket (with commas, semicolons
+or spaces between its items), a call or an array with a type before its bracket, `key = value` and `key: value`, and
+lines such as `verts[0] = c2V(-1, 1);`.  What a name means stands in `notations.py`.
+"""
+
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import Any, NamedTuple
+
+from ...engine.geometry import InvalidScene
+from .atoms import (
+    IGNORED_NAMES,
+    OPERATORS,
+    end_of,
+    is_cast,
+    is_hyphen,
+    is_long,
+    is_mark,
+    is_open,
+    is_operator,
+    is_pair,
+    says_nothing,
+    start_of,
+    text_value,
+)
+from .markup import all_tokens
+from .tokens import CLOSE, FIELD, LINE, MARK, NAME, NUMBER, OPEN, OTHER, TEXT, Token, tokens
+from .tree import Bad, Group, Name, Num, Pair
+
+MAX_DEPTH = 24
+PAIRS = {"(": ")", "[": "]", "{": "}"}
+SEPARATORS = frozenset(["vs", "versus", "and", "against", "intersects", "overlaps", "touches", "collides"])
+ARROWS = frozenset(["->", "<->", "\u2192", "\u2194", "\u21d2"])
+# Types around one number.
+CASTS = frozenset(["np.float64", "np.float32", "np.int64", "np.int32", "numpy.float64", "Decimal", "double"])
+
+
+class Tree(NamedTuple):
+    """A text as one group of lines; sentences about brackets; where indices and lengths end; all its numbers."""
+
+    root: Group
+    remarks: list[str]
+    indices: frozenset[int]
+    numbers: list[Token]
+
+
+def parse(text: str) -> Tree:
+    """Return the tree of a text."""
+    found = all_tokens(text)
+    parser = _Parser(text, found)
+    root = Group(0, len(text), parser.items("", 0))
+    numbers = [token for token in found if token.kind == NUMBER and token.start < token.end]
+    return Tree(root, parser.remarks, frozenset(parser.indices), numbers)
+
+
+class _Parser:
+    """Reads tokens from left to right, one bracket at a time."""
+
+    def __init__(self, text: str, found: Sequence[Token]) -> None:
+        self.text = text
+        self.tokens = found
+        self.at = 0
+        self.remarks: list[str] = []
+        self.indices: set[int] = set()  # where numbers end that count: v[2], float[3]
+
+    def items(self, bracket: str, depth: int) -> list[Any]:
+        """Return the items up to the bracket that closes this group ("" is the whole text)."""
+        if depth > MAX_DEPTH:
+            raise InvalidScene(f"brackets are nested deeper than {MAX_DEPTH} levels: paste the shapes alone")
+        items: list[Any] = []
+        row: list[Any] = []  # values between commas on one line of the whole text
+        atoms: list[Any] = []
+
+        def end_item() -> None:
+            """Take the atoms as one value."""
+            value = self.value(atoms, bracket)
+            atoms.clear()
+            if value is None:
+                return
+            if bracket:
+                many = (
+                    isinstance(value, Group) and value.bracket == "+" and all(isinstance(v, Pair) for v in value.items)
+                )
+                items.extend(value.items if many else [value])
+            elif row and isinstance(row[-1], Pair) and not isinstance(value, Pair):
+                pair = row[-1]  # b.position = 300, 125
+                many = isinstance(pair.value, Group) and pair.value.bracket == ","
+                first = pair.value.items if many else [pair.value]
+                pair.value = Group(first[0].start, value.end, [*first, value], ",")
+                pair.end = value.end
+            else:
+                row.append(value)
+
+        def end_line() -> None:
+            """Take the row of values on this line as one item."""
+            end_item()
+            if row:
+                plain = not any(isinstance(v, Pair) for v in row)
+                one = (plain or all(isinstance(v, Pair) for v in row)) and len(row) > 1  # x = 0, y = 0, r = 5
+                items.extend([Group(row[0].start, row[-1].end, list(row), ",")] if one else row)
+                row.clear()
+
+        while self.at < len(self.tokens):
+            token = self.tokens[self.at]
+            self.at += 1
+            if token.kind == CLOSE:
+                if bracket and PAIRS[bracket] == token.text:
+                    break
+                if bracket and any(PAIRS[bracket] == later.text for later in self.tokens[self.at : self.at + 1]):
+                    continue
+                if not bracket:
+                    continue  # one too many, as "A)" in prose
+                self.remark(f"a bracket {bracket} is closed by {token.text}")
+                if depth > 1:
+                    self.at -= 1  # it may close the bracket outside
+                break
+            if token.kind == OPEN:
+                group = Group(token.start, token.end, self.items(token.text, depth + 1), token.text)
+                group.end = self.tokens[self.at - 1].end if self.at else token.end
+                atoms.append(group)
+            elif token.kind == LINE:
+                if bracket == "" and not self.goes_on(atoms):
+                    end_line()
+                    if self.next_is(LINE):
+                        items.append(None)  # an empty line ends a column of points
+                elif bracket == "{" and atoms and not self.goes_on(atoms):
+                    end_item()
+            elif token.text == "," and token.kind == MARK:
+                end_item()
+                if not bracket and self.next_is(LINE):
+                    self.at += 1
+            elif token.text == ";" and token.kind == MARK:
+                if bracket:
+                    end_item()
+                else:
+                    end_line()
+            elif not bracket and self.separates(token, atoms, row):
+                end_line()
+                items.append(None)
+            elif token.kind == TEXT:
+                atoms.append(self.quoted(token, depth))
+            else:
+                atoms.append(token)
+        else:
+            if bracket:
+                self.remark(f"a bracket {bracket} is never closed, so the text may be cut off")
+        end_item() if bracket else end_line()
+        return items
+
+    def remark(self, text: str) -> None:
+        """Note what is wrong with a bracket, once."""
+        if text not in self.remarks:
+            self.remarks.append(text)
+
+    def separates(self, token: Token, atoms: Sequence[Any], row: Sequence[Any]) -> bool:
+        """Return whether a word or an arrow stands between two shapes on one line: A vs B."""
+        arrow = token.kind == MARK and token.text in ARROWS
+        if not arrow and not (token.kind == NAME and token.text.lower() in SEPARATORS):
+            return False
+        said = any(isinstance(a, Group) or (isinstance(a, Token) and a.kind in (NUMBER, TEXT)) for a in atoms)
+        if said and self.at < len(self.tokens) and self.tokens[self.at].text == ".":
+            self.at += 1  # vs.
+        return (said or bool(row)) and not (atoms and is_mark(atoms[-1], ("=", ":", ":=")))
+
+    def next_is(self, kind: str) -> bool:
+        """Return whether the next token is of this kind."""
+        return self.at < len(self.tokens) and self.tokens[self.at].kind == kind
+
+    def goes_on(self, atoms: Sequence[Any]) -> bool:
+        """Return whether the value goes on after the end of this line."""
+        following = next((t for t in self.tokens[self.at : self.at + 8] if t.kind != LINE), None)
+        last = atoms[-1] if atoms else None
+        if isinstance(last, Token) and last.kind == MARK:
+            return True
+        starts = following is not None and (following.text == "{" or following.kind == FIELD)
+        field_follows = following is not None and following.kind == FIELD and not self.opens_block()
+        return bool(atoms) and starts and (isinstance(last, Token) or field_follows)
+
+    def opens_block(self) -> bool:
+        """Return whether the next lines begin with a name and a brace, as rules of CSS do: .a {"""
+        found = [token for token in self.tokens[self.at : self.at + 8] if token.kind != LINE]
+        return len(found) > 1 and found[1].text == "{"
+
+    def quoted(self, token: Token, depth: int) -> Any:
+        """Return the values inside quotes, where they hold some: WKT, JSON; otherwise the text as a token."""
+        inner = token.text[1:-1]
+        if not any(c.isdigit() for c in inner) or not any(c in inner for c in "([{ ,"):
+            return token
+        begin = token.start + 1
+        parser = _Parser(self.text, [t._replace(start=t.start + begin, end=t.end + begin) for t in tokens(inner)])
+        items = [item for item in parser.items("", depth + 1) if item is not None]
+        self.indices |= parser.indices
+        self.remarks += [r for r in parser.remarks if r not in self.remarks]
+        return items[0] if len(items) == 1 else Group(token.start, token.end, items, '"')
+
+    # -- one item
+
+    def value(self, atoms: list[Any], bracket: str) -> Any:
+        """Return the value of the atoms between two separators; None where there is none."""
+        if not atoms:
+            return None
+        if pairs := self.run_of_pairs(atoms, bracket):
+            return pairs
+        mark = next((i for i, a in enumerate(atoms) if is_mark(a, ("=", ":=", "=>", ":"))), None)
+        if mark is not None and not any(is_mark(a, ("==", "<=", ">=", "!=")) for a in atoms[:mark]):
+            sign = mark
+            if is_mark(atoms[mark], (":",)):  # `let a: Type = value`: the value stands behind the =
+                sign = next((i for i, a in enumerate(atoms) if i > mark and is_mark(a, ("=",))), mark)
+                if any(isinstance(a, Token) and a.kind == NUMBER for a in atoms[mark:sign]):
+                    sign = mark
+            path = self.path(atoms[:mark])
+            if bracket == "{" and mark > 1 and any(isinstance(a, Token) and a.kind == NUMBER for a in atoms[:mark]):
+                return Bad(start_of(atoms[0]), end_of(atoms[-1]), "a number beside a key")
+            after = atoms[sign + 1 :]
+            second = any(is_mark(a, ("=", ":")) for a in after[1:2])
+            if second and isinstance(after[0], Token) and after[0].kind == NUMBER:
+                rest: Any = Bad(start_of(after[0]), end_of(after[-1]), "two values for one key")
+            else:
+                rest = self.value(after, bracket)
+            if rest is None:  # nothing follows the sign: a heading such as `body:`, or a slip among numbers
+                groups = [a for a in atoms[:mark] if isinstance(a, Group)]
+                slips = groups or any(isinstance(a, Token) and a.kind == NUMBER for a in atoms[:mark])
+                return Bad(start_of(atoms[0]), end_of(atoms[-1]), "a key without a value", groups) if slips else None
+            if not path:
+                return rest
+            words = [a.text for a in atoms[:mark] if isinstance(a, Token) and a.kind == NAME]
+            words = [word for word in words if word not in IGNORED_NAMES]
+            pair = Pair(start_of(atoms[0]), rest.end, path, rest, words[-2] if len(words) > 1 else "")
+            last = atoms[mark - 1]
+            if words and isinstance(last, Token) and last.kind == NUMBER and last.text.isdigit():
+                pair.number = last.text
+                self.indices.add(last.end)
+            before = [a for a in atoms[:mark] if isinstance(a, Group) and a.bracket in "({" and a.items]
+            return Group(pair.start, pair.end, [*before, pair], "+") if before else pair  # {x: 1, y: 2} radius: 5
+        return self.plain(atoms)
+
+    def run_of_pairs(self, atoms: list[Any], bracket: str) -> Group | None:
+        """Return the pairs of `x: 0 y: 0 width: 4`, where no comma stands between them; None for anything else."""
+        marks = [i for i, a in enumerate(atoms) if is_mark(a, ("=", ":"))]
+        if len(marks) < 2 or len({atoms[i].text for i in marks}) > 1 or marks[0] == 0:
+            return None
+        begins = [marks[0] - 1, *(i - 1 for i in marks[1:]), len(atoms)]
+        pairs: list[Any] = []
+        for begin, mark, end in zip(begins, marks, begins[1:], strict=False):
+            a_key, value = atoms[begin], atoms[mark + 1 : end]
+            named = isinstance(a_key, Token) and a_key.kind in (NAME, TEXT)
+            says = any(isinstance(v, Group) or (isinstance(v, Token) and v.kind in (NUMBER, TEXT)) for v in value)
+            if not named or not says:
+                return None
+            found = self.value([a_key, atoms[mark], *value], bracket)
+            if not isinstance(found, Pair):
+                return None
+            pairs.append(found)
+        return Group(pairs[0].start, pairs[-1].end, pairs, "+")
+
+    def plain(self, atoms: list[Any]) -> Any:
+        """Return the value of atoms without `=` and `:`."""
+        first = next((i for i, a in enumerate(atoms) if not says_nothing(a)), len(atoms))
+        atoms = atoms[first:]
+        if len(atoms) > 1 and is_operator(atoms[0]) and not (isinstance(atoms[1], Token) and atoms[1].kind == NUMBER):
+            atoms = atoms[1:]  # a bullet before a line
+        if not atoms:
+            return None
+        values, operators = self.joined(atoms)
+        start, end = start_of(atoms[0]), end_of(atoms[-1])
+        if operators:
+            only = values[0] if len(values) == 1 else None
+            if isinstance(only, Num) and only.value is not None and operators == ["-"] and atoms[0].end <= only.start:
+                return Num(start, end, -only.value)
+            if operators == ["-"] and len(values) == 2 and all(is_pair(v) for v in values):
+                return Group(start, end, values, " ")  # (0, 0)-(10, 10), as Go prints a box
+            if any(o in OPERATORS for o in operators):
+                return Bad(start, end, "an expression, which is not evaluated", hides=any(map(is_long, values)))
+            return Bad(start, end, "not a number", [v for v in values if isinstance(v, Group)])
+        if len(values) == 1:
+            return values[0]
+        if all(isinstance(v, Num) for v in values):
+            return Group(start, end, values, " ")
+        if all(isinstance(v, Group) for v in values):
+            return Group(start, end, values, " ")
+        for word, group in pairwise(values):
+            if isinstance(word, Name) and isinstance(group, Group) and group.name:
+                group.before = word.text
+        return Bad(start, end, "words", [v for v in values if not isinstance(v, (Name, Bad))])
+
+    def joined(self, atoms: list[Any]) -> tuple[list[Any], list[str]]:
+        """Return the values among the atoms, each name joined with the brackets behind it, and the operators."""
+        values: list[Any] = []
+        operators: list[str] = []
+        i = 0
+        while i < len(atoms):
+            atom = atoms[i]
+            i += 1
+            if isinstance(atom, Group):
+                last = values[-1] if values else None
+                if isinstance(last, Group) and is_cast(last) and atom.bracket == "{":  # (Vector2){ 5, 5 }
+                    values[-1] = Group(last.start, atom.end, atom.items, atom.bracket, last.items[0].text)
+                    continue
+                # new float[3] {...}: the bracket with the length comes before the list
+                if isinstance(last, Name) and atom.bracket in "([{" and atom.bracket:
+                    length = atom
+                    if atom.bracket == "[" and len(atom.items) == 1 and isinstance(atom.items[0], Num):
+                        self.indices.add(atom.items[0].end)  # v[2], or the length in b2Vec2 v[3]
+                    while atom.bracket == "[" and len(atom.items) < 2 and i < len(atoms) and is_open(atoms[i]):
+                        atom = atoms[i]
+                        i += 1
+                    if last.text in CASTS and len(atom.items) == 1 and isinstance(atom.items[0], Num):
+                        values[-1] = atom.items[0]  # np.float64(0.5) is 0.5
+                        continue
+                    name = last.text if atom is length else ""  # the list after Vector2[] is no Vector2
+                    values[-1] = Group(last.start, atom.end, atom.items, atom.bracket, name)
+                else:
+                    values.append(atom)
+            elif not isinstance(atom, Token):
+                values.append(atom)
+            elif atom.kind == NUMBER:
+                after = bool(values) and isinstance(values[-1], Num)
+                quote = after and self.text[atom.start - 1] in "'\"`"  # '3'000 is no pair of numbers
+                touching = after and (values[-1].end == atom.start or quote)
+                if touching:
+                    values[-1] = Num(
+                        values[-1].start, atom.end, None, f"{self.text[values[-1].start : atom.end]!r} is not a number"
+                    )
+                else:
+                    values.append(Num(atom.start, atom.end, atom.value, atom.why))
+            elif atom.kind == NAME:
+                if atom.text not in IGNORED_NAMES:
+                    values.append(Name(atom.start, atom.end, atom.text))
+            elif atom.kind == FIELD:
+                last = values[-1] if values else None
+                if isinstance(last, Group) and i < len(atoms) and is_open(atoms[i]):
+                    last.methods.append((atom.text.lstrip(".->:"), atoms[i]))
+                    last.end = atoms[i].end
+                    i += 1
+                elif isinstance(last, Num):
+                    values[-1] = Num(last.start, atom.end, None, "an expression, which is not evaluated")
+                else:
+                    values.append(Name(atom.start, atom.end, atom.text))
+            elif atom.kind == TEXT:
+                values.append(text_value(atom))
+            elif atom.kind in (MARK, OTHER) and atom.text not in "&":
+                operators.append("-" if atom.text == "\u2212" else atom.text)
+        return values, operators
+
+    def path(self, atoms: Sequence[Any]) -> tuple[str | int, ...]:
+        """Return the path that is assigned to: the last name before the sign, with the indices and fields behind it."""
+        names = [i for i, a in enumerate(atoms) if isinstance(a, Token) and a.kind in (NAME, TEXT)]
+        parts: list[str | int] = []
+        begin = names[-1] if names else 0
+        while begin > 1 and is_hyphen(atoms, begin - 1):  # border-radius is no radius
+            begin -= 2
+        if begin < (names[-1] if names else 0):
+            return (self.text[start_of(atoms[begin]) : end_of(atoms[names[-1]])],)
+        for atom in atoms[begin:]:
+            if isinstance(atom, Token) and atom.kind in (NAME, TEXT, FIELD):
+                text = atom.text[1:-1] if atom.kind == TEXT else atom.text
+                parts += [p for p in text.replace("->", ".").replace("::", ".").split(".") if p]
+            elif isinstance(atom, Token) and atom.kind == NUMBER and not names:
+                parts.append(atom.text)
+            elif isinstance(atom, Group) and atom.bracket == "[" and len(atom.items) == 1:
+                index = atom.items[0]
+                if isinstance(index, Num) and index.value is not None and index.value.denominator == 1:
+                    parts.append(int(index.value))
+                    self.indices.add(index.end)
+        return tuple(parts)

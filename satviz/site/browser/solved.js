@@ -1,0 +1,55 @@
+// The challenges that this reader has solved, kept in the reader's own browser.
+
+const KEY = "satviz-solved";
+
+/** @returns {string[]} */
+function solved() {
+  try {
+    const found = JSON.parse(localStorage.getItem(KEY) ?? "[]");
+    return Array.isArray(found) ? found.filter((each) => typeof each === "string") : [];
+  } catch {
+    return []; // a browser that keeps nothing, or what another page has left
+  }
+}
+
+/**
+ * Keep that the challenge in a state of the explorer is met.
+ * @param {{ scene: string, goal?: { goal: string, met: boolean } }} state
+ */
+export function keepSolved({ scene, goal }) {
+  if (!goal?.met) return;
+  const id = `${goal.goal}:${JSON.parse(scene).name}`;
+  const known = solved();
+  if (known.includes(id)) return;
+  try {
+    localStorage.setItem(KEY, JSON.stringify([...known, id]));
+  } catch {
+    // there is no room: nothing is kept
+  }
+}
+
+/** @param {HTMLElement} place It says how many are solved, and forgets them. */
+export function showSolved(place) {
+  const [count, forget] = /** @type {[HTMLElement, HTMLElement]} */ ([place.querySelector(".count"), place.querySelector("button")]);
+  const items = [...document.querySelectorAll(/** @type {"li"} */ ("li[data-challenge]"))];
+  const show = () => {
+    const known = new Set(solved());
+    for (const item of items) {
+      const done = known.has(item.dataset.challenge ?? "");
+      item.classList.toggle("solved", done);
+      const mark = item.querySelector(".mark");
+      if (mark) mark.textContent = done ? "solved" : "";
+    }
+    const done = items.filter((item) => item.classList.contains("solved")).length;
+    count.textContent = done ? `You have solved ${done} of ${items.length}.` : `None of ${items.length} is solved yet.`;
+    forget.hidden = !done;
+  };
+  forget.addEventListener("click", () => {
+    localStorage.removeItem(KEY);
+    show();
+    count.focus();
+  });
+  addEventListener("pageshow", show); // also when the reader comes back from a challenge
+  place.hidden = false;
+  show();
+}
