@@ -302,7 +302,7 @@ def boxes_of(bounds):
 
 def swept(n, comparisons):
     """Return n bounds that a sweep along x compares that often."""
-    end = np.minimum(np.arange(n) + 20, n - 1)
+    end = np.minimum(np.arange(n) + broad_rule.MAX_SWEEP_COMPARISONS, n - 1)
     missing = comparisons - int((end - np.arange(n)).sum())
     for k in range(n):
         more = min(missing, n - 1 - int(end[k]))
@@ -311,7 +311,7 @@ def swept(n, comparisons):
     assert not missing
     x, y = np.arange(n), np.arange(n) * 7 % 10
     bounds = np.stack([x, y, end + 0.5, y + 6], axis=1).astype(float)
-    bounds[0, 3] = 10.0 * n  # so high that the boxes are spread more widely along x
+    bounds[0, 3] = 10.0 * n  # so high that the boxes are spread more widely along x, and one grid compares nearly all
     return bounds[RNG(n).permutation(n)]
 
 
@@ -322,33 +322,70 @@ def meeting(bounds):
     return np.stack([i, j], axis=1)[((p[:, :2] <= q[:, 2:]) & (q[:, :2] <= p[:, 2:])).all(axis=1)].tolist()
 
 
+SWEEP, GRID = "sort and sweep", "grid"
+
+
 @pytest.mark.parametrize(
-    ("n", "more", "name"),
+    ("n", "more", "numpy", "numba"),
     [
-        (66, 0, "sort and sweep"),
-        (70, 0, "sort and sweep"),
-        (70, 1, "grid"),
-        (100, 0, "sort and sweep"),
-        (100, 1, "grid"),
-        (512, 0, "sort and sweep"),
+        (400, 0, SWEEP, SWEEP),
+        (400, 1, GRID, SWEEP),
+        (512, 1, GRID, SWEEP),
+        (513, 0, SWEEP, SWEEP),
+        (513, 1, GRID, GRID),
+        (1000, 0, SWEEP, SWEEP),
     ],
 )
-def test_boxes_are_swept_up_to_so_many_comparisons_each(n, more, name, monkeypatch):
-    bounds = swept(n, broad_rule.MAX_SWEEP_COMPARISONS * n + more)
-    assert batch.broad_phase_of(boxes_of(bounds)) == (name, broad_rule.MAX_SWEEP_COMPARISONS * n + more)
+def test_boxes_are_swept_up_to_so_many_comparisons_each(n, more, numpy, numba):
     kernels_of("few")
-    assert (
-        ways_of(bounds, monkeypatch)
-        == [(name, broad_rule.MAX_SWEEP_COMPARISONS * n + more if name != "grid" else None)] * 2
-    )
+    comparisons = broad_rule.MAX_SWEEP_COMPARISONS * n + more
+    bounds = swept(n, comparisons)
+    right = meeting(bounds)
+    for engine, name in zip(ENGINES, (numpy, numba), strict=True):
+        for b in bounds, bounds[:, [1, 0, 3, 2]]:
+            assert batch.broad_phase_of(boxes_of(b), engine=engine) == (name, comparisons)
+            assert batch.candidate_pairs(b, engine=engine).tolist() == right
+            assert batch.colliding_pairs(boxes_of(b), engine=engine).tolist() == right
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_boxes_that_are_far_along_one_axis_only_are_swept_along_the_other(engine):
+    if engine == "numba":
+        kernels_of("few")
+    n = 400
+    bounds = np.arange(n)[:, None] * [0, 2.0, 0, 2.0] + [0, 0, 1, 1]  # in a column, but for one far to the side
+    bounds[n // 2] += [1e9, 0, 1e9, 0]
+    bounds[n // 2, 2:] += 1  # larger than the others
+    assert batch.broad_phase_of(boxes_of(bounds), engine=engine) == (SWEEP, 1)
+    assert batch.colliding_pairs(boxes_of(bounds), engine=engine).tolist() == []
+
+
+def spread_sizes(rng, n):
+    """Return upright boxes with sizes from 1 to 2**20."""
+    size = 2.0 ** rng.uniform(0, 20, (n, 1))
+    low = rng.uniform(0, 1.5 * np.sqrt((size**2).sum()), (n, 2))
+    return np.hstack([low, low + size])
+
+
+def one_giant(rng, n):
+    """Return upright boxes of one size, and a giant below them that touches the lowest."""
+    low = rng.integers(0, int(4 * n**0.5), (n, 2))
+    bounds = np.hstack([low, low + 1]).astype(float)
+    bounds[n // 3] = [-1000, -2000, 1000, 0]
+    return bounds
+
+
+@pytest.mark.parametrize("sizes", [spread_sizes, one_giant])
+@pytest.mark.parametrize("n", [400, 600, 3000])
+def test_sizes_that_differ_much_are_swept(n, sizes):
+    kernels_of("few")
+    bounds = sizes(RNG(n), n)
+    right = meeting(bounds)
     for engine in ENGINES:
-        assert batch.candidate_pairs(bounds, engine=engine).tolist() == meeting(bounds)
-        assert batch.colliding_pairs(boxes_of(bounds), engine=engine).tolist() == meeting(bounds)
-        corners = boxes_of(bounds).rings
-        kites = np.stack(corners[:2], axis=1).reshape(-1, 4, 2)
-        kites = (kites + np.roll(kites, 1, axis=1)) / 2  # in the middle of the sides: with the same bounds
-        known = brute(list(kites)) if n <= 100 else None
-        assert known is None or batch.colliding_pairs(batch.Polygons(kites), engine=engine).tolist() == known
+        way = batch.broad_phase_of(boxes_of(bounds), engine=engine)
+        assert way.name == SWEEP or (engine == "numba" and n > 512)
+        assert way.comparisons is None or way.comparisons < 60 * n
+        assert batch.colliding_pairs(boxes_of(bounds), engine=engine).tolist() == right
 
 
 @pytest.mark.parametrize("engine, most", [("numpy", 4096), ("numba", 512)])
@@ -375,43 +412,6 @@ def test_the_broad_phase_that_is_chosen_is_named(engine, most):
         batch.broad_phase_of(ells)
 
 
-def way_of_numba(bounds, monkeypatch):
-    """Return (the broad phase that numba takes, the comparisons of a sweep that it makes)."""
-    few, taken = kernels_of("few"), []
-    all_pairs, sweep = few._all_pairs, few._sweep
-
-    def compared_all(bounds):
-        taken.append(("all pairs", len(bounds) * (len(bounds) - 1) // 2))
-        return all_pairs(bounds)
-
-    def swept_along_an_axis(bounds, most):
-        pairs, compared = sweep(bounds, most)
-        if compared <= most:
-            taken.append(("sort and sweep", compared))
-        return pairs, compared
-
-    with monkeypatch.context() as patch:
-        patch.setattr(few, "_candidate_pairs", in_python(few._candidate_pairs))
-        patch.setattr(few, "_all_pairs", compared_all)
-        patch.setattr(few, "_sweep", swept_along_an_axis)
-        patch.setattr(few, "build_table", lambda *_: (None, None, None))
-        patch.setattr(few, "count_candidates", lambda *_: 0)
-        patch.setattr(few, "fill_pairs", lambda *_: taken.append(("grid", None)) or (len(bounds), 0))
-        return taken[-1] if few.candidate_pairs(bounds) is not None else ("grid", None)
-
-
-def way_of_numpy(bounds):
-    """Return what `way_of_numba` returns, for NumPy."""
-    way, comparisons, *_ = few_numpy.choose(bounds)
-    assert (few_numpy.candidate_pairs(bounds) is None) == (way == broad_rule.GRID)
-    return broad_rule.NAMES[way], None if way == broad_rule.GRID else comparisons
-
-
-def ways_of(bounds, monkeypatch):
-    """Return for each engine (the broad phase that it takes, the comparisons that it makes)."""
-    return [way_of_numpy(bounds), way_of_numba(bounds, monkeypatch)]
-
-
 def any_bounds(rng):
     """Return bounds of which the axis, the comparisons and the order may be in doubt."""
     n = int(rng.choice([2, 48, 49, 60, 120]))
@@ -423,15 +423,16 @@ def any_bounds(rng):
         return np.clip(np.hstack([low, low + size]) * np.tile(stretch, 2) * scale, -1.7e308, 1.7e308)
 
 
-def test_both_engines_take_the_very_same_way(monkeypatch):
+def test_both_engines_take_the_very_same_way():
     kernels_of("few")
     rng, seen = RNG(4), []
     for _ in range(300):
         bounds = any_bounds(rng)
-        one, other = ways_of(bounds, monkeypatch)
-        assert one == other, bounds.tolist()
-        seen.append(one[0])
-    assert min(map(seen.count, broad_rule.NAMES)) > 10
+        one, other = (engines.engine_of(engine).candidate_pairs(bounds) for engine in ENGINES)
+        assert one[1:] == other[1:], bounds.tolist()
+        assert sorted(one[0].tolist()) == sorted(other[0].tolist()) == meeting(bounds)
+        seen.append(one[1])
+    assert min(map(seen.count, (broad_rule.ALL_PAIRS, broad_rule.SWEEP))) > 10
 
 
 TURNS = {

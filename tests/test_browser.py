@@ -160,10 +160,14 @@ def test_a_vertex_is_dragged_and_a_crossing_outline_is_refused(hand):
     hand.page.mouse.move(bx, by, steps=8)  # two corners on one spot: no area
     why.filter(has_text="Not possible").wait_for(timeout=5000)
     hand.page.mouse.up()
-    why.wait_for(state="hidden", timeout=5000)
     hand.said("A and B")
     assert hand.kernel("len(set(w.scene.a.vertices))") == "3"
+    assert (
+        why.is_visible() and hand.widgets.first.locator(".sv-drawing.sv-wrong path").count() == 1
+    )  # until the next change
     reset(hand)
+    why.wait_for(state="hidden", timeout=5000)
+    assert hand.widgets.first.locator(".sv-drawing path").count() == 0
 
 
 def test_the_keyboard_moves_and_turns(hand):

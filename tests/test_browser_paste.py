@@ -134,7 +134,7 @@ def test_a_refused_outline_stays_with_the_reason_and_can_be_mended(desk, width):
     desk.click((0.2, 0.2), (0.5, 0.5), (0.5, 0.2), (0.2, 0.5))
     desk.press("done")
     assert desk.model.scene.a == first.a
-    assert "cross" in desk.page.locator(".sv-stage > .sv-why, .sv-columns > .sv-why").first.inner_text()
+    assert "cross" in desk.page.locator(".sv-board > .sv-why").first.inner_text()
     assert desk.page.locator(".sv-drawing.sv-wrong path").count() == 1
     assert desk.page.locator(".sv-drawing circle").count() == 4
     desk.page.locator(".sv-plane").press("Backspace")
@@ -157,7 +157,7 @@ def test_an_outline_that_keys_make_cross_stays_with_the_reason(desk, width):
         if desk.page.locator(".sv-drawing.sv-wrong path").count():
             break
     assert desk.page.locator(".sv-drawing.sv-wrong circle").count() == 4
-    assert "Not possible" in desk.page.locator(".sv-stage > .sv-why, .sv-columns > .sv-why").first.inner_text()
+    assert "Not possible" in desk.page.locator(".sv-board > .sv-why").first.inner_text()
     desk.press("undo")
     assert desk.page.locator(".sv-drawing circle").count() == 0
 
@@ -190,7 +190,7 @@ def test_a_circle_is_made_and_corners_come_and_go(desk, width):
     assert len(desk.model.scene.a.vertices) == count
     desk.click((0.15, 0.6))
     assert len(desk.model.scene.a.vertices) == count, "two corners are no polygon"
-    assert "Not possible" in desk.page.locator(".sv-stage > .sv-why, .sv-columns > .sv-why").first.inner_text()
+    assert "Not possible" in desk.page.locator(".sv-board > .sv-why").first.inner_text()
 
 
 def test_everything_by_hand_can_be_done_with_keys(browser):

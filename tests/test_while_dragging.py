@@ -10,10 +10,14 @@ from test_pictures import boxes, meet
 
 import satviz as sv
 from satviz.pictures import theme
+from satviz.pictures.curve import gap_at
+from satviz.pictures.dial import dial
+from satviz.pictures.labels import contains_point
 from satviz.scenes.failing import FAILURE_CASES, REFUSED
 from satviz.scenes.scenefile import shape_data
 from satviz.scenes.shape_tools import translated
 from satviz.widgets.explorer_model import ExplorerModel
+from satviz.widgets.snapping import snapped
 
 EXPLORED = [scene.name for scene in sv.scenes.article.SCENES] + [c.name for c in FAILURE_CASES if c.how != REFUSED]
 STEADY = "triangles", "aabb", "circle-polygon", "circles", "concave", "aabb-turned"
@@ -230,3 +234,105 @@ def test_when_the_drag_rests_no_label_covers_another():
         model.answer({"kind": "pose", "n": 1, "a": state["a"], "b": state["b"], "final": True})
         found = [box for _, box in boxes(model.picture())]
         assert not [(p, q) for i, p in enumerate(found) for q in found[:i] if meet(p, q)]
+
+
+# -- snapping to a touch
+
+
+def nearly_touching(seed):
+    """Two shapes with corners on a grid of tenths, a little apart or a little into each other."""
+    rng = random.Random(seed)
+
+    def shape(x):
+        if rng.random() < 0.3:
+            return sv.Circle((round(x, 1), round(rng.uniform(-0.5, 0.5), 1)), 1)
+        angles = sorted(rng.sample(range(0, 360, 15), rng.choice([3, 4, 5])))
+        return sv.Polygon([(round(x + cos(t * pi / 180), 1), round(sin(t * pi / 180), 1)) for t in angles])
+
+    a, b = shape(0.0), shape(5.0)
+    test = max(sv.record(a, b, every_axis=True).tests, key=lambda t: t.gap)
+    n = test.axis.direction
+    sign = 1 if test.b.interval.lo > test.a.interval.hi else -1
+    off = sign * (test.gap - rng.uniform(-0.1, 0.1))
+    return a, translated(b, sv.Vec(round(-n.x * off, 2), round(-n.y * off, 2)))
+
+
+def test_a_shape_is_snapped_to_where_it_touches_exactly_and_not_further_than_it_may():
+    found = 0
+    for seed in range(60):
+        a, b = nearly_touching(seed)
+        there = snapped(b, a, 0.3)
+        if there is None:
+            continue
+        found += 1
+        assert sv.relate(a, there) is sv.Relation.TOUCHING
+        moves = [(x - u, y - v) for (x, y), (u, v) in zip(there.vertices or there.core, b.vertices or b.core)]
+        assert max(abs(x - moves[0][0]) + abs(y - moves[0][1]) for x, y in moves) < 1e-12  # nothing but moved
+        assert dist(moves[0], (0, 0)) <= 0.3 + 1e-12
+    assert found >= 30
+
+
+def let_go(b, key="b"):
+    model = ExplorerModel(sv.Scene("snap", sv.Polygon([(0, 0), (3, 0), (3, 3), (0, 3)]), b))
+    state = model.state()
+    return model.answer({"kind": "pose", "n": 1, "a": state["a"], "b": state["b"], "snap": key}), model
+
+
+@pytest.mark.parametrize("x", [2.93, 3.07])
+@pytest.mark.parametrize("key", ["a", "b"])
+def test_let_go_close_by_shapes_snap_and_that_is_said(x, key):
+    state, model = let_go(sv.Polygon([(x, 1), (5, 0.5), (5, 2)]), key)
+    assert state["relation"] == "touching" and state["snapped"] == "Snapped: they touch exactly."
+    assert (model.scene.a.vertices[0].x != 0) == (key == "a")
+    again = model.answer({"kind": "pose", "n": 2, "a": state["a"], "b": state["b"]})
+    assert again["relation"] == "touching" and "snapped" not in again
+
+
+def test_where_no_place_is_found_that_is_said_and_nothing_moves():
+    third = 1 / 3
+    state, model = let_go(sv.Circle((3.4 + third, 3.4 + third), 1.013))  # off a corner, at no angle with floats
+    assert state["snapped"].startswith("No place nearby was found") and state["relation"] != "touching"
+    assert model.scene.b.center == (3.4 + third, 3.4 + third)
+
+
+@pytest.mark.parametrize("b", [sv.Polygon([(8, 1), (9, 0.5), (9, 2)]), sv.Polygon([(3, 1), (5, 0.5), (5, 2)])])
+def test_far_away_or_touching_already_nothing_snaps(b):
+    state, model = let_go(b)
+    assert "snapped" not in state and model.scene.b == b
+
+
+# -- challenges, the dial
+
+
+def test_the_map_is_hidden_until_a_shortcut_is_broken_or_the_challenge_given_up():
+    model = ExplorerModel(sv.scene("far-centers"))
+    state = model.answer({"kind": "challenge", "goal": "break"})
+
+    def red(state):
+        return [m for m in state["picture"]["marks"] if m["part"].startswith("error-region")]
+
+    assert not state["goal"]["met"] and not red(state) and "or give up" in state["map"]
+    pose = {"kind": "pose", "n": 1, "a": state["a"], "b": state["b"]}
+    given_up = model.answer(pose | {"goal": None})
+    assert red(given_up) and given_up["map"].startswith("The map:")
+    assert not red(model.answer(pose | {"goal": "break"}))
+    won = model.answer(pose | {"b": shape_data(sv.scene("far-centers").b)})
+    assert won["goal"]["met"] and red(won)
+    assert red(model.answer(pose))  # it stays, once the challenge is won
+
+
+@pytest.mark.parametrize("name", ["triangles", "circles", "aabb-turned"])
+def test_the_dial_is_green_where_there_is_a_gap(name):
+    a, b = sv.scene(name).a, sv.scene(name).b
+    drawn = dial(a, b, 30.0)
+    center = drawn.mark("dial").points[0]
+    sectors = [m.points for m in drawn.marks if m.part == "sector"]
+
+    def green(degree):
+        x, y = center.x + 20 * cos(degree * pi / 180), center.y + 20 * sin(degree * pi / 180)
+        return any(contains_point(sv.Polygon(points), sv.Vec(x, y)) for points in sectors)
+
+    for degree in range(0, 360, 7):
+        gap = gap_at(a, b, degree)
+        assert green(degree) == (gap > 0) or abs(gap) < 0.05
+    assert len(sectors) <= 2 * 3

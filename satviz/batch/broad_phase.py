@@ -17,7 +17,6 @@ from .array_types import Indices, Mask, Pairs
 from .arrays import Shapes, check_shapes
 from .broad_rule import MAX_CANDIDATES_PER_BOX, NAMES
 from .engines import Engine, engine_of
-from .with_numpy.few import choose
 
 MAX_UNSPLIT_RATIO = 4.0
 WIDE, FINE = 2.0**-1000, 2.0**-48  # of the farthest coordinate: cells whose numbers cannot overflow, nor run together
@@ -31,7 +30,7 @@ class BroadPhase(NamedTuple):
     """The broad phase that is chosen for some shapes: "all pairs", "sort and sweep" or "grid".
 
     comparisons: how many pairs of boxes it compares.  For a grid it is why a sweep was not chosen: how many the sweep
-    would have compared, or None for so many boxes that they were not counted.
+    would have compared, or None where they were not counted.
     """
 
     name: str
@@ -41,12 +40,15 @@ class BroadPhase(NamedTuple):
 def broad_phase_of(shapes: Shapes, *, engine: str | None = None) -> BroadPhase:
     """Return the broad phase that `colliding_pairs` chooses for these shapes (for the convex parts of concave ones).
 
-    Up to 48 boxes are compared all with all.  Up to 512 (with NumPy 4,096) are sorted along one axis and swept, if
-    that makes at most 20 comparisons a box: the axis on which they are spread more widely, in units of the largest
-    box.  All others are put into grids.  `engine`: as in `relate`.
+    Up to 48 boxes are compared all with all.  Up to 512 (with NumPy 4,096, if that makes at most 160 comparisons a
+    box) are sorted along one axis and swept: the axis on which they are spread more widely, in units of the largest
+    box, or the other one if more than 160 become fewer.  More are put into a grid with cells as large as the largest
+    box.  Where sizes differ so much that one grid would compare more than 48 boxes with each, up to 16,384 are swept
+    with numba if that makes at most 160 comparisons a box; all others are put into several grids, one for each size.
+    `engine`: as in `relate`.
     """
-    most = engine_of(engine).max_sweep
-    way, comparisons, *_ = choose(check_shapes(shapes, "shapes").parts.bounds, most)
+    kernels = engine_of(engine)
+    _, way, comparisons = kernels.candidate_pairs(check_shapes(shapes, "shapes").parts.bounds)
     return BroadPhase(NAMES[way], comparisons if comparisons >= 0 else None)
 
 
@@ -61,7 +63,7 @@ def candidate_pairs(bounds: validation.Points, *, engine: str | None = None) -> 
 
 def candidate_blocks(bounds: NDArray[np.float64], kernels: Engine) -> Iterator[Pairs]:
     """Yield the pairs (i < j) of boxes that share a point, block by block, each pair once, unsorted."""
-    few = kernels.candidate_pairs(bounds)
+    few, *_ = kernels.candidate_pairs(bounds)
     if few is not None:
         yield few
     else:

@@ -10,7 +10,6 @@ from typing import Any, NamedTuple
 from ..optional_imports import extra_needed
 from . import validation
 from .array_types import Grid
-from .broad_rule import MAX_SWEEP_NUMBA, MAX_SWEEP_NUMPY
 from .ragged import MAX_LANE_CORNERS
 
 Kernel = Callable[..., None]
@@ -34,7 +33,6 @@ class Engine(NamedTuple):
     circle_polygons: Kernel
     indexed: Kernel
     grid: Grid
-    max_sweep: int  # boxes up to which sorting and sweeping is tried
     candidate_pairs: Callable[..., Any]
     colliding_pairs: Callable[..., Any]
     certified_group: Callable[..., Any]
@@ -79,7 +77,6 @@ def load_engine(name: str | None) -> Engine:
                 *_column_kernels_of(filter_numba),
                 indexed_numba.relations,
                 grid_numba.meeting_pairs,
-                MAX_SWEEP_NUMBA,
                 few_numba.candidate_pairs,
                 few_numba.colliding_pairs,
                 outlines_numba.certified_group,
@@ -104,7 +101,6 @@ def load_engine(name: str | None) -> Engine:
         *_column_kernels_of(filter_numpy),
         indexed.relations,
         grid_numpy.meeting_pairs,
-        MAX_SWEEP_NUMPY,
         few.candidate_pairs,
         few.colliding_pairs,
         outlines.certified_group,

@@ -26,16 +26,17 @@ def drag_view(
     shown: ShownTest | None,
     *,
     show_mtv: bool = False,
+    show_region: bool = True,
     last_out: Vec | None = None,
     memory: LabelMemory | None = None,
 ) -> tuple[Picture, AxisPlace | None]:
     """Return the picture of a shortcut's run while dragging, and the place of its axis (None: no axis shown).
 
-    The picture shows what the shortcut measured in the chosen test, its answer and its error region.
+    The picture shows what the shortcut measured in the chosen test, its answer, and its error region if `show_region`.
     """
     sketch, place = Sketch(trace, layout), None
     sketch.digits = drag_digits(layout)
-    region = error_region_marks(trace, layout)
+    region = error_region_marks(trace, layout) if show_region else []
     sketch.marks += [mark for mark in region if mark.part == "reference"]  # words keep off it
     test = trace.tests[shown.test] if shown and trace.tests else None
     if trace.pairs:

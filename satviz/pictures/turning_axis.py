@@ -19,6 +19,7 @@ from ..engine.sat import AxisTest, project
 from ..engine.shapes import Circle, Shape, centroid
 from ..scenes.resolve import SceneLike, resolve
 from .curve import curve_sentence, sampled_gaps, segments_on_side, unit_vector
+from .dial import dial_marks, needle_marks
 from .float_geometry import bounding_box, gap_or_overlap, point_along
 from .insets import BRACKET_PT
 from .letters import text_size
@@ -120,20 +121,13 @@ def _axis_marks(shapes: tuple[Shape, Shape], degree: float) -> list[Mark]:
 
 
 def _dial_marks(points: Sequence[tuple[float, float]]) -> list[Mark]:
-    """Return the dial: a circle of all directions with the sectors in which there is a gap."""
-    center = DIAL_CENTER_PT
-    marks = [Mark("dial", "disc", "guide", (center,), radius=DIAL_PT, weight="faint")]
-    ends = segments_on_side(points, 1)
-    for number, (p, q) in enumerate(zip(ends[::2], ends[1::2], strict=True)):
-        for half in (0.0, 180.0):
-            rim = (point_along(center, unit_vector(d + half), DIAL_PT) for d in (p[0], q[0]))
-            sector = Mark("sector", "outline", "gap", (center, *rim), number=2 * number + (half > 0), weight="area")
-            marks.append(sector)
-    below = Vec(center.x, center.y - DIAL_PT - 12.0)
-    text = "green: a gap" if ends else "no direction has a gap"
+    """Return the dial with its words below."""
+    marks = dial_marks(points, DIAL_CENTER_PT, DIAL_PT)
+    has_gap = len(marks) > 1
+    text = "green: a gap" if has_gap else "no direction has a gap"
     half_width = text_size(text)[0] / 2
-    spot = Vec(min(below.x, SIZE_PT[0] - half_width - 6.0), below.y)
-    return [*marks, Mark("dial-name", "label", "gap" if ends else "ink", (spot,), text=text)]
+    spot = Vec(min(DIAL_CENTER_PT.x, SIZE_PT[0] - half_width - 6.0), DIAL_CENTER_PT.y - DIAL_PT - 12.0)
+    return [*marks, Mark("dial-name", "label", "gap" if has_gap else "ink", (spot,), text=text)]
 
 
 def _curve_marks(
@@ -151,9 +145,8 @@ def _curve_marks(
         x = CURVE_LEFT_PT + (CURVE_RIGHT_PT - CURVE_LEFT_PT) * d / 180
         return Vec(x, CURVE_LOW_PT + (CURVE_HIGH_PT - CURVE_LOW_PT) * (gap - low) / span)
 
-    n = unit_vector(degree)
-    needle = point_along(DIAL_CENTER_PT, n, -DIAL_PT), point_along(DIAL_CENTER_PT, n, DIAL_PT)
-    marks = [Mark("needle", "arrow", "ink", needle), Mark("zero", "segment", "guide", (at(0, 0), at(180, 0)))]
+    marks = needle_marks(degree, DIAL_CENTER_PT, DIAL_PT)
+    marks.append(Mark("zero", "segment", "guide", (at(0, 0), at(180, 0))))
     done = [p for p in points if p[0] <= degree]
     for role, side in (("overlap", -1), ("gap", 1)):
         if ends := segments_on_side(done, side):

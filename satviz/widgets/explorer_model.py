@@ -1,18 +1,21 @@
 """The explorer without its widget: each pose that a drag sends is answered with the picture that follows."""
 
 from dataclasses import replace
+from functools import partial
 from math import isfinite
 from typing import Any, NamedTuple
 
 from ..engine.axes import directions
 from ..engine.axis_count import axes_hint
-from ..engine.geometry import InvalidScene, Vec
+from ..engine.geometry import InvalidScene, Relation, Vec
 from ..engine.sat import AxisTest
+from ..engine.shapes import Shape
 from ..engine.trace import Trace, record
 from ..pictures import Picture
 from ..pictures.claims import heading
 from ..pictures.comparison_drag import describe_error_region, drag_view
 from ..pictures.curve import CURVE_WIDTH_PT, gap_curve, unit_vector
+from ..pictures.dial import dial
 from ..pictures.drag import (
     ShownTest,
     all_marks_fit,
@@ -29,14 +32,21 @@ from ..pictures.label_placer import LabelMemory
 from ..pictures.minkowski import difference
 from ..pictures.number_line import number_line
 from ..pictures.playback import first_row_numbers, table_rows
-from ..scenes.link import ViewOptions, fragment
+from ..scenes.link import BREAK, ViewOptions, fragment
 from ..scenes.named import scene
 from ..scenes.scenefile import Scene, shape_data, shape_from
 from ..scenes.strictjson import require_type
 from .goals import ChallengeResult, challenge_start, evaluate_goal
 from .paste_model import read_paste
 from .player_model import PlayerModel
+from .snapping import snapped
 
+SNAP_PT, SNAP_FACTOR = 10.0, 1.5  # points between shapes that snap; how much further the shape may be moved
+SNAPPED = "Snapped: they touch exactly."
+NO_TOUCH = (
+    "No place nearby was found where they touch exactly: most such places have coordinates that no float64 holds."
+)
+HIDDEN_MAP = "The map of where the shortcut is wrong comes when you have broken it, or give up."
 SHORTCUT, TRUTH = "shortcut", "truth"
 NEEDED, EVERY_NORMAL = "needed", "edge-normals"  # choices of axes
 
@@ -65,7 +75,8 @@ class ExplorerModel(PlayerModel):
         self._first = shown
         self._degree: float | None = None
         self._largest = canvas_size(None)
-        self._show_mtv = self._show_difference = False
+        self._show_mtv = self._show_difference = self._won = False
+        self._snap_words = ""
         self._start(shown, goal)
         self._redraw()
 
@@ -120,14 +131,17 @@ class ExplorerModel(PlayerModel):
             found["line"] = drawn.line.data()
         if self._challenge_result:
             found["goal"] = self._challenge_result._asdict()
+        if self._snap_words:
+            found["snapped"] = self._snap_words
         if self._show_difference:
             found["difference"] = difference(trace, largest=(min(340.0, self._largest[0]), 300.0)).data()
         if self._run.shortcut:
             found["heading"] = list(heading(self._run))
         if trace.shortcut and drawn.knob is None:
-            found["map"] = describe_error_region(trace, self._layout)
+            found["map"] = HIDDEN_MAP if self._hides_map else describe_error_region(trace, self._layout)
         if drawn.knob is not None:
             width = min(CURVE_WIDTH_PT, self._largest[0])
+            found["dial"] = dial(self.scene.a, self.scene.b, self._degree or 0.0).data()
             found["curve"] = gap_curve(self.scene.a, self.scene.b, self._degree, width=width).data()
             found["knob"] = list(drawn.knob)
         return found
@@ -146,6 +160,12 @@ class ExplorerModel(PlayerModel):
             return {"kind": "pasted", "pasted": {**pasted, "why": f"The picture is not drawn: {error}."}}
         return {"kind": "state", **self.state(), "pasted": pasted}
 
+    @property
+    def _hides_map(self) -> bool:
+        """Whether the error region would give away a challenge that is not won yet."""
+        result = self._challenge_result
+        return result is not None and result.goal == BREAK and not self._won
+
     def _view_options(self) -> ViewOptions:
         """Return the options of the present view, as a link to it contains them."""
         view = self._view if self._view == TRUTH else None
@@ -158,6 +178,7 @@ class ExplorerModel(PlayerModel):
         self._layout = drag_layout(trace, self._largest)
         self._at_first = shown.a, shown.b
         self._start_json = shown.to_json()  # a pose says which scene it is of: undo goes back over presets too
+        self._won = False
         self._set_run(shown, trace, SHORTCUT if trace.shortcut else None, met)
         self._pinned: int | None = None
         self._last_out: Vec | None = None  # the way the axis lay before, so that it stays on its side
@@ -172,6 +193,7 @@ class ExplorerModel(PlayerModel):
             raise InvalidScene("pinned must be the number of a row in the table of axes, or null")
         text = content.get("scene")
         begun = self.scene if text in (None, self._start_json) else self._scene_of(text)
+        a, b, snap_words = self._snapped(a, b, content.get("snap"))
         changed = replace(begun, a=a, b=b)
         trace = _trace(changed)
         view = (content.get("view") or self._view or SHORTCUT) if trace.shortcut else None
@@ -193,9 +215,25 @@ class ExplorerModel(PlayerModel):
             self._last_out = None
         if view != self._view:
             pinned = None  # the other run's rows are others
+        self._snap_words = snap_words
         self._pinned, self._degree, self._show_mtv = pinned, degree, bool(content.get("wayOut"))
         self._show_difference = bool(content.get("against"))
         self._set_run(changed, trace, view, met)
+
+    def _snapped(self, a: Shape, b: Shape, key: object) -> tuple[Shape, Shape, str]:
+        """Return both shapes, the one named by `key` moved to where they touch if that is near, and words on it."""
+        if key not in ("a", "b"):
+            return a, b, ""
+        reach = self._layout.units(SNAP_PT)
+        tests = record(a, b, every_axis=True)
+        gaps = [max((t.gap for t in run.tests), default=0.0) for run in tests.pairs or (tests,)]
+        distance = min(gaps) if tests.relation is Relation.APART else max(gaps)
+        if tests.relation is Relation.TOUCHING or abs(distance) > reach:
+            return a, b, ""
+        found = snapped(a, b, SNAP_FACTOR * reach) if key == "a" else snapped(b, a, SNAP_FACTOR * reach)
+        if found is None:
+            return a, b, NO_TOUCH
+        return (found, b, SNAPPED) if key == "a" else (a, found, SNAPPED)
 
     def _scene_of(self, text: Any) -> Scene:
         """Return the scene with which a pose began, read strictly; the first one may have axes without a name."""
@@ -206,6 +244,7 @@ class ExplorerModel(PlayerModel):
     def _set_run(self, scene: Scene, run: Trace, view: str | None, met: ChallengeResult | None) -> None:
         """Store the scene, its run, the view with the trace it shows, and the challenge's result."""
         self.scene, self._run, self._view, self._challenge_result = scene, run, view, met
+        self._won = met is not None and (met.met or self._won)
         self.trace = run.truth if view == TRUTH else run
 
     def _redraw(self, *, final: bool = True) -> None:
@@ -228,7 +267,7 @@ class ExplorerModel(PlayerModel):
             free_line = self._line_of(free, free.tests[0], degree_text(self._degree))
             return DrawnScene(drawn, free_line, knob=knob_position(self._layout, place, self._degree))
         chosen = self._shown_test()
-        show = drag_view if trace.shortcut else drag_picture
+        show = partial(drag_view, show_region=not self._hides_map) if trace.shortcut else drag_picture
         drawn, lies = show(
             trace,
             self._layout,

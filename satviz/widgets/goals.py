@@ -28,8 +28,8 @@ GOAL_HINTS = {
     TOUCH: "Bring an edge flush with an edge, or a corner onto one. The arrow keys move a shape by the same step each "
     "time, with Shift by a tenth of it. A round shape touches exactly where its center is level with a corner or "
     "another center. Where all edges are slanted, drag a corner of each to the same place.",
-    BREAK: "Ask where the shortcut and the shapes disagree. If the picture shows a red region, the shortcut is wrong "
-    "while the dot lies in it.",
+    BREAK: "Ask where the shortcut and the shapes disagree: which pairs of shapes does its one step treat as equal? "
+    "If you give up, a map shows in red where it is wrong.",
 }
 # how far B is moved to find a challenge's level: as far as the scene is wide, in so many steps
 LEVEL_STEPS, LEVEL_LIMITS = 8, (0.25, 0.05)

@@ -9,13 +9,23 @@ import numpy as np
 
 from ..array_types import Array, Indices, Mask, Pairs, Signs
 from ..arrays import Flat, Shapes
-from ..broad_rule import MAX_ALL_PAIRS, MAX_CANDIDATES_PER_BOX, MAX_SWEEP_COMPARISONS, MAX_SWEEP_NUMBA
+from ..broad_rule import (
+    ALL_PAIRS,
+    GRID,
+    MAX_ALL_PAIRS,
+    MAX_CANDIDATES_PER_BOX,
+    MAX_SWEEP_COMPARISONS,
+    MAX_SWEEP_NUMBA,
+    SWEEP,
+)
 from ..codes import APART, UNDECIDED
 from .grid import build_table, count_candidates, fill_pairs
 from .indexed import fill_relations
 from .jit_cache import compiled
 
 MAX_SHAPES = 1 << 14  # above it blocks of pairs bound the memory, and Python no longer matters
+MAX_SHORT_SWEEP = 20  # comparisons a box up to which a plain loop is faster than marking first
+WORD_BYTES = 8  # marks that are read at once
 MIN_CELL = 2.0**-48  # of the farthest coordinate: smaller cells run together
 
 
@@ -75,8 +85,8 @@ def _collide(x: Array, y: Array, start: Indices, radius: Array) -> tuple[Pairs, 
     n = radius.size
     bounds, upright = np.empty((n, 4)), np.empty(n, np.bool_)
     fill_boxes(x, y, start, radius, bounds, upright)
-    candidates, counted = _candidate_pairs(bounds)
-    if not counted:
+    candidates, _, _, complete = _candidate_pairs(bounds)
+    if not complete:
         return candidates, False
     first, second = candidates[:, 0].copy(), candidates[:, 1].copy()
     found = np.empty(len(candidates), np.int8)
@@ -134,27 +144,50 @@ def fill_boxes(x: Array, y: Array, start: Indices, radius: Array, bounds: Array,
             upright[i] = flat or steep
 
 
-def candidate_pairs(bounds: Array) -> Pairs | None:
-    """Return the pairs i < j of boxes that share a point, unsorted; None where one grid would compare too many."""
+def candidate_pairs(bounds: Array) -> tuple[Pairs | None, int, int]:
+    """Return (pairs i < j of boxes that share a point, unsorted, code of the broad phase, its comparisons or -1).
+
+    None for the pairs where grids for several sizes must find them.
+    """
     if len(bounds) > MAX_SHAPES:
-        return None
-    pairs, counted = _candidate_pairs(np.ascontiguousarray(bounds))
-    return pairs if counted else None
+        return None, GRID, -1
+    pairs, way, comparisons, found = _candidate_pairs(np.ascontiguousarray(bounds))
+    return pairs if found else None, way, comparisons
 
 
 @compiled
-def _candidate_pairs(bounds: Array) -> tuple[Pairs, bool]:
-    """Return (pairs i < j of boxes that share a point, True); False where one grid would compare too many boxes.
+def _candidate_pairs(bounds: Array) -> tuple[Pairs, int, int, bool]:
+    """Return (pairs i < j of boxes that share a point, code of the broad phase, its comparisons or -1, found?).
 
-    The broad phase is chosen by the rule of `broad_rule`.
+    The broad phase is chosen by the rule of `broad_rule`.  The pairs are not found where one grid and a sweep would
+    both compare too many boxes.
     """
     n = len(bounds)
     if n <= MAX_ALL_PAIRS:
-        return _all_pairs(bounds), True
+        return _all_pairs(bounds), ALL_PAIRS, n * (n - 1) // 2, True
     if n <= MAX_SWEEP_NUMBA:
-        out, compared = _sweep(bounds, MAX_SWEEP_COMPARISONS * n)
-        if compared <= MAX_SWEEP_COMPARISONS * n:
-            return out, True
+        out, compared = _sweep(bounds, MAX_SHORT_SWEEP * n)
+        if compared <= MAX_SHORT_SWEEP * n:
+            return out, SWEEP, compared, True
+    else:
+        out, counted = _pairs_of_one_grid(bounds)
+        if counted:
+            return out, GRID, -1, True
+    axis = sweep_axis(bounds)
+    order, ends, compared = _sorted(bounds, axis)
+    if compared > MAX_SWEEP_COMPARISONS * n:
+        other_order, other_ends, other_compared = _sorted(bounds, 1 - axis)
+        if other_compared < compared:
+            axis, order, ends, compared = 1 - axis, other_order, other_ends, other_compared
+    if n > MAX_SWEEP_NUMBA and compared > MAX_SWEEP_COMPARISONS * n:
+        return np.empty((0, 2), np.intp), GRID, compared, False
+    return _sweep_far(bounds, axis, order, ends), SWEEP, compared, True
+
+
+@compiled
+def _pairs_of_one_grid(bounds: Array) -> tuple[Pairs, bool]:
+    """Return (pairs i < j of boxes that share a point, True); False where one grid would compare too many boxes."""
+    n = len(bounds)
     width = height = farthest = 0.0
     for i in range(n):
         width, height = max(width, bounds[i, 2] - bounds[i, 0]), max(height, bounds[i, 3] - bounds[i, 1])
@@ -166,8 +199,7 @@ def _candidate_pairs(bounds: Array) -> tuple[Pairs, bool]:
     while size < 2 * n:
         size *= 2
     table = build_table(bounds, np.arange(n).astype(np.int32), width, height, size)
-    most = count_candidates(table[2], True, table)
-    if most > MAX_CANDIDATES_PER_BOX * n:
+    if count_candidates(table[2], True, table) > MAX_CANDIDATES_PER_BOX * n:
         return np.empty((0, 2), np.intp), False
     out = np.empty((4 * n, 2), np.intp)
     begin, found = fill_pairs(table[1], table[2], 0, True, table, out)
@@ -223,6 +255,53 @@ def _sweep(bounds: Array, most: int) -> tuple[Pairs, int]:
         if compared > most:
             break
     return out[:found], compared
+
+
+@compiled
+def _sorted(bounds: Array, axis: int) -> tuple[Indices, Indices, int]:
+    """Return (boxes in the order of their lower sides, for each the place after the last it reaches, comparisons)."""
+    n = len(bounds)
+    order = np.argsort(bounds[:, axis])
+    low, high = np.empty(n), np.empty(n)
+    for k in range(n):
+        low[k], high[k] = bounds[order[k], axis], bounds[order[k], axis + 2]
+    ends = np.searchsorted(low, high, side="right")
+    return order, ends, ends.sum() - n * (n + 1) // 2
+
+
+@compiled
+def _sweep_far(bounds: Array, axis: int, order: Indices, ends: Indices) -> Pairs:
+    """Return the pairs i < j of sorted boxes that share a point; made for boxes that reach past many others.
+
+    Those that meet on the other axis are marked first, without a branch, which the compiler vectorises.
+    """
+    n = len(bounds)
+    low, high = np.empty(n), np.empty(n)
+    for k in range(n):
+        low[k], high[k] = bounds[order[k], 1 - axis], bounds[order[k], 3 - axis]
+    mask = np.empty((n // WORD_BYTES + 1) * WORD_BYTES, np.uint8)
+    words = mask.view(np.uint64)
+    out = np.empty((4 * n, 2), np.intp)
+    found = 0
+    for k in range(n):
+        first, width = k + 1, ends[k] - k - 1
+        least, most = low[k], high[k]
+        for m in range(width):
+            mask[m] = (low[first + m] <= most) & (high[first + m] >= least)
+        used = (width + WORD_BYTES - 1) // WORD_BYTES
+        mask[width : used * WORD_BYTES] = 0
+        if found + n > len(out):
+            more = np.empty((2 * len(out), 2), np.intp)
+            more[:found] = out[:found]
+            out = more
+        for w in range(used):
+            if words[w]:
+                for m in range(w * WORD_BYTES, (w + 1) * WORD_BYTES):
+                    if mask[m]:
+                        i, j = order[k], order[first + m]
+                        out[found, 0], out[found, 1] = min(i, j), max(i, j)
+                        found += 1
+    return out[:found]
 
 
 @compiled

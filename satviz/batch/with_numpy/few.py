@@ -25,44 +25,47 @@ OUTWARD = np.array([1.0, -1.0])[:, None, None]  # turns (dy, dx) of a counter-cl
 class Sweep(NamedTuple):
     """Boxes sorted along an axis: `order` by their lower sides, `ends` for each the place after the last it reaches.
 
-    axis: 0 for x, 1 for y; order and ends: (n,).
+    axis: 0 for x, 1 for y; order and ends: (n,); comparisons: how many pairs of boxes the sweep compares.
     """
 
     axis: int
     order: Indices
     ends: Indices
+    comparisons: int
 
 
-def choose(bounds: Array, max_sweep: int = MAX_SWEEP_NUMPY) -> tuple[int, int, Sweep | None]:
-    """Return (code of the broad phase, comparisons, the sorted boxes if a sweep was tried), as `broad_rule` says.
+def candidate_pairs(bounds: Array) -> tuple[Pairs | None, int, int]:
+    """Return (pairs i < j of boxes that share a point, code of the broad phase, its comparisons or -1).
 
-    For a grid the comparisons are those that a sweep would have made; -1 where they were not counted.
+    The broad phase is chosen by the rule of `broad_rule`; None for the pairs where it is a grid.
     """
     n = len(bounds)
     if n <= MAX_ALL_PAIRS:
-        return ALL_PAIRS, n * (n - 1) // 2, None
-    if n > max_sweep:
-        return GRID, -1, None
+        return _meeting_of_all(bounds.T[:2], bounds.T[2:]), ALL_PAIRS, n * (n - 1) // 2
+    if n > MAX_SWEEP_NUMPY:
+        return None, GRID, -1
     low, high = bounds.T[:2], bounds.T[2:]
     with np.errstate(all="ignore"):
         (spread_x, spread_y), (width, height) = low.max(axis=1) - low.min(axis=1), (high - low).max(axis=1)
         axis = 0 if spread_x * height >= spread_y * width else 1
-    order = np.argsort(low[axis])
-    ends = np.searchsorted(low[axis][order], high[axis][order], side="right")
-    comparisons = int(ends.sum()) - n * (n + 1) // 2
-    return (SWEEP if comparisons <= MAX_SWEEP_COMPARISONS * n else GRID), comparisons, Sweep(axis, order, ends)
+    sweep = _sorted(bounds, axis)
+    if sweep.comparisons > MAX_SWEEP_COMPARISONS * n:
+        sweep = min(sweep, _sorted(bounds, 1 - axis), key=lambda one: one.comparisons)
+    if sweep.comparisons > MAX_SWEEP_COMPARISONS * n:
+        return None, GRID, sweep.comparisons
+    return _swept_pairs(bounds, sweep), SWEEP, sweep.comparisons
 
 
-def candidate_pairs(bounds: Array) -> Pairs | None:
-    """Return the pairs i < j of boxes that share a point; None where a grid is chosen."""
-    return _meeting_of_all(bounds.T[:2], bounds.T[2:]) if len(bounds) <= MAX_ALL_PAIRS else _swept_pairs(bounds)
+def _sorted(bounds: Array, axis: int) -> Sweep:
+    """Return the boxes sorted along an axis."""
+    n = len(bounds)
+    order = np.argsort(bounds[:, axis])
+    ends = np.searchsorted(bounds[order, axis], bounds[order, axis + 2], side="right")
+    return Sweep(axis, order, ends, int(ends.sum()) - n * (n + 1) // 2)
 
 
-def _swept_pairs(bounds: Array) -> Pairs | None:
-    """Return the pairs i < j of boxes that share a point, by sorting and sweeping; None where a grid is chosen."""
-    way, _, sweep = choose(bounds)
-    if way == GRID or sweep is None:
-        return None
+def _swept_pairs(bounds: Array, sweep: Sweep) -> Pairs:
+    """Return the pairs i < j of sorted boxes that share a point."""
     first = np.arange(1, len(bounds) + 1)
     many = sweep.ends - first
     later = np.arange(many.sum()) + np.repeat(first - (np.cumsum(many) - many), many)
@@ -106,7 +109,7 @@ def colliding_pairs(shapes: Shapes) -> Pairs | None:
             low, high = np.minimum.reduce(closed, axis=1), np.maximum.reduce(closed, axis=1)
             if radius is not None:
                 low, high = np.nextafter(low - radius, -np.inf), np.nextafter(high + radius, np.inf)
-            meeting = _meeting_of_all(low, high) if n <= MAX_ALL_PAIRS else _swept_pairs(np.concatenate([low, high]).T)
+            meeting, *_ = candidate_pairs(np.concatenate([low, high]).T)
             if meeting is None:
                 return None
             pairs, found = meeting, None if is_upright else _relations(closed, radius, *meeting.T)

@@ -33,11 +33,20 @@ const ICONS = {
   forward: "M5 3v10l7-5z",
   last: "M3 3v10l7-5zM11 3h2v10h-2z",
   turn: "M12.7 9.7A5 5 0 1 1 11.7 4.6M12.2 1.4V5.2H8.4",
+  undo: "M6 2.5 2.5 6 6 9.5M2.5 6H10a3.7 3.7 0 0 1 0 7.4H7",
+  redo: "M10 2.5 13.5 6 10 9.5M13.5 6H6a3.7 3.7 0 0 0 0 7.4H9",
+  reset: "M3.4 6.3A5 5 0 1 1 3 9M3 2.3v4h4",
+  axis: "M2 13.5 13.5 3M9.5 3h4v4M3 7.5A6 6 0 0 1 7 3.4",
+  way: "M2 8h8.5M7 4.5 10.5 8 7 11.5M13.8 3v10",
+  difference: "M2.5 2.5h7v7h-7zM6.5 6.5h7v7h-7z",
+  snap: "M4 3v5a4 4 0 0 0 8 0V3M2.5 3h3M10.5 3h3M2.5 6h3M10.5 6h3",
+  save: "M8 2v8M4.5 6.8 8 10.3l3.5-3.5M3 13.5h10",
 };
+const STROKED = new Set(["turn", "undo", "redo", "reset", "axis", "way", "difference", "snap", "save"]); // the others are filled
 
 /** @param {keyof typeof ICONS} name */
 export function icon(name) {
-  return element("svg", { viewBox: "0 0 16 16", class: "sv-icon", "aria-hidden": "true" }, element("path", { d: ICONS[name] }));
+  return element("svg", { viewBox: "0 0 16 16", class: STROKED.has(name) ? "sv-icon sv-stroked" : "sv-icon", "aria-hidden": "true" }, element("path", { d: ICONS[name] }));
 }
 
 /**
@@ -49,4 +58,29 @@ export function icon(name) {
 export function button(label, onclick, { content, pressed = null, keys = null } = {}) {
   const attributes = { type: "button", "aria-label": label, title: label, onclick: () => onclick(), "aria-pressed": pressed, "aria-keyshortcuts": keys };
   return element("button", attributes, content ?? label);
+}
+
+/**
+ * A button of a toolbar: an icon with a word.
+ * @param {keyof typeof ICONS} name
+ * @param {string} label
+ * @param {() => void} onclick
+ * @param {{ pressed?: string | null, keys?: string | null }} [options]
+ */
+export function toolButton(name, label, onclick, options = {}) {
+  const made = button(label, onclick, { ...options, content: element("span", {}, label) });
+  made.classList.add("sv-tool");
+  made.prepend(icon(name));
+  return made;
+}
+
+/**
+ * A toggle of a toolbar: its checkbox, and the label with an icon and a word that shows whether it is checked.
+ * @param {keyof typeof ICONS} name
+ * @param {string} label
+ * @param {(checked: boolean) => void} onchange
+ */
+export function toolToggle(name, label, onchange) {
+  const box = element("input", { type: "checkbox", onchange: ({ target }) => onchange(target.checked) });
+  return { box, toggle: element("label", { class: "sv-tool sv-toggle" }, box, icon(name), element("span", {}, label)) };
 }

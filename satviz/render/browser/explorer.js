@@ -1,6 +1,7 @@
 // The explorer: handles over the picture of a scene.  The dragged outline and handle move here, in the same frame;
 // Python answers each pose with the picture that follows from it.
 
+import { AxisDial } from "./axis_dial.js";
 import { download } from "./download.js";
 import { element } from "./elements.js";
 import { ExplorerControls } from "./explorer_controls.js";
@@ -58,8 +59,11 @@ export class Explorer {
     this.sender = new PoseSender((content) => model.send(content));
     /** @type {Drag | null} */
     this.drag = null;
+    this.everyArrow = true; // see arrowKeys
+    this.lastHandle = "B-move"; // the id of the handle that the reader used last
     this.choosing = false; // is another scene on its way?
     this.refused = false;
+    this.keepsRefusal = false; // a refused outline stays on the screen until the next change
     this.announcing = 0;
     /** @type {number | null} Of the place for the picture, in points; null: as wide as a picture ever is. */
     this.width = null;
@@ -76,24 +80,29 @@ export class Explorer {
     this.handles = new Handles(this.pen, keysHelp.id);
     this.board = element("div", { class: "sv-board" }, this.svg, this.handles.element);
     this.sentence = element("p", { class: "sv-sentence" });
-    this.enough = element("p", { class: "sv-enough" });
+    this.enough = element("p", { class: "sv-enough", hidden: true });
     this.announcement = element("div", { class: "sv-said", role: "status" });
     this.heading = element("p", { class: "sv-heading", hidden: true });
-    this.goal = new GoalPanel();
+    this.goal = new GoalPanel(() => this.chooseGoal(""));
     this.map = element("p", { class: "sv-map", hidden: true });
     this.refusal = element("p", { class: "sv-why", role: "alert", hidden: true });
     this.hint = element("p", { class: "sv-hint" }, HINT);
+    const tip = element("div", { class: "sv-tip" }, this.hint, this.enough); // one place: the hint goes, and what is enough comes
     this.table = new LiveTable(this.state.names, { pick: (row) => this.change({ pinned: this.pose.pinned === row ? null : row }) });
     this.controls = new ExplorerControls(this);
-    const side = element("div", { class: "sv-side" }, this.curve, this.difference, element("div", { class: "sv-fold" }, this.table.element));
-    this.stage = element("div", { class: "sv-stage" }, this.goal.element, this.heading, this.board, this.line, this.map, this.hint, this.refusal, this.sentence, this.enough, this.announcement, keysHelp, this.controls.element);
-    this.columns = element("div", { class: "sv-columns" }, this.stage, side);
+    this.dial = new AxisDial(this);
+    const side = element("div", { class: "sv-side" }, this.dial.element, this.curve, this.difference, element("div", { class: "sv-fold" }, this.table.element));
+    this.stage = element("div", { class: "sv-stage" }, this.goal.element, this.heading, this.board, this.line, this.sentence, tip, this.map, this.announcement, keysHelp);
+    const tools = element("div", { class: "sv-tools" }, this.controls.scenes, this.controls.element);
+    this.columns = element("div", { class: "sv-columns sv-bench" }, this.stage, tools, side);
+    this.board.append(this.refusal); // over the picture, so that nothing jumps
     root.classList.add("satviz");
     root.setAttribute("data-lm-suppress-shortcuts", "true");
     root.append(this.columns);
     this.editor = new ShapeEditor(this);
     this.pasteBox = new PasteBox(this);
-    this.stage.append(this.editor.element, this.pasteBox.element);
+    tools.append(this.editor.element);
+    this.columns.append(this.pasteBox.element);
 
     this.board.addEventListener("pointerdown", (event) => this.pointerDown(event));
     this.board.addEventListener("pointermove", (event) => this.pointerMove(event));
@@ -118,11 +127,12 @@ export class Explorer {
   /**
    * @param {Pose} pose
    * @param {boolean} final False for one of many poses of a drag.
+   * @param {"a" | "b" | null} [snapping] The shape that may be moved to where it touches the other.
    */
-  send(pose, final) {
+  send(pose, final, snapping = null) {
     if (this.choosing) return; // the shapes of the pose are leaving
     this.pose = pose;
-    this.sender.push(pose, final, this.width);
+    this.sender.push(pose, final, this.width, snapping);
     this.follow();
   }
 
@@ -150,7 +160,8 @@ export class Explorer {
       this.editor.showRefused(this.pose);
       if (!this.ahead) this.show(this.state);
     } else if (content.kind === "state") {
-      this.refusal.hidden = true;
+      this.refusal.hidden = !this.keepsRefusal;
+      if (content.snapped) this.controls.status.textContent = content.snapped;
       this.refused = false;
       this.state = content;
       if (!content.n) {
@@ -171,8 +182,8 @@ export class Explorer {
   show(state) {
     this.pen.draw(state.picture);
     this.handles.avoid(state.picture);
-    this.board.style.setProperty("--sv-width", String(this.pen.width));
-    this.board.style.setProperty("--sv-height", String(this.pen.height));
+    this.columns.style.setProperty("--sv-width", String(this.pen.width));
+    this.columns.style.setProperty("--sv-height", String(this.pen.height));
     if (!this.ahead) this.pose = { ...this.pose, a: state.a, b: state.b };
     this.heading.textContent = (state.heading ?? []).join(" ");
     this.heading.hidden = !state.heading;
@@ -185,6 +196,7 @@ export class Explorer {
     this.table.update(state.names, state.rows, state.lit);
     this.line.classList.toggle("sv-empty", !state.line);
     if (state.line) this.linePen.draw(state.line);
+    this.dial.show(state.dial);
     this.curve.toggleAttribute("hidden", !state.curve);
     if (state.curve) this.curvePen.draw(state.curve);
     this.difference.toggleAttribute("hidden", !state.difference);
@@ -264,7 +276,10 @@ export class Explorer {
     if (handle || this.handles.of(event.target)) event.preventDefault(); // a handle that is not meant gets no focus either
     if (!handle) return;
     clearTimeout(this.announcing);
-    this.hint.hidden = true;
+    this.used();
+    this.forgetRefused();
+    this.controls.status.textContent = "";
+    this.lastHandle = handle.spec.id;
     handle.element.focus({ preventScroll: true });
     this.board.setPointerCapture(event.pointerId);
     this.board.classList.add("sv-dragging");
@@ -291,12 +306,29 @@ export class Explorer {
 
   pointerUp() {
     if (!this.drag) return;
-    const before = this.drag.pose;
+    const { pose: before, spec } = this.drag;
     this.drag = null;
     this.board.classList.remove("sv-dragging");
     const to = this.refused ? this.valid : this.pose;
     if (JSON.stringify(to) !== JSON.stringify(before)) this.remember(before);
-    this.send(to, true);
+    if (this.refused) this.keepRefused(this.pose);
+    this.send(to, true, this.controls.snap.box.checked && spec.action === "move" ? spec.key : null);
+  }
+
+  /**
+   * A refused outline stays on the screen, with the reason, until something else is changed.
+   * @param {Pose} pose
+   */
+  keepRefused(pose) {
+    this.keepsRefusal = true;
+    this.editor.showRefused(pose);
+  }
+
+  forgetRefused() {
+    if (!this.keepsRefusal) return;
+    this.keepsRefusal = false;
+    this.refusal.hidden = true;
+    this.editor.clear();
   }
 
   /** @param {KeyboardEvent} event */
@@ -309,9 +341,10 @@ export class Explorer {
       else this.undo();
       return;
     }
-    const handle = this.handles.of(event.target);
+    const handle = this.handles.of(event.target) ?? this.handleWithoutFocus(event.target);
     if (!handle || command || event.altKey) return;
     const { spec } = handle;
+    this.lastHandle = spec.id;
     const step = HANDLE_STEPS[event.key];
     if (step !== undefined && spec.key) {
       this.take(event);
@@ -336,13 +369,21 @@ export class Explorer {
   }
 
   /**
+   * Where nothing has the focus, a key is meant for the handle used last, at first for B as a whole.
+   * @param {EventTarget | null} target
+   */
+  handleWithoutFocus(target) {
+    return target === document.body ? (this.handles.handles.get(this.lastHandle) ?? this.handles.handles.get("B-move")) : undefined;
+  }
+
+  /**
    * The explorer answers the key, and nobody else does.
    * @param {KeyboardEvent} event
    */
   take(event) {
     event.preventDefault();
     event.stopPropagation();
-    this.hint.hidden = true;
+    this.used();
   }
 
   /**
@@ -360,11 +401,12 @@ export class Explorer {
   /** @param {Pose} pose */
   remember(pose) {
     this.history.remember(pose);
-    this.hint.hidden = true;
+    this.used();
   }
 
   /** @param {Partial<Pose>} changes */
   change(changes) {
+    this.forgetRefused();
     this.remember(this.pose);
     this.send({ ...this.pose, ...changes }, true);
     this.controls.follow(this);
@@ -386,8 +428,15 @@ export class Explorer {
   /** @param {Pose | undefined} pose */
   restore(pose) {
     if (!pose) return;
+    this.forgetRefused();
     this.send(pose, true);
     this.controls.follow(this);
+  }
+
+  // The first use: the hint gives way to the sentence on how many axes are enough.
+  used() {
+    this.hint.hidden = true;
+    this.enough.hidden = false;
   }
 
   /** @param {string} name */
@@ -403,7 +452,8 @@ export class Explorer {
 
   /** @param {Record<string, unknown>} request */
   choose(request) {
-    this.hint.hidden = true;
+    this.forgetRefused();
+    this.used();
     this.sender.discard(); // a pose that still waits is of the scene that leaves
     this.drag = null;
     this.choosing = true;
@@ -418,6 +468,7 @@ export class Explorer {
     this.root.removeEventListener("keydown", this.onkey);
     this.model.off("msg:custom", this.onmessage);
     this.pen.remove();
+    this.dial.remove();
     this.editor.remove();
     this.pasteBox.remove();
     this.root.replaceChildren();

@@ -1,6 +1,6 @@
-// The row of menus, buttons and boxes below the explorer's picture.
+// The explorer's toolbar: which scene, what is shown, what to do, what to save and to send on.
 
-import { button, element } from "./elements.js";
+import { button, element, toolButton, toolToggle } from "./elements.js";
 import { saveMenu, sceneLink } from "./save_menu.js";
 
 /** @import { Explorer } from "./explorer.js" */
@@ -21,20 +21,26 @@ export class ExplorerControls {
     this.goals = element("select", { "aria-label": "challenges", onchange: () => explorer.chooseGoal(this.goals.value) }, element("option", { value: "" }, "challenges"), ...goals);
     this.views = ["shortcut", "truth"].map((view) => button(view, () => explorer.change({ view, pinned: null }), { pressed: "false" }));
     this.viewGroup = element("span", { class: "sv-view", role: "group", "aria-label": "what is shown", hidden: true }, ...this.views);
-    this.undo = button("undo", () => explorer.undo(), { keys: "Control+Z" });
-    this.redo = button("redo", () => explorer.redo(), { keys: "Control+Shift+Z" });
-    const reset = button("reset", () => explorer.reset());
-    this.freeAxis = checkbox((on) => explorer.change({ degree: on ? 30 : null, pinned: null }));
-    this.wayOut = checkbox((on) => explorer.change({ wayOut: on }));
-    this.difference = checkbox((on) => explorer.change({ against: on }));
-    const labels = [["free axis", this.freeAxis], ["way out", this.wayOut], ["B − A", this.difference]];
-    const boxes = labels.map(([label, box]) => element("label", {}, box, ` ${label}`));
+    this.undo = toolButton("undo", "undo", () => explorer.undo(), { keys: "Control+Z" });
+    this.redo = toolButton("redo", "redo", () => explorer.redo(), { keys: "Control+Shift+Z" });
+    const reset = toolButton("reset", "reset", () => explorer.reset());
+    this.freeAxis = toolToggle("axis", "free axis", (on) => explorer.change({ degree: on ? 30 : null, pinned: null }));
+    this.wayOut = toolToggle("way", "way out", (on) => explorer.change({ wayOut: on }));
+    this.difference = toolToggle("difference", "B − A", (on) => explorer.change({ against: on }));
+    this.snap = toolToggle("snap", "snap", () => {});
+    this.snap.toggle.title = "Where a shape is let go close to the other, it is moved until both touch exactly.";
     /** @type {import("./save_menu.js").Kernel | null} */
     const kernel = model.get("alone") ? null : { formats: model.get("formats"), request: (form) => model.send({ kind: "save", form }) };
     const copies = { "copy JSON": () => explorer.state.json, "copy link": () => sceneLink(model.get("site"), explorer.state.link) };
     const { menu, status } = saveMenu([explorer.pen, explorer.curvePen, explorer.differencePen], kernel, copies);
-    this.element = element("div", { class: "sv-controls", role: "group", "aria-label": "explorer" },
-      this.presets, this.goals, this.viewGroup, this.undo, this.redo, reset, ...boxes, menu, status);
+    /** @type {(label: string, ...children: Node[]) => HTMLElement} */
+    const group = (label, ...children) => element("div", { class: "sv-group", role: "group", "aria-label": label }, ...children);
+    this.scenes = element("div", { class: "sv-controls sv-scenes", role: "group", "aria-label": "scene" }, this.presets, this.goals);
+    this.status = status;
+    this.element = element("div", { class: "sv-controls sv-bar", role: "group", "aria-label": "explorer" },
+      group("shown", this.viewGroup, this.freeAxis.toggle, this.wayOut.toggle, this.difference.toggle),
+      group("do", this.snap.toggle, this.undo, this.redo, reset),
+      group("share", menu), status);
     this.scene = "";
   }
 
@@ -58,13 +64,8 @@ export class ExplorerControls {
   follow({ pose, history }) {
     this.undo.disabled = !history.past.length;
     this.redo.disabled = !history.future.length;
-    this.freeAxis.checked = pose.degree !== null;
-    this.wayOut.checked = pose.wayOut;
-    this.difference.checked = pose.against;
+    this.freeAxis.box.checked = pose.degree !== null;
+    this.wayOut.box.checked = pose.wayOut;
+    this.difference.box.checked = pose.against;
   }
-}
-
-/** @param {(checked: boolean) => void} onchange */
-function checkbox(onchange) {
-  return element("input", { type: "checkbox", onchange: ({ target }) => onchange(target.checked) });
 }

@@ -1,16 +1,18 @@
 // A challenge: what it asks, how the scene stands to it, and a hint for readers who want one.
 
-import { element } from "./elements.js";
+import { button, element } from "./elements.js";
 
 /** @import { Goal } from "./messages.js" */
 
 export class GoalPanel {
-  constructor() {
+  /** @param {() => void} giveUp */
+  constructor(giveUp) {
     this.asks = element("b");
     this.says = element("span");
     this.hint = element("p");
     const hint = element("details", {}, element("summary", {}, "a hint"), this.hint);
-    this.element = element("div", { class: "sv-goal", hidden: true }, this.asks, this.says, hint);
+    this.giveUp = button("give up", giveUp);
+    this.element = element("div", { class: "sv-goal", hidden: true }, this.asks, this.says, hint, this.giveUp);
   }
 
   /** @param {Goal | undefined} goal */
@@ -18,6 +20,7 @@ export class GoalPanel {
     this.element.hidden = !goal;
     if (!goal) return;
     this.element.classList.toggle("sv-met", goal.met);
+    this.giveUp.hidden = goal.met;
     for (const name of /** @type {const} */ (["asks", "says", "hint"])) {
       if (this[name].textContent !== goal[name]) this[name].textContent = goal[name];
     }

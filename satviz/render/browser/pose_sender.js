@@ -17,7 +17,7 @@ export class PoseSender {
     this.sent = 0; // the number of the last pose
     this.answered = 0; // the last one with an answer
     this.abandoned = 0; // the last one whose answer is not waited for
-    /** @type {(Pose & { final: boolean, width: number | null }) | null} The newest pose, while it waits. */
+    /** @type {(Pose & { final: boolean, width: number | null, snap: "a" | "b" | null }) | null} The newest pose, while it waits. */
     this.next = null;
     this.acknowledging = 0;
     this.timeout = 0;
@@ -32,9 +32,10 @@ export class PoseSender {
    * @param {Pose} pose
    * @param {boolean} final A pose that is not final is one of many: Python keeps the kernel busy between them.
    * @param {number | null} width Of the place for the picture; null: as wide as a picture ever is.
+   * @param {"a" | "b" | null} snap The shape that may be moved to where it touches the other.
    */
-  push(pose, final, width) {
-    this.next = { ...pose, final, width };
+  push(pose, final, width, snap) {
+    this.next = { ...pose, final, width, snap };
     this.flush();
   }
 

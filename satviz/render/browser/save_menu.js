@@ -1,7 +1,7 @@
 // The menu of what a widget saves: files, and texts to copy.
 
 import { PAGE_FORMATS, savePictures } from "./download.js";
-import { button, element } from "./elements.js";
+import { button, element, icon } from "./elements.js";
 
 /** @import { Pen } from "./pen.js" */
 /** @typedef {{ formats: string[], request: (form: string) => void }} Kernel The formats that Python offers, and how to request a file. */
@@ -56,7 +56,7 @@ export function saveMenu(pens, kernel, texts) {
   };
   const copies = Object.entries(texts).map(([name, text]) => button(name, () => copy(text)));
   const saves = formats.map((form) => button(`save ${form.toUpperCase()}`, () => request(form), { content: form.toUpperCase() }));
-  const summary = element("summary", {}, "save");
+  const summary = element("summary", { class: "sv-tool" }, icon("save"), element("span", {}, "save"));
   const list = element("div", { onclick: () => menu.removeAttribute("open") }, ...saves, ...copies);
   const menu = element("details", { class: "sv-menu" }, summary, list);
   menu.addEventListener("toggle", () => {

@@ -70,7 +70,7 @@ export class ShapeEditor {
     this.help.hidden = !tool;
     this.help.textContent = tool ? TOOL_HELP[tool] : "";
     if (tool) {
-      this.explorer.hint.hidden = true;
+      this.explorer.used();
       const { pen } = this.explorer;
       this.cross = this.snapped(pen.toScene([pen.width / 2, pen.height / 2]));
       this.plane.focus({ preventScroll: true });
@@ -179,6 +179,7 @@ export class ShapeEditor {
 
   // Python has taken the outline: the next one can be drawn, and what was refused before goes.
   answered() {
+    if (this.explorer.keepsRefusal) return;
     if (!this.sent) {
       if (!this.tool && this.points.length) this.choose(null);
       return;
@@ -213,6 +214,12 @@ export class ShapeEditor {
    */
   pixels(p, q) {
     return Math.hypot(p[0] - q[0], p[1] - q[1]) * this.explorer.pen.scale * this.explorer.handles.pixelsPerPoint;
+  }
+
+  // Take the refused outline off the screen.
+  clear() {
+    if (this.tool !== "polygon") this.points = [];
+    this.draw();
   }
 
   /** @param {boolean} [refused] */
