@@ -591,9 +591,11 @@ def test_a_challenge_is_met_by_hand_and_judged_by_the_engine(visit):
     assert "They are apart." in goal.inner_text()
     page.locator('[data-handle="B-move"]').focus()
     for _ in range(60):
-        before = goal.inner_text()
+        before = said(page)
         page.keyboard.press("ArrowLeft")
-        page.wait_for_function("before => document.querySelector('.sv-goal').innerText !== before", arg=before)
+        page.wait_for_function(
+            "before => document.querySelector('.live .sv-sentence').textContent !== before", arg=before
+        )
         if "met" in goal.get_attribute("class"):
             break
     assert "They touch, exactly." in goal.inner_text()
