@@ -93,7 +93,7 @@ class Likeness(NamedTuple):
 
     @property
     def is_close(self) -> bool:
-        """Return whether at least half of the wrong answers of either are wrong in the same way."""
+        """Return whether, of the pairs about which one of the two is wrong, both are wrong alike on at least half."""
         return 2 * self.wrong_alike >= self.either_wrong
 
     @property
