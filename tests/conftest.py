@@ -3,7 +3,7 @@
 import os
 
 import pytest
-from browser import axe, chromium
+from browser import axe, chromium, site_with_python
 
 
 @pytest.hookimpl(optionalhook=True)  # tests/mutants.py does without
@@ -44,6 +44,12 @@ def browser():
 @pytest.fixture(scope="session")
 def axe_core():
     return axe()
+
+
+@pytest.fixture(scope="session")
+def built(tmp_path_factory):
+    """The site with Python in its pages, made once."""
+    return site_with_python(tmp_path_factory.mktemp("site"))
 
 
 @pytest.fixture

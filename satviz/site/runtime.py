@@ -31,6 +31,7 @@ PACKED_PATHS = (
         "widgets/explorer_model.py",
         "widgets/goals.py",
         "widgets/paste_model.py",
+        "widgets/snapping.py",
         "site/__init__.py",
         "site/live.py",
     ),
