@@ -3,7 +3,7 @@
 import os
 
 import pytest
-from browser import axe, chromium
+from browser import axe, chromium, site_with_python
 
 
 @pytest.hookimpl(optionalhook=True)  # tests/mutants.py does without
@@ -14,8 +14,18 @@ def pytest_xdist_auto_num_workers(config):
 
 
 # The files that take longest, in the order in which processes take them: those that end a run are short.  While numba
-# compiles the kernels for `batch`, the others take what needs none; so none is compiled twice.
-ORDER = ("browser_page", "browser_site", "batch", "failing", "batch_few", "trace", "comparison", "widgets")
+# compiles the kernels of the batch, the others take what needs none; so none is compiled twice.
+ORDER = (
+    "browser_page",
+    "browser_site",
+    "batch_exact",
+    "batch_narrow",
+    "failing",
+    "batch_few",
+    "trace",
+    "comparison",
+    "widgets",
+)
 ORDER += ("convex_parts", "cli", "pictures", "render", "never_wrong", "advice", "relate", "site")
 ORDER += ("study_run", "study", "notebooks")
 
@@ -34,6 +44,12 @@ def browser():
 @pytest.fixture(scope="session")
 def axe_core():
     return axe()
+
+
+@pytest.fixture(scope="session")
+def built(tmp_path_factory):
+    """The site with Python in its pages, made once."""
+    return site_with_python(tmp_path_factory.mktemp("site"))
 
 
 @pytest.fixture

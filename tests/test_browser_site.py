@@ -10,41 +10,19 @@ from http.server import BaseHTTPRequestHandler, SimpleHTTPRequestHandler, Thread
 from xml.etree import ElementTree
 
 import pytest
-from browser import missing, shut_out
+from browser import served, shut_out
 from PIL import Image
 
 import satviz as sv
 from satviz.pictures import DARK, LIGHT
 from satviz.safe_write import write
 from satviz.scenes.link import ViewOptions, fragment
+from satviz.site import runtime
 from satviz.site.build import site
-from satviz.site.serving import server
 
 pytestmark = pytest.mark.slow
 
 LIVE = 30_000  # milliseconds that Python may take to start here
-
-
-@pytest.fixture(scope="session")
-def built(tmp_path_factory):
-    """The site with Python in its pages, made once."""
-    found, lacks = site()
-    if lacks:
-        missing(lacks[0])
-    folder = tmp_path_factory.mktemp("site")
-    for path, data in found:
-        write(folder / path, data)
-    return folder
-
-
-@contextmanager
-def served(folder):
-    with server(folder) as serving:
-        thread = threading.Thread(target=serving.serve_forever, daemon=True)
-        thread.start()
-        yield f"http://127.0.0.1:{serving.server_address[1]}/"
-        serving.shutdown()
-        thread.join()
 
 
 @pytest.fixture(scope="module")
@@ -70,7 +48,9 @@ def visit(browser, errors, url):
         )
         page.goto(at + path)
         if live:
+            page.evaluate("document.querySelector('.live').scrollIntoView()")  # a scene is opened when it is near
             page.locator(".live.ready").first.wait_for(timeout=LIVE)
+            page.evaluate("scrollTo(0, 0)") if "#" not in path else None
         return page
 
     yield opened
@@ -220,8 +200,9 @@ def test_an_answer_is_opened_with_the_keyboard_and_without_javascript(visit):
 def test_what_is_in_an_answer_comes_to_life_when_it_is_opened(visit):
     page = visit("6-where-it-fails.html")
     answer = page.locator("details.later", has=page.locator(".live"))
-    answer.locator(".live.ready").wait_for(state="attached", timeout=LIVE)
+    assert not answer.locator(".live.ready").count()
     answer.locator("> summary").click()
+    answer.locator(".live.ready").wait_for(timeout=LIVE)
     place = answer.locator(".live")
     words = place.locator(".sv-sentence").inner_text()
     place.locator('[data-handle="B-move"]').press("ArrowRight")
@@ -520,14 +501,15 @@ def test_a_chapter_plays_and_explores(visit):
     player.get_by_role("button", name="last step").click()
     assert player.locator(".sv-question").is_visible()  # this one asks before it shows
     before = page.locator(".open a").last.get_attribute("href")
-    page.locator(".live.ready").last.locator('[data-handle="B-move"]').focus()
+    page.locator(".live").last.scroll_into_view_if_needed()
+    page.locator(".live").last.locator('[data-handle="B-move"]').focus()
     page.keyboard.press("ArrowLeft")
     page.wait_for_function(
         "before => [...document.querySelectorAll('.open a')].at(-1).getAttribute('href') !== before", arg=before
     )
 
 
-@pytest.mark.parametrize("harm", ["gone", "not gzip", "of another build"])
+@pytest.mark.parametrize("harm", ["gone", "not gzip", "of another build", "unknown to Pyodide"])
 def test_where_the_kept_memory_does_not_load_python_starts_anew(built, visit, tmp_path, harm):
     folder = tmp_path / "site"
     shutil.copytree(built, folder)
@@ -536,6 +518,10 @@ def test_where_the_kept_memory_does_not_load_python_starts_anew(built, visit, tm
         memory.unlink()
     elif harm == "not gzip":
         memory.write_bytes(b"nothing that unpacks" * 1000)
+    elif harm == "unknown to Pyodide":  # the option is private: another Pyodide may not know it any more
+        worker = folder / "python" / "worker.js"
+        assert "_loadSnapshot" in worker.read_text()
+        worker.write_text(worker.read_text().replace("_loadSnapshot", "_noSuchOption"))
     else:
         memory.write_bytes((folder / "python" / "library.bin").read_bytes())
     with served(folder) as at:
@@ -546,6 +532,35 @@ def test_where_the_kept_memory_does_not_load_python_starts_anew(built, visit, tm
         for _ in range(24):
             page.keyboard.press("ArrowLeft")
         says(page, "overlap")
+        page.context.close()
+
+
+def test_where_pyodide_keeps_no_memory_a_site_is_built_and_all_of_it_works(visit, tmp_path, monkeypatch):
+    """As a whole: the function that keeps it is private, and may be gone in another Pyodide."""
+    core = runtime._core_from_npm()
+    script = core["pyodide.asm.mjs"]
+    assert b"makeMemorySnapshot" in script
+    renamed = core | {"pyodide.asm.mjs": script.replace(b"makeMemorySnapshot", b"somethingElse")}
+    monkeypatch.setattr(runtime, "_core_from_npm", lambda: renamed)
+    found, lacks = site()
+    assert len(lacks) == 1 and "pages start slower" in lacks[0] and "makeMemorySnapshot" in lacks[0]
+    for path, data in found:
+        write(tmp_path / path, data)
+    assert not (tmp_path / "python" / "memory.bin").exists()
+    with served(tmp_path) as at:
+        page = visit("scene.html#far-centers&view=truth", at=at, live=False)
+        page.locator(".live.ready").wait_for(timeout=2 * LIVE)
+        assert page.locator(".live").get_attribute("data-from") == "nothing"
+        page.locator('[data-handle="B-move"]').press("ArrowRight")
+        page.wait_for_function("() => location.hash.length > 40")
+        page.context.close()
+        page = visit("yours.html", at=at, live=False)
+        page.wait_for_function("() => !document.querySelector('.run').disabled", timeout=2 * LIVE)
+        assert run_code(page, "python") == "Wrong. Your function says hit. True: apart."
+        page.context.close()
+        page = visit("scene.html?embed&predict#triangles", at=at, live=False)
+        page.locator(".live.ready").wait_for(timeout=2 * LIVE)
+        assert page.locator(".sv-count").inner_text() == "1"
         page.context.close()
 
 

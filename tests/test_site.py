@@ -11,7 +11,8 @@ import subprocess
 import sys
 import urllib.error
 import urllib.request
-from base64 import urlsafe_b64encode
+import zlib
+from base64 import b64decode, urlsafe_b64encode
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
@@ -23,6 +24,7 @@ from urllib.parse import urldefrag
 from zipfile import ZipFile
 
 import pytest
+import refresh_pyodide
 from speeds import one_in
 
 import satviz as sv
@@ -69,8 +71,14 @@ def test_what_may_scroll_can_be_scrolled_with_the_keyboard(pages):
             assert 'tabindex="0"' in tag, f"{path}: {tag}"
 
 
+def without_code(page):
+    """The page without the code that it shows."""
+    return re.sub(r"<pre\b.*?</pre>", "", page, flags=re.DOTALL)
+
+
 def test_every_link_of_the_site_leads_to_one_of_its_files(files, pages):
     for path, page in pages.items():
+        page = without_code(page)
         for to in map(unescape, re.findall(r'(?:href|src)="([^"]+)"', page)):
             name = urldefrag(to).url.partition("?")[0]
             assert not name or name in files, f"{path} -> {to}"
@@ -106,8 +114,7 @@ def test_scripts_and_styles_are_files_only(pages):
     """So that the policy needs no exception: an inline style or script would be blocked, and drawn wrong."""
     for path, page in pages.items():
         assert "unsafe-inline" not in page and "default-src 'none'" in page
-        shown = re.sub(r"<pre\b.*?</pre>", "", page, flags=re.DOTALL)  # code that a guide shows
-        assert not re.search(r"<style|\sstyle=|\son[a-z]+=|javascript:", shown), path
+        assert not re.search(r"<style|\sstyle=|\son[a-z]+=|javascript:", without_code(page)), path
         assert all('type="application/json"' in tag or 'src="' in tag for tag in re.findall(r"<script[^>]*>", page)), (
             path
         )
@@ -396,6 +403,15 @@ def test_pictures_follow_the_theme(pages, files):
     assert 'fill="var(--sv-A)"' in themed_svg('<svg ><g style="fill: #0072b2"/></svg>')
 
 
+def test_a_page_carries_no_more_than_is_seen(pages):
+    """Coordinates to hundredths of a point; steps of a player compressed.  Numbers that are read stay whole."""
+    short = themed_svg('<svg ><path d="M 1.23456 2 L 3.999999 0.5"/><text x="7.777">gap 1.213</text></svg>')
+    assert '<path d="M 1.23 2 L 3.99 0.5"/><text x="7.77">gap 1.213</text>' in short
+    (packed,) = re.findall(r'<script type="application/json">(".*?")</script>', pages["2-sat.html"])
+    show = json.loads(zlib.decompress(b64decode(json.loads(packed)), -zlib.MAX_WBITS))
+    assert show["predict"] and len(show["shows"][0]["steps"]) > 15
+
+
 def test_the_command_writes_a_site_over_its_own_and_over_nothing_else(tmp_path, capsys, files, monkeypatch):
     monkeypatch.setattr("satviz.site.build.site", lambda **_: (iter(files.items()), []))
     out = tmp_path / "site"
@@ -456,6 +472,18 @@ def test_a_package_with_another_hash_is_refused(monkeypatch, tmp_path):
     with pytest.raises(runtime.PythonMissing, match="hash"):
         runtime.runtime_files(None)
     assert not list(tmp_path.rglob("*.tgz"))
+
+
+def test_one_command_pins_another_pyodide():
+    source = refresh_pyodide.RUNTIME.read_text(encoding="utf-8")
+    assert refresh_pyodide.pinned(source, runtime.VERSION, runtime.INTEGRITY) == source
+    other = refresh_pyodide.pinned(source, "400.1.2", f"sha512-{'a' * 86}==")
+    names = {}
+    exec("\n".join(line for line in other.splitlines() if line.startswith(("VERSION =", "INTEGRITY ="))), names)
+    assert (names["VERSION"], names["INTEGRITY"]) == ("400.1.2", f"sha512-{'a' * 86}==")
+    for version, integrity in ("latest", runtime.INTEGRITY), (runtime.VERSION, "sha1-x"):
+        with pytest.raises(ValueError, match="npm says"):
+            refresh_pyodide.pinned(source, version, integrity)
 
 
 def test_what_is_packed_is_plain_gzip_the_same_each_time():

@@ -11,6 +11,9 @@ _STYLE = re.compile(r' style="([^"]*)"')
 _COLOUR = re.compile(r"#[0-9a-f]{6}\b")
 _IDS = re.compile(r' id="([^"]+)"')
 _LABELS = re.compile(r' aria-labelledby="[^"]*"')  # not needed: the title element names the picture
+_COORDINATES = re.compile(r' (?:d|x|y)="[^"]*"')
+_FINE_DIGITS = re.compile(r"(\.\d\d)\d+")  # beyond hundredths of a point, which nobody sees
+_INDENT = re.compile(r"\n +")
 _STYLE_ELEMENT = re.compile(r"\s*<defs>\s*<style[^>]*>[^<]*</style>\s*</defs>")
 
 
@@ -26,6 +29,8 @@ _VARIABLES = {colour.lower(): role for role, colour in reversed(_colours(LIGHT).
 def themed_svg(svg: str) -> str:
     """Return an SVG element for a page: styles as attributes, colours as CSS variables, no unused ids."""
     found = _LABELS.sub("", _STYLE_ELEMENT.sub("", svg))
+    found = _INDENT.sub("\n", found)
+    found = _COORDINATES.sub(lambda match: _FINE_DIGITS.sub(r"\1", match[0]), found)
     # matplotlib numbers the parts of each picture, so two pictures on a page would share ids
     found = _IDS.sub(lambda match: match[0] if f"#{match[1]}" in found else "", found)
     return _STYLE.sub(lambda match: _style_as_attributes(match[1]), found).replace("<svg ", '<svg class="picture" ', 1)

@@ -1,5 +1,6 @@
 """satviz site: a folder of static files that any web server serves."""
 
+import re
 from collections.abc import Iterator
 from hashlib import sha256
 from importlib.resources import files
@@ -16,6 +17,7 @@ from .reference import reference
 from .runtime import PythonMissing as PythonMissing
 from .runtime import runtime_files
 
+COMMENT_OR_INDENT = re.compile(r"/\*.*?\*/\n?|^ +", re.DOTALL | re.MULTILINE)  # of a style sheet: for its authors
 ICON = (
     '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 32 32">'
     '<metadata xmlns:dc="http://purl.org/dc/elements/1.1/"><dc:title>{}</dc:title></metadata>'
@@ -116,7 +118,8 @@ def _script() -> bytes:
 
 def _style() -> bytes:
     """Return the pages' style sheet."""
-    return f"/* {MADE_BY} */\n{stylesheet()}\n{_browser_file('site.css').decode()}\n{handout_style()}".encode()
+    rules = f"{stylesheet()}\n{_browser_file('site.css').decode()}\n{handout_style()}"
+    return f"/* {MADE_BY} */\n{COMMENT_OR_INDENT.sub('', rules)}".encode()
 
 
 def _browser_file(name: str) -> bytes:

@@ -4,6 +4,8 @@ Both show a still picture and its words until their script has started.
 """
 
 import json
+import zlib
+from base64 import b64encode
 from html import escape
 
 from ..engine.trace import Trace
@@ -41,9 +43,15 @@ def player(trace: Trace, *, predict: bool = False) -> str:
     shows = playbacks(trace)
     sentences = "".join(f"<li>{escape(step['sentence'])}</li>" for step in shows[0]["steps"])
     show = {"shows": shows, "narrow": narrow_playbacks(trace), "predict": predict, "link": fragment_of_trace(trace)}
-    data = json.dumps(show, separators=(",", ":"), ensure_ascii=False).replace("<", "\\u003c")
+    data = _packed(json.dumps(show, separators=(",", ":"), ensure_ascii=False))
     return (
         f'<div class="player"><div class="still"><figure>{svg_element(picture(trace, 0 if predict else -1))}</figure>'
         f"<details><summary>step by step, in words</summary><ol>{sentences}</ol></details></div>"
-        f'<script type="application/json">{data}</script></div>'
+        f'<script type="application/json">"{data}"</script></div>'
     )
+
+
+def _packed(text: str) -> str:
+    """Return the text compressed, in base64: steps repeat themselves, and a plain server does not compress a page."""
+    deflate = zlib.compressobj(9, zlib.DEFLATED, -zlib.MAX_WBITS)
+    return b64encode(deflate.compress(text.encode()) + deflate.flush()).decode()

@@ -56,7 +56,7 @@ _STAMP = (
     r"\d{4}[-/]\d\d[-/]\d\d(?:[T ]\d\d:\d\d(?::\d\d(?:[.,]\d+)?)?(?:Z|[+-]\d\d:?\d\d)?)?|\d\d:\d\d:\d\d(?:[.,]\d+)?"
 )
 _PREFIX = re.compile(
-    rf"""^[ \t]*(?:[\[(<]?(?:{_STAMP})[\])>]?[ \t:|,-]*)?
+    rf"""^[ \t]*(?:[\[(<]?(?:{_STAMP})(?!\d)[\])>]?[ \t:|,-]*)?
     (?:(?:\[[A-Za-z][\w\ ./:\#-]*\]|\b(?:TRACE|DEBUG|INFO|WARN|WARNING|ERROR|FATAL)\b)[ \t:|-]+)*
     (?:\d{{1,3}}[.)][ \t]+(?=[A-Za-z(\[{{]))?""",
     re.MULTILINE | re.VERBOSE,

@@ -37,7 +37,6 @@ export class ScenePlace {
     this.onstate = null;
     this.model = new SiteModel(python, this.name, { opened: (content) => this.opened(content), changed: (state) => this.changed(state) });
     python.startListeners.push((start) => this.showStart(start));
-    this.open();
     if (linked) addEventListener("hashchange", () => this.open());
   }
 
@@ -126,6 +125,7 @@ export class ScenePlace {
       this.model.values = { ...content, alone: true, pasting: this.linked, site: SITE };
       this.model.listeners.clear();
       this.widget = new Explorer(this.model, made);
+      arrowKeys(this.widget);
       this.link.hash = content.first.link;
       this.onstate?.(content.first);
     }

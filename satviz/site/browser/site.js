@@ -12,17 +12,43 @@ import { PythonWorker } from "./python_worker.js";
 import { SITE, ScenePlace, statusOf } from "./scene_place.js";
 import { showSolved } from "./solved.js";
 
+/**
+ * The JSON of a player, which is compressed in its page.
+ * @param {Element} root
+ */
+async function unpackedShows(root) {
+  const bytes = Uint8Array.from(atob(JSON.parse(root.querySelector("script")?.textContent ?? "")), (letter) => letter.charCodeAt(0));
+  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw"))).json();
+}
+
 for (const root of document.querySelectorAll(".player")) {
-  const { shows, ...options } = JSON.parse(root.querySelector("script")?.textContent ?? "");
-  const made = element("div");
-  arrowKeys(new Player(made, shows, { ...options, site: SITE }));
-  root.replaceChildren(made);
+  unpackedShows(root).then(({ shows, ...options }) => {
+    const made = element("div");
+    arrowKeys(new Player(made, shows, { ...options, site: SITE }));
+    root.replaceChildren(made);
+  });
 }
 
 for (const list of document.querySelectorAll(/** @type {"ul"} */ ("ul.choices"))) judgedChoices(list);
 for (const place of document.querySelectorAll(/** @type {"div"} */ (".frames"))) slidingFrames(place);
 for (const stage of document.querySelectorAll(/** @type {"section"} */ (".front .stage"))) playFirstMinute(stage);
 for (const place of document.querySelectorAll(/** @type {"p"} */ (".progress"))) showSolved(place);
+
+/**
+ * A scene is opened when it is less than a screen away, so that a long page does not draw all of them at once.
+ * @param {ScenePlace[]} places
+ */
+function openWhenNear(places) {
+  const observer = new IntersectionObserver((entries) => {
+    for (const { isIntersecting, target } of entries) {
+      if (!isIntersecting) continue;
+      observer.unobserve(target);
+      const place = places.find(({ root }) => root === target);
+      if (place && !place.widget && !place.opening) place.open();
+    }
+  }, { rootMargin: "100%" });
+  for (const { root } of places) observer.observe(root);
+}
 
 /** @type {HTMLElement[]} */
 const scenes = [...document.querySelectorAll(/** @type {"div"} */ (".live"))];
@@ -41,6 +67,8 @@ else if (scenes.length) {
   const places = scenes.map((root, i) => new ScenePlace(root, python, i, linked));
   const check = /** @type {HTMLElement | null} */ (document.querySelector(".check"));
   if (check) new CheckPage(check, python, workerScript, places[0]);
+  if (linked) for (const place of places) place.open();
+  else openWhenNear(places);
 }
 if (document.body.classList.contains("embed")) fitFrame();
 if (isSecureContext && "serviceWorker" in navigator) navigator.serviceWorker.register("sw.js").catch(() => {});

@@ -247,7 +247,7 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
         ax.set_xticks([0, 1], ["0", "all"])
         errors = ("angle", 236.0, "direction", [1e-12, 1], ["10⁻¹²°", "1°"], 180.0)
         for column, left, heading, ticks, names, most in (
-            errors, ("length", 314.0, "length", [1e-12, 1e-2], ["10⁻¹²", "1 %"], 10.0)
+            errors, ("length", 314.0, "length", [1e-12, 1e-2], ["10⁻¹²", "1 %"], 250.0)
         ):  # fmt: skip
             ax = panel(left, 66, heading)
             for at, row in zip(places, rows, strict=True):

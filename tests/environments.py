@@ -1,0 +1,40 @@
+"""Environments of their own for tests of what users install: from PyPI and from npm."""
+
+import os
+import shutil
+import subprocess
+import sys
+
+import pytest
+
+CLEAN = {name: value for name, value in os.environ.items() if name not in ("PYTHONPATH", "VIRTUAL_ENV")}
+SECONDS = 900  # pip fetches JupyterLab
+
+
+def run(*command, cwd, **more):
+    """The exit code of a command and what it printed."""
+    done = subprocess.run(command, cwd=cwd, env={**CLEAN, **more}, capture_output=True, text=True, timeout=SECONDS)
+    return done.returncode, done.stdout + done.stderr
+
+
+def environment(folder, *packages):
+    """The Python of a new virtual environment with these packages; skipped where pip cannot fetch them."""
+    python = folder / "env" / "bin" / "python"
+    subprocess.run([sys.executable, "-m", "venv", folder / "env"], check=True, env=CLEAN)
+    code, said = run(python, "-m", "pip", "install", "-q", "--no-compile", *packages, cwd=folder)
+    if code and any(word in said for word in ("No matching distribution", "Connection", "urlopen error")):
+        last = [line for line in said.splitlines() if line.strip()][-1]
+        pytest.skip(f"pip cannot install {', '.join(map(str, packages))}: {last[:200]}")
+    assert code == 0, said
+    return python
+
+
+def npm_package(folder, name):
+    """The folder of the programs of an npm package; skipped where npm cannot fetch it."""
+    npm = shutil.which("npm")
+    if npm is None:
+        pytest.skip("npm is not installed")
+    code, said = run(npm, "install", "--silent", "--no-audit", "--prefix", folder / "node", name, cwd=folder)
+    if code:
+        pytest.skip(f"npm cannot install {name}: {said[-200:]}")
+    return folder / "node" / "node_modules" / ".bin"
