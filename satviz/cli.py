@@ -349,7 +349,9 @@ def _speed(text: str) -> float:
     except ValueError:
         speed = 0.0
     if not 1 / MAX_SPEED <= speed <= MAX_SPEED:
-        raise argparse.ArgumentTypeError(f"{text!r} is no speed: give a number from {1 / MAX_SPEED:g} to {MAX_SPEED:g}")
+        raise argparse.ArgumentTypeError(
+            f"{text!r} is not a speed: give a number from {1 / MAX_SPEED:g} to {MAX_SPEED:g}"
+        )
     return speed
 
 

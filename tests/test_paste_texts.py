@@ -59,7 +59,7 @@ def test_what_is_not_read_is_said_once():
 
 def test_several_refused_shapes_are_listed_in_words():
     pasted = sv.paste("[0,0, 1,1, 2,2]\n[0,0, 2,2, 3,3]\n[0,0, 1,1, 5,5]")
-    assert pasted.sentence == "A, B and C are no valid shapes, so there is no answer."
+    assert pasted.sentence == "A, B and C are not valid shapes, so there is no answer."
     assert sv.paste("[0, 0, 4, 4]\n[3, 3, 1, 2]").sentence.startswith("Four readings are possible")
 
 

@@ -93,7 +93,7 @@ class Likeness(NamedTuple):
 
     @property
     def is_close(self) -> bool:
-        """Return whether nearly all answers that either gives wrongly are the same wrong answers."""
+        """Return whether, on nearly all pairs about which one of the two is wrong, both are wrong alike."""
         return self.wrong_alike >= CLOSE * self.either_wrong
 
     @property

@@ -93,7 +93,7 @@ def push_along_centers(a: Shape, b: Shape, tests: Sequence[AxisTest]) -> Vec:
 
 
 def beyond_reach(reach: Reach, a: Shape, b: Shape) -> tuple[Relation, Vec | None]:
-    """Return APART where the vertex means are further apart than both reaches, else the right answer."""
+    """Return APART where the vertex means are further apart than the sum of both reaches, else the right answer."""
     if dist(vertex_mean(a), vertex_mean(b)) > reach(a) + reach(b):
         return APART, None
     trace = record(a, b)

@@ -42,7 +42,7 @@ HOW_IN_WORDS = {
         "The shortcut says “apart”, but the shapes collide. They would go through each other.",
     ),
     "wrong number": ("Wrong numbers", "The yes or no is right, but a depth, a move or a distance is wrong."),
-    REFUSED: ("Refused", "The outline is no polygon, so no answer is right. satviz says what is wrong with it."),
+    REFUSED: ("Refused", "The outline is not a polygon, so no answer is right. satviz says what is wrong with it."),
 }
 # the levels of the challenges: title, and what is said about them
 LEVELS = {

@@ -83,7 +83,7 @@ class Boxes(Points):
         self.asked: dict[str, tuple[str, ...]] = {}
 
     def _overridden(self, form: str) -> str:
-        """Return the form of a row, or the one that the user chose for all boxes."""
+        """Return the form that the user chose for all boxes, else `form`, which the notation has."""
         return next((c for c in self.chosen if c in ANY_BOX), form)
 
     def mode(self, group: Group) -> str:
@@ -98,7 +98,7 @@ class Boxes(Points):
         self.asked.setdefault(ORDER, CHOICES[ORDER])
 
     def _choose(self, what: str, ask: Sequence[str], sure: str = "") -> str:
-        """Return the chosen reading; if none is, the one that is sure, else the first, and note that it is asked."""
+        """Return the reading that the user chose, else `sure`, else the first of `ask`, which becomes a question."""
         for choice in self.chosen:
             if choice in ask:
                 return choice
@@ -108,7 +108,7 @@ class Boxes(Points):
         return ask[0]
 
     def _outline(self, points: list[Pt], value: Value, label: str, shift: Pt = ZERO, how: str = "") -> Read:
-        """Return a polygon; `how`: words about the position that was added."""
+        """Return the polygon of these points, moved by `shift`; `how`: words that say where this move comes from."""
         moved = tuple((x + shift[0], y + shift[1]) for x, y in points)
         said = f"a polygon of {len(points)} corners{how}"
         used = places(*(c for p in points for c in p), *shift)
@@ -229,7 +229,7 @@ class Boxes(Points):
 
 
 def moved(shape: Read, move: Pt) -> Read:
-    """Return a shape that was moved."""
+    """Return the shape moved by `move`."""
     points = tuple((x + move[0], y + move[1]) for x, y in shape.points)
     said = shape.said.replace(AT_ORIGIN, "")
     said = said if said.endswith(" and a position") else f"{said} and a position"

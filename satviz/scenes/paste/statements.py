@@ -143,7 +143,7 @@ class Statements(Names):
         return True
 
     def _is_drawn(self, last: str, call: Group) -> bool:
-        """Return whether a call moves a pen, or what its first argument names: Body.setPosition(a, {x: 1, y: 2})."""
+        """Return whether a call moves a pen, or the shape named first in it: Body.setPosition(a, {x: 1, y: 2})."""
         return (last == "moveto" and self._draws) or (len(call.items) > 1 and isinstance(call.items[0], Name))
 
     def _add(self, path: tuple[str, ...], point: Group) -> None:
@@ -193,7 +193,7 @@ class Statements(Names):
         self._corners = None
 
     def _go_on(self, pair: Pair) -> None:
-        """Go on with the shape whose number this is: x1 = 0; y1 = 0; r1 = 5."""
+        """Add a number to the shape that its name tells; x1 = 0; y1 = 0; r1 = 5 is one circle."""
         name = str(pair.path[0]) if len(pair.path) == 1 else ""
         owner, meaning = _owner(name) if name else ("", "")
         if not meaning:
@@ -211,7 +211,7 @@ class Statements(Names):
         run.end = pair.end
 
     def _end_run(self, owner: str) -> None:
-        """End a run; it is a shape if it has all the numbers of one."""
+        """End the run of numbers that `owner` has collected; with all numbers of a shape it becomes a shape."""
         run = self._open.pop(owner, None)
         if run is None:
             return
