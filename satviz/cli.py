@@ -219,7 +219,9 @@ def _parser() -> argparse.ArgumentParser:
     )
     check.add_argument("target", nargs="?", metavar="FILE.py[:function]", help="a function of two shapes")
     check.add_argument("--command", metavar="COMMAND", help='a program in any language, such as "node mine.js"')
-    check.add_argument("--symptom", metavar="WORDS", help='list the known mistakes that look so: "falls through"')
+    check.add_argument(
+        "--symptom", metavar="WORDS", help='list the known mistakes that look like this: "falls through"'
+    )
     check.add_argument("--returns", choices=RETURNED, help="what it returns (default: found out)")
     check.add_argument(
         "--kinds", action="append", choices=PAIR_KINDS, help="of pairs, may be repeated (default: boxes, convex)"

@@ -46,7 +46,7 @@ def test_a_missing_corner_and_lists_of_two_lengths_are_named():
         ("0 0.5 0.5 0.2 0.2", "five numbers"),
         ('{"center": [0, 0], "width": 4, "height": 4, "originX": "right"}', "origin"),
         ('{"vertices": [[0,0],[1,0],[0,1]], "offset": [1, 1], "angle": 30}', "offset and an angle"),
-        ("{left: 0, top: 0, right: 4, bottom: 4, width: 9, height: 4}", "two readings"),
+        ("{left: 0, top: 0, right: 4, bottom: 4, width: 9, height: 4}", "width and height"),
     ):
         with pytest.raises(sv.InvalidScene, match=said):
             sv.paste(text)

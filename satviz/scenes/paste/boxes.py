@@ -192,7 +192,9 @@ class Boxes(Points):
             if get("width") is not None and get("height") is not None:  # a DOMRect has both, and they must agree
                 w, h = self.number(get("width")), self.number(get("height"))
                 if (w, h) != (four[2] - four[0], abs(four[3] - four[1])):
-                    raise Unreadable(f"its sides are not {plain(w)} and {plain(h)} long: two readings of one box")
+                    raise Unreadable(
+                        f"its width and height ({plain(w)}, {plain(h)}) are not those of its corners: correct one"
+                    )
             return four, CORNER_CORNER
         if place is None and all(c is not None for c in corners[:2]):
             place = (self.number(corners[0]), self.number(corners[1]))

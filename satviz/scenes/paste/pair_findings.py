@@ -280,7 +280,7 @@ def _decimal(value: Fraction) -> str:
 
 
 def _words(relation: Relation | str) -> str:
-    """Return a relation as an adjective."""
+    """Return a relation as text, such as "apart"; a text (why there is none) is unchanged."""
     return str(relation)
 
 

@@ -165,7 +165,7 @@ class Statements(Names):
             self._insert(Pair(point.start, point.end, path, made))
 
     def _end_pen(self) -> None:
-        """End the outline that a pen draws."""
+        """End the outline that a pen draws; it becomes a shape if it has more than two corners."""
         if self._pen is not None and len(self._pen.items) > 2:
             self.loose.append(self._pen)
         self._pen = None
@@ -187,7 +187,7 @@ class Statements(Names):
         self._next, self._named = number + 1, found["name"]
 
     def _end_corners(self) -> None:
-        """End a numbered list of corners."""
+        """End the numbered list of corners; it becomes a shape if it has more than two."""
         if self._corners is not None and len(self._corners.fields) > 2:
             self.runs.append(Run(self._corners, ""))
         self._corners = None
