@@ -219,7 +219,9 @@ def _parser() -> argparse.ArgumentParser:
     )
     check.add_argument("target", nargs="?", metavar="FILE.py[:function]", help="a function of two shapes")
     check.add_argument("--command", metavar="COMMAND", help='a program in any language, such as "node mine.js"')
-    check.add_argument("--symptom", metavar="WORDS", help='list the known mistakes that look so: "falls through"')
+    check.add_argument(
+        "--symptom", metavar="WORDS", help='list the known mistakes that look like this: "falls through"'
+    )
     check.add_argument("--returns", choices=RETURNED, help="what it returns (default: found out)")
     check.add_argument(
         "--kinds", action="append", choices=PAIR_KINDS, help="of pairs, may be repeated (default: boxes, convex)"
@@ -349,7 +351,9 @@ def _speed(text: str) -> float:
     except ValueError:
         speed = 0.0
     if not 1 / MAX_SPEED <= speed <= MAX_SPEED:
-        raise argparse.ArgumentTypeError(f"{text!r} is no speed: give a number from {1 / MAX_SPEED:g} to {MAX_SPEED:g}")
+        raise argparse.ArgumentTypeError(
+            f"{text!r} is not a speed: give a number from {1 / MAX_SPEED:g} to {MAX_SPEED:g}"
+        )
     return speed
 
 

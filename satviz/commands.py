@@ -388,7 +388,7 @@ def trace(args: argparse.Namespace) -> int:
 
 
 def explain(args: argparse.Namespace) -> int:
-    """Print what a text says of its shapes, or one thing to send on; exit code 2 where there is no answer yet."""
+    """Print the shapes in a text with their relations, or one pair in another form; exit code 2 without an answer."""
     from .scenes.minimal_test import LANGUAGES
     from .scenes.paste.pasted import paste
 

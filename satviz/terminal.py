@@ -94,14 +94,14 @@ def remembering_interrupts(*, to_the_end: bool) -> Iterator[None]:
     if current_thread() is not main_thread() or before is not signal.default_int_handler:
         yield
         return
-    told = sys.unraisablehook
-    sys.unraisablehook = lambda lost: None if lost.exc_type is KeyboardInterrupt else told(lost)
+    previous_hook = sys.unraisablehook
+    sys.unraisablehook = lambda lost: None if lost.exc_type is KeyboardInterrupt else previous_hook(lost)
     signal.signal(signal.SIGINT, _on_interrupt)
     try:
         yield
     finally:
         signal.signal(signal.SIGINT, signal.SIG_DFL if to_the_end else before)
-        sys.unraisablehook = told
+        sys.unraisablehook = previous_hook
 
 
 @contextmanager

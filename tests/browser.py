@@ -52,13 +52,15 @@ const on = (_, hears) => heard.add(hears);
 const off = (_, hears) => heard.delete(hears);
 const tell = (answer) => answer && heard.forEach((hears) => hears(answer, []));
 const send = (content) => void window.answer(content).then(tell);
-render({ model: { get: (name) => data[name], on, off, send }, el: document.querySelector("main") });
+const model = { get: (name) => data[name], on, off, send };
+const el = document.querySelector("main");
+START;
 """
 
 
 @contextmanager
-def explored(browser, exploring, errors, **more):
-    """A page with the explorer alone; `more` is the browser's context."""
+def explored(browser, exploring, errors, *, keys=False, **more):
+    """A page with the explorer alone; with `keys` arrow keys need no focus; `more` is the browser's context."""
     from satviz.render.formats import FORMATS
     from satviz.render.script import javascript, stylesheet
     from satviz.widgets.goals import GOAL_NAMES
@@ -75,12 +77,13 @@ def explored(browser, exploring, errors, **more):
     }
     page.expose_function("first", lambda: first)
     page.expose_function("answer", exploring.answer)
-    script = javascript("explore").replace("export default", "const made =")
+    script = javascript("explore", "arrows").replace("export default", "const made =")
+    start = STAND_IN.replace("START", "arrowKeys(new Explorer(model, el))" if keys else "render({ model, el })")
     page.set_content(
         '<!doctype html><html lang="en"><head><title>An explorer</title>'
         '<meta name="viewport" content="width=device-width, initial-scale=1">'
         f"<style>{stylesheet()}</style></head><body><h1>An explorer</h1><main></main>"
-        f'<script type="module">{script}{STAND_IN}</script></body></html>'
+        f'<script type="module">{script}{start}</script></body></html>'
     )
     page.locator("[data-handle]").first.wait_for(state="attached")
     yield page

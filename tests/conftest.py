@@ -14,8 +14,18 @@ def pytest_xdist_auto_num_workers(config):
 
 
 # The files that take longest, in the order in which processes take them: those that end a run are short.  While numba
-# compiles the kernels for `batch`, the others take what needs none; so none is compiled twice.
-ORDER = ("browser_page", "browser_site", "batch", "failing", "batch_few", "trace", "comparison", "widgets")
+# compiles the kernels of the batch, the others take what needs none; so none is compiled twice.
+ORDER = (
+    "browser_page",
+    "browser_site",
+    "batch_exact",
+    "batch_narrow",
+    "failing",
+    "batch_few",
+    "trace",
+    "comparison",
+    "widgets",
+)
 ORDER += ("convex_parts", "cli", "pictures", "render", "never_wrong", "advice", "relate", "site")
 ORDER += ("study_run", "study", "notebooks")
 

@@ -37,6 +37,7 @@ ROOT = HERE.parent / "satviz"
 AT_ONCE = 2
 QUICK = 0.5  # seconds: slower tests do not judge, since each survivor goes through all that do
 LOADED_ONCE = ["hypothesis.strategies", "matplotlib", "numba", "numpy", "pytest", "shapely.geometry"]
+BATCH_TESTS = [f"batch_{idea}" for idea in ("narrow", "exact", "broad", "work", "outlines", "few", "validation")]
 TESTS = {  # which test files judge a module
     "engine/geometry": ["geometry"],
     "engine/predicates": ["predicates", "trace", "relate"],
@@ -47,7 +48,7 @@ TESTS = {  # which test files judge a module
     "engine/convex_parts": ["convex_parts"],
     "engine/relate": ["relate"],
     **{
-        path.relative_to(ROOT).with_suffix("").as_posix(): ["batch", "batch_validation"]
+        path.relative_to(ROOT).with_suffix("").as_posix(): BATCH_TESTS
         for path in sorted((ROOT / "batch").rglob("[!_]*.py"))
     },
     "engine/axes": ["axes", "trace", "failing"],

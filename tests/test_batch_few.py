@@ -14,6 +14,7 @@ from random import Random
 
 import numpy as np
 import pytest
+from batches import ENGINES, RNG, in_python, kernels_of
 from speeds import one_in
 from strategies import nearly_straight
 
@@ -25,22 +26,9 @@ from satviz.batch.codes import UNDECIDED
 from satviz.batch.ragged import concat_rings
 from satviz.batch.with_numpy import few as few_numpy
 
-ENGINES = ["numpy", "numba"]
-RNG = np.random.default_rng
 SCALES = [-500, -40, 0, 480]  # powers of two; products of coordinates vanish at the first
 BOX = np.array([(0, 0), (1, 0), (1, 1), (0, 1)])
 DIAMOND = np.array([(1, 0), (2, 1), (1, 2), (0, 1)])
-
-
-def kernels_of(name):
-    """Return one of numba's modules, where numba is installed."""
-    pytest.importorskip("numba", reason="needs numba: python -m pip install '.[fast]'")
-    return importlib.import_module(f"satviz.batch.with_numba.{name}")
-
-
-def in_python(kernel):
-    """Return a kernel as Python, which calls what stands in its module."""
-    return getattr(kernel, "py_func", kernel)
 
 
 # -- scenes: outlines, or center and radius of circles, all in whole numbers and halves
@@ -333,7 +321,7 @@ SWEEP, GRID = "sort and sweep", "grid"
         (512, 1, GRID, SWEEP),
         (513, 0, SWEEP, SWEEP),
         (513, 1, GRID, GRID),
-        (1000, 0, SWEEP, SWEEP),
+        pytest.param(1000, 0, SWEEP, SWEEP, marks=pytest.mark.slow),
     ],
 )
 def test_boxes_are_swept_up_to_so_many_comparisons_each(n, more, numpy, numba):
@@ -376,7 +364,7 @@ def one_giant(rng, n):
 
 
 @pytest.mark.parametrize("sizes", [spread_sizes, one_giant])
-@pytest.mark.parametrize("n", [400, 600, 3000])
+@pytest.mark.parametrize("n", [400, 600, pytest.param(3000, marks=pytest.mark.slow)])
 def test_sizes_that_differ_much_are_swept(n, sizes):
     kernels_of("few")
     bounds = sizes(RNG(n), n)

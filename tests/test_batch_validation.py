@@ -347,7 +347,7 @@ def test_a_stream_names_the_polygon_of_the_file():
     outlines[7] = crossed[7]
     assert words(batch.stream_colliding_pairs, outlines, strip=2) == words(batch.Polygons, outlines)
     assert words(batch.stream_colliding_pairs, outlines, strip=2).startswith("polygon 7: ")
-    assert "colliding_pairs takes others" in words(batch.stream_colliding_pairs, list(apart))
+    assert "colliding_pairs takes shapes of other forms" in words(batch.stream_colliding_pairs, list(apart))
     with pytest.raises(ValueError, match="strip is 0"):
         list(batch.stream_colliding_pairs(apart, strip=0))
 

@@ -885,3 +885,83 @@ def test_back_where_it_began_all_is_where_it_was(browser, errors, name, keys, ba
             page.get_by_role("button", name=back).click()
         page.wait_for_timeout(500)
         assert page.evaluate(SEEN) == before
+
+
+def test_arrow_keys_move_a_shape_without_focus_and_are_never_taken_from_a_text(browser, errors):
+    hand = ExplorerModel(sv.scene("triangles"))
+    with explored(browser, hand, errors, keys=True, viewport={"width": 1280, "height": 600}) as page:
+
+        def moved(x, y):
+            page.wait_for_function("() => !document.querySelector('[aria-label=undo]').disabled")
+            page.wait_for_timeout(300)
+            before, now = sv.scene("triangles").b.vertices[0], hand.scene.b.vertices[0]
+            return [(now.x > before.x) - (now.x < before.x), (now.y > before.y) - (now.y < before.y)] == [x, y]
+
+        page.keyboard.press("ArrowDown")  # scrolls the page: the explorer is not in use yet
+        page.keyboard.press("ArrowLeft")
+        assert moved(-1, 0)
+        page.locator(".sv-sentence").click()  # in use, and still nothing has the focus
+        page.keyboard.press("ArrowUp")
+        assert moved(-1, 1)
+        page.locator(".sv-paste > summary").click()
+        place = hand.scene.b
+        page.locator(".sv-text").fill("ab")
+        page.locator(".sv-text").press("ArrowLeft")
+        page.keyboard.type("x")
+        page.get_by_label("presets").focus()
+        page.keyboard.press("ArrowLeft")
+        page.wait_for_timeout(300)
+        assert page.locator(".sv-text").input_value() == "axb" and hand.scene.b == place
+
+
+def test_the_axis_turns_by_itself_on_request_and_never_under_reduced_motion(browser, errors):
+    hand = ExplorerModel(sv.scene("triangles"))
+    with explored(browser, hand, errors) as page:
+        page.get_by_label("free axis").check()
+        turn = page.get_by_role("button", name="turn the axis")
+        turn.click()
+        angle = "parseFloat(document.querySelector('.sv-sentence').textContent.split('axis at ')[1])"
+        page.wait_for_function(f"() => {angle} > 34")
+        turn.click()
+        page.wait_for_timeout(300)
+        stopped = hand._degree
+        page.wait_for_timeout(300)
+        assert hand._degree == stopped > 34 and turn.get_attribute("aria-pressed") == "false"
+        box = page.locator(".sv-dial svg").bounding_box()
+        page.mouse.click(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2 - 30)
+        page.wait_for_function(f"() => {angle} === 90")
+    with explored(browser, hand, errors, reduced_motion="reduce") as page:
+        page.locator(".sv-dial").wait_for()
+        assert not page.get_by_role("button", name="turn the axis").is_visible()
+
+
+def test_for_a_finger_every_handle_and_button_is_44_pixels_large_and_tools_are_under_the_thumb(browser, errors):
+    with explored(browser, ExplorerModel(sv.scene("far-centers")), errors, **PHONE) as page:
+        page.get_by_label("free axis").check()
+        page.locator(".sv-dial").wait_for()
+        small = """() => [...document.querySelectorAll('.satviz :is(button, select, summary, .sv-toggle, .sv-handle)')]
+          .filter(e => e.checkVisibility()).map(e => [e.outerHTML.slice(0, 80), e.getBoundingClientRect()])
+          .filter(([_, box]) => box.width && (box.width < 43.5 || box.height < 43.5)).map(([html]) => html)"""
+        assert page.evaluate(small) == []
+        box = page.locator(".sv-bar").bounding_box()
+        assert box["y"] + box["height"] == pytest.approx(page.viewport_size["height"], abs=1) and box["height"] < 130
+
+
+def test_nothing_jumps_while_a_shape_is_dragged(browser, errors):
+    hand = ExplorerModel(sv.scene("triangles"))
+    with explored(browser, hand, errors, viewport={"width": 1280, "height": 900}) as page:
+        parts = [".sv-board", ".sv-line", ".sv-sentence", ".sv-tip", ".sv-fold", ".sv-bar"]
+
+        def places():
+            return [page.locator(part).bounding_box() for part in parts]
+
+        box = page.locator("[data-handle=B-move]").bounding_box()
+        x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+        before = [(b["x"], b["y"]) for b in places()]
+        page.mouse.move(x, y)
+        page.mouse.down()
+        for i in range(1, 12):
+            page.mouse.move(x - 20 * i, y + 3 * i)
+            page.wait_for_timeout(60)
+            assert [(b["x"], b["y"]) for b in places()] == before
+        page.mouse.up()

@@ -19,6 +19,7 @@ from satviz.safe_write import write
 from satviz.scenes.link import ViewOptions, fragment
 from satviz.site import runtime
 from satviz.site.build import site
+from satviz.site.check_page import CHECK_POLICY
 
 pytestmark = pytest.mark.slow
 
@@ -588,12 +589,14 @@ def test_what_was_read_once_is_there_without_a_server(built, visit):
 def test_a_challenge_is_met_by_hand_and_judged_by_the_engine(visit):
     page = visit("scene.html#aabb&goal=touch")
     goal = page.locator(".sv-goal")
-    assert "apart: gap +2" in goal.inner_text()
+    assert "They are apart." in goal.inner_text()
     page.locator('[data-handle="B-move"]').focus()
     for _ in range(60):
-        before = goal.inner_text()
+        before = said(page)
         page.keyboard.press("ArrowLeft")
-        page.wait_for_function("before => document.querySelector('.sv-goal').innerText !== before", arg=before)
+        page.wait_for_function(
+            "before => document.querySelector('.live .sv-sentence').textContent !== before", arg=before
+        )
         if "met" in goal.get_attribute("class"):
             break
     assert "They touch, exactly." in goal.inner_text()
@@ -902,12 +905,29 @@ def collide(a, b):
 """
 
 
+@contextmanager
+def served_without_headers(folder):
+    """As a plain server of files does, which sends no policy: only the page's own meta tag holds."""
+    plain = partial(Plain, directory=str(folder))
+    with ThreadingHTTPServer(("127.0.0.1", 0), plain) as serving:
+        threading.Thread(target=serving.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{serving.server_address[1]}/"
+        serving.shutdown()
+
+
+class Plain(SimpleHTTPRequestHandler):
+    def log_message(self, *args):
+        pass
+
+
+@pytest.mark.parametrize("by", [served, served_without_headers], ids=["policy as header", "as meta tag alone"])
 @pytest.mark.parametrize("language", ["python", "javascript"])
-def test_a_hostile_function_reaches_neither_the_page_nor_another_server(browser, url, language):
-    with served_spy() as (address, asked):
+def test_a_hostile_function_reaches_neither_the_page_nor_another_server(browser, built, language, by):
+    with served_spy() as (address, asked), by(built) as at:
         context = browser.new_context()
         page = context.new_page()
-        page.goto(url + "yours.html")
+        got = page.goto(at + "yours.html")
+        assert ("content-security-policy" in got.headers) is (by is served)
         page.wait_for_function("() => !document.querySelector('.run').disabled", timeout=LIVE)
         tries = [each.format(address) for each in HOSTILE]
         if language == "javascript":
@@ -946,6 +966,49 @@ def served_spy():
         threading.Thread(target=spy.serve_forever, daemon=True).start()
         yield f"http://127.0.0.1:{spy.server_address[1]}/x.js", asked
         spy.shutdown()
+
+
+def test_the_policy_stands_in_the_page_before_any_script_and_is_the_servers(browser, built):
+    """A meta tag holds for what comes after it."""
+    text = (built / "yours.html").read_text(encoding="utf-8")
+    tags = re.findall(r'<meta http-equiv="Content-Security-Policy" content="([^"]+)">', text)
+    assert tags == [CHECK_POLICY] and text.index(tags[0]) < text.index("<script") < text.index("<body")
+    context = browser.new_context()
+    page = context.new_page()
+    with served_without_headers(built) as at:
+        page.goto(at + "yours.html")
+        refused = page.evaluate(
+            """() => new Promise((resolve) => {
+              document.addEventListener("securitypolicyviolation", (event) => resolve(event.effectiveDirective));
+              const script = document.createElement("script");
+              script.textContent = "document.title = 'reached'";
+              document.head.append(script);
+            })"""
+        )
+        assert refused.startswith("script-src") and page.title() != "reached"
+    context.close()
+
+
+WIDE, PHONE = {}, {"viewport": {"width": 390, "height": 844}, "has_touch": True, "is_mobile": True}
+
+
+@pytest.mark.parametrize(("screen", "by"), [(WIDE, "mouse"), (WIDE, "keyboard"), (PHONE, "touch"), (PHONE, "keyboard")])
+def test_code_is_written_and_run_with_mouse_touch_and_keyboard(visit, screen, by):
+    """The keyboard indents by itself; nothing is wider than the screen."""
+    page = visit("yours.html", live=False, **screen)
+    page.wait_for_function("() => !document.querySelector('.run').disabled", timeout=LIVE)
+    editor, run = page.locator("textarea"), page.locator(".run")
+    if by == "keyboard":
+        editor.focus()
+        page.keyboard.press("Control+a")
+        page.keyboard.type("def collide(a, b):\nreturn max(p[0] for p in a) >= min(p[0] for p in b)")
+        assert editor.input_value() == "def collide(a, b):\n    return max(p[0] for p in a) >= min(p[0] for p in b)"
+        page.keyboard.press("Control+Enter")
+    else:
+        editor.fill("def collide(a, b):\n    return max(p[0] for p in a) >= min(p[0] for p in b)")
+        (run.tap if by == "touch" else run.click)()
+    page.locator(".yours.wrong").wait_for(timeout=LIVE)
+    assert page.evaluate("document.documentElement.scrollWidth") <= page.viewport_size["width"]
 
 
 def test_the_check_page_shuts_nobody_out(check_page, axe_core):

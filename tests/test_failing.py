@@ -223,7 +223,7 @@ def test_a_shortcut_of_ones_own_runs_and_is_not_written():
     mine = sv.Shortcut("mine", "y is enough", sv.axes.directions((0, 1)))
     trace = sv.record(box(0, 0, 2, 2), box(3, 0.5, 5, 2.5), axes=mine)
     assert trace.false_hit and "“y is enough”" in trace.sentence
-    with pytest.raises(sv.InvalidScene, match="'mine' is none of satviz's"):
+    with pytest.raises(sv.InvalidScene, match="'mine' is not one of satviz's"):
         trace.to_json()
 
     class Otherwise(sv.Shortcut):

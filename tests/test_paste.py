@@ -102,9 +102,9 @@ def test_a_number_that_float64_cannot_hold_has_a_reason(text):
         ("1 + 2", "not evaluated"),
         ("2 * 3", "not evaluated"),
         ("Math.sqrt(2)", "not evaluated"),
-        ("width", "is a name and no number"),
+        ("width", "is a name, not a number"),
         ("NaN", "not a finite number"),
-        ("float('inf')", "no pair of numbers"),
+        ("float('inf')", "not a pair of numbers"),
         ("Infinity", "not a finite number"),
         ("1.2.3", "not a number"),
         ("5abc", "not a number"),
@@ -151,7 +151,7 @@ def test_a_corner_without_numbers_is_refused_but_a_position_may_be_empty():
 
 @pytest.mark.parametrize("text", ["LINESTRING (0 0, 4 0, 0 3)", "Point(0, 0).buffer(1)"])
 def test_what_is_no_polygon_is_refused(text):
-    with pytest.raises(sv.InvalidScene, match=r"no polygon|not evaluated"):
+    with pytest.raises(sv.InvalidScene, match=r"not a polygon|not evaluated"):
         sv.paste(text)
 
 
@@ -784,7 +784,7 @@ def test_explain_says_in_one_line_why_there_is_no_answer(tmp_path, capsys):
         ("nothing", "no shape was found"),
         (SQUARE, "paste a second one"),
         ("new Box({x: 115, y: 152}, 100, 100); circle((100, 100), 50)", "choose one"),
-        ("[0,0, 4,4, 4,0, 0,4] circle((1, 1), 1)", "no valid shape"),
+        ("[0,0, 4,4, 4,0, 0,4] circle((1, 1), 1)", "not a valid shape"),
     ):
         path.write_text(text, encoding="utf-8")
         assert main(["explain", str(path)]) == 2

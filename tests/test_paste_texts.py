@@ -46,7 +46,7 @@ def test_a_missing_corner_and_lists_of_two_lengths_are_named():
         ("0 0.5 0.5 0.2 0.2", "five numbers"),
         ('{"center": [0, 0], "width": 4, "height": 4, "originX": "right"}', "origin"),
         ('{"vertices": [[0,0],[1,0],[0,1]], "offset": [1, 1], "angle": 30}', "offset and an angle"),
-        ("{left: 0, top: 0, right: 4, bottom: 4, width: 9, height: 4}", "two readings"),
+        ("{left: 0, top: 0, right: 4, bottom: 4, width: 9, height: 4}", "width and height"),
     ):
         with pytest.raises(sv.InvalidScene, match=said):
             sv.paste(text)
@@ -59,7 +59,7 @@ def test_what_is_not_read_is_said_once():
 
 def test_several_refused_shapes_are_listed_in_words():
     pasted = sv.paste("[0,0, 1,1, 2,2]\n[0,0, 2,2, 3,3]\n[0,0, 1,1, 5,5]")
-    assert pasted.sentence == "A, B and C are no valid shapes, so there is no answer."
+    assert pasted.sentence == "A, B and C are not valid shapes, so there is no answer."
     assert sv.paste("[0, 0, 4, 4]\n[3, 3, 1, 2]").sentence.startswith("Four readings are possible")
 
 

@@ -374,7 +374,7 @@ def test_a_pipeline_says_what_runs_first_and_counts_its_axes():
 @pytest.mark.parametrize("make", [lambda n: batch.Circles(np.zeros((n, 2)), 1.0), lambda n: boxes_at(np.zeros((n, 2)))])
 def test_pairs_are_counted_before_they_are_listed(make, monkeypatch):
     monkeypatch.setattr("satviz.advice.advising_batches.sort_pairs", lambda blocks: pytest.fail("listed"))
-    with pytest.raises(sv.InvalidScene, match=r"more than 2,000,000 pairs of the bounding boxes of 2,100 shapes meet"):
+    with pytest.raises(sv.InvalidScene, match="more than 2,000,000 pairs of 2,100 shapes have bounding"):
         sv.advise(make(2100))
 
 

@@ -333,7 +333,7 @@ def test_the_worst_pair_of_the_guide_is_what_it_says(row):
     a, b = Polygon(row["a"]), Polygon(row["b"])
     hit = truth.agreed(a, b) > 0
     gap = math.sqrt(truth.squared_gap(a, b))
-    assert gap == row["metres"] and row["mistake"] == ("false miss" if hit else "false hit")
+    assert gap == row["metres"] and row["mistake"] == ("missed hit" if hit else "false hit")
     (method,) = (m for m in speed_against_accuracy.compiled_methods() if m.name == row["method"])
     ((_, answers),) = answers_by_method([method], np.array([row["a"]]), np.array([row["b"]]))
     assert answers.tolist() == [not hit]

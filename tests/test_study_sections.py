@@ -377,7 +377,7 @@ def test_satviz_is_never_wrong_and_bounds_err_only_to_a_hit():
         for row in result(f"count-{work}"):
             assert row["method"] != "satviz" or row["wrong"] == 0
             if work == "near" and row["method"] in ("AABB", "bounding circles"):
-                assert row["false_hits"] > 0 == row["false_misses"], row
+                assert row["false_hits"] > 0 == row["missed_hits"], row
     for name, rows in results("margin-").items():
         if name != "margin-float32":
             assert all(row["wrong"] == 0 for row in rows if row["method"] == "satviz"), name
@@ -390,9 +390,9 @@ def test_a_tolerance_is_wrong_up_to_its_own_size_and_no_further():
 
 def test_a_touch_taken_for_an_overlap_is_a_mistake_of_who_tells_them_apart():
     right = np.array([0, 1, 2, 1])
-    assert count_mistakes(np.array([0, 2, 1, 1]), right) == {"false_hits": 0, "false_misses": 0, "confused": 2}
-    assert count_mistakes(np.array([1, 2, 1, 0]), right) == {"false_hits": 1, "false_misses": 1, "confused": 2}
-    assert count_mistakes(right > 0, right) == {"false_hits": 0, "false_misses": 0, "confused": 0}
+    assert count_mistakes(np.array([0, 2, 1, 1]), right) == {"false_hits": 0, "missed_hits": 0, "confused": 2}
+    assert count_mistakes(np.array([1, 2, 1, 0]), right) == {"false_hits": 1, "missed_hits": 1, "confused": 2}
+    assert count_mistakes(right > 0, right) == {"false_hits": 0, "missed_hits": 0, "confused": 0}
 
 
 @pytest.mark.parametrize("work", ["triangles", "boxes", "8-gons"])

@@ -89,7 +89,7 @@ def test_the_animation_of_the_triangles_takes_less_than_20_seconds_and_has_a_spe
 def test_a_speed_is_a_number_within_limits(speed, capsys):
     with pytest.raises(SystemExit):
         main(["draw", "triangles", "--format", "gif", "--speed", speed])
-    assert "is no speed" in capsys.readouterr().err
+    assert "is not a speed" in capsys.readouterr().err
 
 
 def test_a_speed_is_for_an_animation(capsys):

@@ -77,7 +77,10 @@ def sat(
     x_a: Array, y_a: Array, r_a: Array, start_a: Indices, box_a: Array, ia: Indices,
     x_b: Array, y_b: Array, r_b: Array, start_b: Indices, box_b: Array, ib: Indices, out: Relations,
 ) -> None:  # fmt: skip
-    """Fill `out` with the relations of convex parts: by their boxes, then every edge of both; squares for circles.
+    """Fill `out` with the relations of convex parts ia[k] of A and ib[k] of B: by their boxes, then every edge of both.
+
+    x, y: all corners; part i has those from start[i] to start[i + 1], radius r[i] (0: polygon) and box[i].
+    Two circles, or a circle and a polygon, are compared by squared distances.
 
     Polygons of up to 4 and of up to 8 corners wait until LANES pairs can be evaluated side by side.
     """

@@ -26,7 +26,7 @@ def refuse_too_many_tests(pairs: int, tests: int) -> None:
         if many > most:
             raise InvalidScene(
                 f"advise would test {many:,} {what}: the limit is {most:,}; give fewer or simpler shapes, or "
-                "some of the pairs by pairs="
+                "only some of the pairs (pairs=)"
             )
 
 
@@ -34,8 +34,8 @@ def refuse_too_many_boxes(pairs: int, shapes: int) -> None:
     """Raise InvalidScene for too many pairs of shapes whose boxes meet; `pairs` counts those found so far."""
     if pairs > MAX_PAIRS:
         raise InvalidScene(
-            f"more than {MAX_PAIRS:,} pairs of the bounding boxes of {shapes:,} shapes meet, which is the most that "
-            "advise tests: give fewer shapes, or some of the pairs by pairs="
+            f"more than {MAX_PAIRS:,} pairs of {shapes:,} shapes have bounding boxes that meet: this is the limit of "
+            "advise; give fewer shapes, or only some of the pairs (pairs=)"
         )
 
 

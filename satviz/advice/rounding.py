@@ -53,10 +53,10 @@ class Arithmetic(Protocol[N]):
         """Return the sum of the terms; `exact` becomes False if the format cannot hold it or a partial sum."""
 
     def compared(self, *terms: N) -> None:
-        """Record partial sums of a sum of which only the sign is used; the sum itself need not be held."""
+        """Record whether the format holds the partial sums of a sum; only its sign is used, so it need not be held."""
 
-    def together(self, ring: Sequence[Point[N]]) -> Sequence[Point[N]]:
-        """Return the corners as operands: one by one, or all at once as arrays with a row per corner."""
+    def operands(self, ring: Sequence[Point[N]]) -> Sequence[Point[N]]:
+        """Return the corners as operands of these methods: one by one, or as arrays that hold all corners at once."""
 
 
 class Exact:
@@ -93,7 +93,7 @@ class Exact:
             for some in combinations(terms, many):
                 self.held(sum(some, Fraction(0)))
 
-    def together(self, ring: Sequence[Point[Fraction]]) -> Sequence[Point[Fraction]]:
+    def operands(self, ring: Sequence[Point[Fraction]]) -> Sequence[Point[Fraction]]:
         """Return the corners unchanged: one operand each."""
         return ring
 
@@ -114,7 +114,7 @@ def polygons(arithmetic: Arithmetic[N], p: Sequence[Point[N]], q: Sequence[Point
     Each corner of the other shape is compared with the edge, and each corner is projected on its normal.
     """
     for own, other in (p, q), (q, p):
-        all_own, all_other = arithmetic.together(own), arithmetic.together(other)
+        all_own, all_other = arithmetic.operands(own), arithmetic.operands(other)
         for start, end in pairwise([own[-1], *own]):
             normal = arithmetic.total(end[1], _minus(start[1])), arithmetic.total(start[0], _minus(end[0]))
             edge = tuple(_minus(arithmetic.product(n, c)) for n, c in zip(normal, start, strict=True))

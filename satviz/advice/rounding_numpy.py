@@ -69,7 +69,7 @@ class Errors:
                 last = reduce(np.logical_and, [terms[i] == 0 for i in range(len(terms)) if i not in some])
                 self._held(np.where(last, 0.0, value), exact | last)
 
-    def together(self, ring: Sequence[Point[Array]]) -> Sequence[Point[Array]]:
+    def operands(self, ring: Sequence[Point[Array]]) -> Sequence[Point[Array]]:
         """Return all corners as one operand of (corners, n) arrays."""
         return [(np.stack([x for x, _ in ring]), np.stack([y for _, y in ring]))]
 

@@ -78,7 +78,8 @@ def stream_colliding_pairs(
     """
     if getattr(vertices, "ndim", 0) != 3:
         raise InvalidShape(
-            f"vertices is {_describe_type(vertices)}: expected an (N, V, 2) array; colliding_pairs takes others"
+            f"vertices is {_describe_type(vertices)}: expected an (N, V, 2) array; "
+            "colliding_pairs takes shapes of other forms"
         )
     strip = check_options(engine, executor, progress, strip, "strip")
     return _stream_strips(vertices, engine, executor, progress, strip)

@@ -38,7 +38,7 @@ class Circles(Shapes):
 
 
 def _certified_circles(centers: object, radii: object) -> Group | None:
-    """Return circles of plain float arrays, as `Circles` takes them; None if they need another look."""
+    """Return the circles if both arguments are plain float arrays of valid values; else None, for slower checks."""
     if not _is_carray(centers, 2) or centers.shape[1] != 2:
         return None
     n = len(centers)
@@ -52,7 +52,7 @@ def _certified_circles(centers: object, radii: object) -> Group | None:
 
 
 def _is_carray(values: object, axes: int) -> TypeGuard[Array]:
-    """Return whether this is a plain array of float64, as it lies in memory, with so many axes."""
+    """Return whether this is a float64 array with `axes` axes, aligned, writable and contiguous in C order."""
     return type(values) is np.ndarray and values.dtype == np.float64 and values.ndim == axes and values.flags.carray
 
 

@@ -51,7 +51,7 @@ def engine_of(name: Any) -> Engine:
 
 
 def engine_for_checks(corners: int) -> Engine:
-    """Return the engine that checks outlines with so many corners in all; both find the same.
+    """Return the engine that checks outlines with `corners` corners in all; both engines give the same result.
 
     Until numba is needed for something else, or for very many corners, NumPy does it without loading numba.
     """

@@ -82,14 +82,14 @@ def _frame_of(shapes: Shapes) -> Frame:
 
 
 def _set_corners(shapes: Shapes, frame: Frame, corners: Any) -> None:
-    """Check the coordinates and make them those of the batch, whose old arrays stay as they are for who holds them."""
+    """Check the coordinates and make them those of the batch; its old arrays are not changed, only replaced."""
     made = _certified(frame, corners) or _checked(frame, corners)
     vars(shapes).clear()
     vars(shapes).update(vars(made), _frame=frame)
 
 
 def _certified(frame: Frame, corners: Any) -> Shapes | None:
-    """Return a batch of the frame's shapes with these plain coordinates; None if they need another look."""
+    """Return a batch of the frame's shapes with these coordinates; None if they need slower checks."""
     if type(corners) is not np.ndarray or corners.dtype != np.float64 or not corners.flags.carray:
         return None
     warn_if_flushed()

@@ -44,7 +44,7 @@ def relate(
     `engine`: "numpy" or "numba" (by default the best installed; the answers are the
     same).  `executor`: any concurrent.futures.Executor; chunks of pairs come back in
     order, `progress(done, total)` is called after each.  ValueError for lengths that do not
-    fit, IndexError for pairs out of range, TypeError or ValueError for an option that is none,
+    fit, IndexError for pairs out of range, TypeError or ValueError for an invalid option,
     ChunkFailed names the range that failed.
     """
     check_shapes(a, "a"), check_shapes(b, "b")
@@ -80,7 +80,7 @@ def hits(a: Shapes, b: Shapes, pairs: ArrayLike | None = None, **options: Unpack
 
 
 def check_options(engine: object, executor: object, progress: object, size: object, of: str = "chunk") -> int:
-    """Check the options of `relate` before any work is done; return `size`, which errors name `of`, as an int.
+    """Check the options of `relate` before any work is done; return `size` as an int (error lines call it `of`).
 
     TypeError, ValueError and (where numba is not there) ImportError name the argument and say what it takes.
     """

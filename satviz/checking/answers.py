@@ -78,7 +78,7 @@ def plain(raw: Any) -> Any:
 
 
 def read(raw: Any, kind: str) -> Answer:
-    """Return a raw answer as a value of the kind; Unreadable if it is none."""
+    """Return a raw answer as a value of the kind; Unreadable if that is not possible."""
     value = plain(raw)
     if kind == HIT and (isinstance(value, bool) or (type(value) is int and value in (0, 1))):
         return bool(value)
@@ -162,7 +162,7 @@ def size_of(a: Shape, b: Shape) -> float:
 
 
 def same_answer(one: Answer, other: Answer, kind: str, margin: float) -> bool:
-    """Return whether two answers of a kind are equal; numbers up to `margin`."""
+    """Return whether two answers of a kind are equal; depths and moves may differ by `margin`."""
     if kind in (HIT, RELATION):
         return bool(one == other)
     if kind == DEPTH:
@@ -174,7 +174,10 @@ def same_answer(one: Answer, other: Answer, kind: str, margin: float) -> bool:
 
 
 def recognize(raws: Sequence[Any], pairs: Sequence[tuple[Shape, Shape]], touching: str) -> str | None:
-    """Return the kind that most of the raw answers are readable as and then right as; None if none is readable."""
+    """Return the kind in which most of the raw answers can be read; None if no answer can be read in any kind.
+
+    Where two kinds can read equally many, it is the kind in which more of these answers are right.
+    """
     best, found = (0, -1), None
     for kind in KINDS:
         readable = right = 0

@@ -37,7 +37,7 @@ def check(
     `seconds`: the time after which no new pairs are asked.  `call_seconds`: run `fn` in a process of its own, and end
     it where a call takes longer than this; without it an endless loop never ends.
 
-    What is true is decided by the exact engine.  ValueError for an option that is none of those above.
+    What is true is decided by the exact engine.  ValueError for an option that is not one of those above.
     """
     asker: Asker = (
         CalledHere(fn, form_named(form))
@@ -52,7 +52,7 @@ def check(
 
 
 def check_asker(asker: Asker, options: Options) -> Checked:
-    """Run the steps of a check against whoever answers, and end what was started for it."""
+    """Check the function that `asker` calls, and close the asker at the end."""
     running = steps(options)
     try:
         asked = next(running)

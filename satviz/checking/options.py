@@ -24,13 +24,13 @@ class Options:
     def __post_init__(self) -> None:
         for name in self.named_kinds:
             if name not in KINDS:
-                raise ValueError(f"unknown kind {short_repr(name)}: choose of {', '.join(KINDS)}, or all")
+                raise ValueError(f"unknown kind {short_repr(name)}: choose one of {', '.join(KINDS)}, or all")
         if not self.named_kinds:
-            raise ValueError(f"kinds is empty: choose of {', '.join(KINDS)}, or all")
+            raise ValueError(f"kinds is empty: choose one of {', '.join(KINDS)}, or all")
         if self.returns is not None and self.returns not in EXPECTED:
-            raise ValueError(f"unknown returns {short_repr(self.returns)}: choose one of {', '.join(EXPECTED)}")
+            raise ValueError(f"returns is {short_repr(self.returns)}: choose one of {', '.join(EXPECTED)}")
         if self.touching not in TOUCHING_AS:
-            raise ValueError(f"unknown touching {short_repr(self.touching)}: choose one of {', '.join(TOUCHING_AS)}")
+            raise ValueError(f"touching is {short_repr(self.touching)}: choose one of {', '.join(TOUCHING_AS)}")
         if not self.tolerance >= 0:
             raise ValueError(f"the tolerance is {self.tolerance}: it must be 0 or more")
 

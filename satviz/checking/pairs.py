@@ -90,7 +90,7 @@ def _weight(pair: Pair) -> tuple[int, float]:
 
 
 def _in_tenths(shape: Shape) -> Shape:
-    """Return the shape ten times as large, with what are tenths up to rounding as whole numbers."""
+    """Return the shape ten times as large; a multiple of 0.1, up to rounding, becomes a whole number."""
 
     def ten(value: float) -> float:
         """Return ten times the value, whole where it is nearly so."""
@@ -119,7 +119,7 @@ def _small_boxes() -> Iterator[Pair]:
 
 
 def _seeded(kinds: Sequence[str], random: Random, size: int, group: str) -> Iterator[Pair]:
-    """Yield random pairs in whole numbers up to `size`: loose, touching, one unit beside touching, and inside."""
+    """Yield random pairs in whole numbers up to `size`, with B placed in each of the ways of `_placed`."""
     for kind in kinds:
         second: Maker = _convex if random.random() < 0.7 else _concave
         of_kind: dict[str, Makers] = {
@@ -140,7 +140,7 @@ def _seeded(kinds: Sequence[str], random: Random, size: int, group: str) -> Iter
 
 
 def _placed(a: Shape, b: Shape, random: Random, size: int, how: int) -> Shape:
-    """Return B moved: 0: anywhere near; 1: touching A; 2: a step beside touching; 3: with its middle in A."""
+    """Return B moved; `how`: 0 anywhere near A, 1 touching A, 2 one unit beside touching, 3 with its middle in A."""
     if how == 0:
         x, y = (random.randint(-size, size) for _ in range(2))
         return translated(b, Vec(x, y))

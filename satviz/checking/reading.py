@@ -77,6 +77,6 @@ def _as_floats(value: Any) -> Any:
 def outcome_from(data: Any) -> Outcome:
     """Return the Outcome in JSON values that come from a worker, which the reader's code may have forged."""
     if not isinstance(data, dict):
-        return Outcome(problem=ERROR, line="answers with something that is no outcome")
+        return Outcome(problem=ERROR, line="answers with a message that is not an outcome")
     problem, line = (str(data.get(key) or "")[:MAX_TEXT] for key in ("problem", "line"))
     return Outcome(data.get("value"), problem, line if line.isprintable() else repr(line))

@@ -106,26 +106,26 @@ def _counter_clockwise(shape: Shape) -> Shape:
 
 def _rules(options: Options, outcomes: Sequence[Outcome], pairs: Sequence[Pair]) -> tuple[Rules, list[str]]:
     """Return what counts as right, with what the function returns found out from its answers, and notes on it."""
-    told = [(outcome.value, (p.a, p.b)) for outcome, p in zip(outcomes, pairs, strict=False) if not outcome.problem]
-    first = told[:FIRST_PAIRS]
-    for kind_of_value in {type(raw) for raw, _ in told[FIRST_PAIRS:]}:
-        first += [each for each in told[FIRST_PAIRS:] if type(each[0]) is kind_of_value][:OF_EACH_TYPE]
+    answered = [(outcome.value, (p.a, p.b)) for outcome, p in zip(outcomes, pairs, strict=False) if not outcome.problem]
+    first = answered[:FIRST_PAIRS]
+    for kind_of_value in {type(raw) for raw, _ in answered[FIRST_PAIRS:]}:
+        first += [each for each in answered[FIRST_PAIRS:] if type(each[0]) is kind_of_value][:OF_EACH_TYPE]
     kind = options.returns or recognize([raw for raw, _ in first], [pair for _, pair in first], options.touching) or HIT
     rules = Rules(kind, options.touching, options.tolerance)
     if kind in (MTV, HIT_AND_MTV):
-        counts = {moves: _right_count(told, rules._replace(moves=moves)) for moves in "BA"}
+        counts = {moves: _right_count(answered, rules._replace(moves=moves)) for moves in "BA"}
         rules = rules._replace(moves="A" if counts["A"] > counts["B"] else "B")
     return rules, []
 
 
-def _right_count(told: Sequence[tuple[Any, tuple[Shape, Shape]]], rules: Rules) -> int:
-    """Return how many of the first overlapping pairs the raw answers are right about."""
-    count = looked = 0
-    for raw, (a, b) in told:
+def _right_count(answered: Sequence[tuple[Any, tuple[Shape, Shape]]], rules: Rules) -> int:
+    """Return how many raw answers are right, among the first pairs that overlap; `answered`: (raw answer, shapes)."""
+    count = overlapping = 0
+    for raw, (a, b) in answered:
         result = judge(Pair(a, b, "", ""), Outcome(raw), rules)
         if result.truth.relation is Relation.OVERLAPPING:
-            count, looked = count + result.right, looked + 1
-        if looked > 2 * FIRST_PAIRS:
+            count, overlapping = count + result.right, overlapping + 1
+        if overlapping > 2 * FIRST_PAIRS:
             break
     return count
 
@@ -217,7 +217,7 @@ def _order_notes(results: Sequence[Result]) -> list[str]:
 def _near(options: Options, rules: Rules) -> Generator[Asked, list[Outcome], Near | Result | None]:
     """Return how the function does on pairs that nearly touch, in rounded numbers; None where it gives no verdict.
 
-    Where it gives no answer for such numbers at all, the Result says so: that is no rounding.
+    Where it gives no answer for such numbers at all, the Result says so, since rounding is not the reason.
     """
     gives_verdict = rules.returns in (HIT, RELATION, HIT_AND_MTV)
     pairs = list(near_pairs(options.named_kinds, options.seed, NEAR_PAIRS))

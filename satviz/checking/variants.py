@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from math import dist, hypot
+from operator import itemgetter
 
 from ..engine.axes import Axis, Choice, Chooser, directions, edge_normals, edge_normals_of_a, edge_normals_of_b
 from ..engine.geometry import Relation, Vec
@@ -11,7 +12,7 @@ from ..engine.shapes import Shape
 from ..engine.shortcut import Shortcut, move_along_axis
 from ..engine.trace import record
 from ..scenes.failing import NAMED
-from ..scenes.failing.wrong_steps import measured_test, only_x, raw_normals
+from ..scenes.failing.wrong_steps import is_closing_edge, measured_test, only_x, raw_normals, vertex_count
 from ..scenes.shape_tools import vertex_mean
 
 Predict = Callable[[Shape, Shape], tuple[Relation, Vec | None]]  # the claimed relation, and the push of B
@@ -42,9 +43,32 @@ def along_edges(a: Shape, b: Shape) -> Choice:
     return directions(*(Vec(-axis.normal.y, axis.normal.x) for axis in edge_normals(a, b).axes))(a, b)
 
 
+def first_half_rounded_up(a: Shape, b: Shape) -> Choice:
+    """Return the normals of the first half of the edges; of an odd number of edges the one in the middle, too."""
+    kept = (
+        axis
+        for axis in edge_normals(a, b).axes
+        if not is_closing_edge(axis, a, b) and axis.source.ids[0] < (vertex_count(axis, a, b) + 1) // 2
+    )
+    return Choice(tuple(kept))
+
+
 def one_for_equal_counts(a: Shape, b: Shape) -> Choice:
     """Return the edge normals of A alone where both shapes have as many vertices, else of both."""
     return (edge_normals_of_a if len(a.vertices) == len(b.vertices) else edge_normals)(a, b)
+
+
+def outward_from_each_middle(a: Shape, b: Shape, axis: Axis) -> AxisTest:
+    """Return the test of an edge normal that is turned for each shape by itself, away from its own vertex mean."""
+    start, n = (a if axis.source.shape == "A" else b).vertices[axis.source.ids[0]], axis.direction
+
+    def project_outward(shape: Shape) -> Projection:
+        """Return the projection of a shape on the normal or its opposite."""
+        middle, points = vertex_mean(shape), project(shape, axis).points
+        sign = -1 if (middle.x - start.x) * n.x + (middle.y - start.y) * n.y > 0 else 1
+        return Projection(points, tuple(sign * (p.x * n.x + p.y * n.y) for p in points))
+
+    return measured_test(axis, project_outward(a), project_outward(b))
 
 
 def one_extreme_each(step: int, a: Shape, b: Shape, axis: Axis) -> AxisTest:
@@ -52,10 +76,11 @@ def one_extreme_each(step: int, a: Shape, b: Shape, axis: Axis) -> AxisTest:
 
     def project_extremes(shape: Shape) -> Projection:
         """Return the projection of these four vertices; of several on one side the first counts (step -1: the last)."""
-        whole = project(shape, axis)
-        order, coordinates = range(len(whole.points))[::step], list(zip(*whole.points))
-        at = [pick(order, key=values.__getitem__) for pick in (min, max) for values in coordinates]
-        return Projection(tuple(whole.points[i] for i in at), tuple(whole.landings[i] for i in at))
+        listed = shape.vertices[::step]
+        if not listed:
+            return project(shape, axis)
+        few = [pick(listed, key=itemgetter(k)) for pick in (min, max) for k in (0, 1)]
+        return Projection(tuple(few), tuple(p.x * axis.direction.x + p.y * axis.direction.y for p in few))
 
     return measured_test(axis, project_extremes(a), project_extremes(b))
 
@@ -68,7 +93,7 @@ def push_along_centers(a: Shape, b: Shape, tests: Sequence[AxisTest]) -> Vec:
 
 
 def beyond_reach(reach: Reach, a: Shape, b: Shape) -> tuple[Relation, Vec | None]:
-    """Return APART where the vertex means are further apart than both reaches, else the right answer."""
+    """Return APART where the vertex means are further apart than the sum of both reaches, else the right answer."""
     if dist(vertex_mean(a), vertex_mean(b)) > reach(a) + reach(b):
         return APART, None
     trace = record(a, b)
@@ -106,7 +131,10 @@ def _variants() -> Iterator[tuple[str, Predict]]:
     yield chosen("one-overlap", only_x)
     yield "one-overlap", any_overlap
     yield chosen("line-for-axis", along_edges)
+    yield chosen("half-the-normals", first_half_rounded_up)
     yield chosen("same-shape", one_for_equal_counts)
+    outward = NAMED["mixed-signs"].shortcut._replace(choose=edge_normals, measure=outward_from_each_middle)
+    yield "mixed-signs", partial(by_shortcut, outward)
     for step in (1, -1):
         few = NAMED["extremes-once"].shortcut._replace(measure=partial(one_extreme_each, step))
         yield "extremes-once", partial(by_shortcut, few)

@@ -362,7 +362,7 @@ def _hull_corners(ring: Sequence[Vec]) -> list[int]:
     order = sorted(range(len(ring)), key=ring.__getitem__)
 
     def chain(ids: Sequence[int]) -> list[int]:
-        """Return the half of the hull on the right of the way through the corners in this order, without its end."""
+        """Return the half of the hull to the right of the path through these corners, without its last corner."""
         kept: list[int] = []
         for i in ids:
             while len(kept) > 1 and orient(ring[kept[-2]], ring[kept[-1]], ring[i]) <= 0:

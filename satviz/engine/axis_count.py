@@ -71,7 +71,7 @@ def _any_position_sentence(axes: tuple[Axis, ...], a: Shape, b: Shape) -> str:
 
 
 def _count_axes_of_parts(a: Shape, b: Shape) -> tuple[int, str]:
-    """Return (number of axes, sentence) as `enough` does, for a pair with a concave polygon."""
+    """Return (number of axes, sentence) as `count_axes` does, for a pair with a concave polygon."""
     pairs = [(p, q) for p in parts(a) for q in parts(b)]
     if relate(a, b) is Relation.APART:
         none = "No one normal of an edge is enough here"

@@ -95,7 +95,7 @@ class Trace:
 
     @property
     def separating(self) -> AxisTest | None:
-        """Return the first test whose axis separates the shapes; None if there is none or `proves` is False."""
+        """Return the first test whose axis separates the shapes; None without one, or if `gaps_are_proofs` is False."""
         return next((test for test in self.tests if test.separates), None) if self.gaps_are_proofs else None
 
     @property
@@ -322,7 +322,7 @@ def _least_overlap(tests: Sequence[AxisTest]) -> AxisTest:
 
 
 def _count_listed(a: Shape, b: Shape, choice: Choice, tests: Sequence[AxisTest]) -> int:
-    """Return how many points and axes a trace lists: all vertices once, and again for each test."""
+    """Return how many points and axes a trace lists: all points once and again for each test, and each axis."""
     return _count_points(a, b) * (1 + len(tests)) + len(choice.axes) + len(choice.skipped)
 
 

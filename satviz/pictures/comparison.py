@@ -173,7 +173,10 @@ def _panels(trace: Trace) -> tuple[Panel, Panel]:
 
 @lru_cache(maxsize=64)
 def _claimed_panel(trace: Trace, largest: tuple[float, float]) -> Picture:
-    """Return the panel of what the shortcut's answer comes from, with the answer, struck out if wrong."""
+    """Return the panel of what the shortcut's answer comes from, with the answer, struck out if wrong.
+
+    `largest`: the largest (width, height) of the canvas in points.
+    """
     sketch = _panels(trace)[0].draw(trace, _frame(trace, largest).claimed)
     draw_answer(sketch, trace, "claim", verdict_words(trace)[0], answers(trace).claimed)
     return strike_wrong_answers(sketch.finish("", trace.sentence, steady=False), trace)

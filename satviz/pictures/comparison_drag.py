@@ -33,6 +33,7 @@ def drag_view(
     """Return the picture of a shortcut's run while dragging, and the place of its axis (None: no axis shown).
 
     The picture shows what the shortcut measured in the chosen test, its answer, and its error region if `show_region`.
+    The other arguments are those of `drag_picture`.
     """
     sketch, place = Sketch(trace, layout), None
     sketch.digits = drag_digits(layout)

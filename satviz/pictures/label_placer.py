@@ -288,7 +288,7 @@ class LabelPlacer:
         return request, at
 
     def _spot_nearby(self, request: LabelRequest, last: LabelSpot, target: Spot, most: float) -> tuple[Spot, float]:
-        """Return the cheapest spot no more than `most` points from where the label has followed its target to.
+        """Return (cheapest spot, cost), at most `most` points from the old spot moved along with the label's target.
 
         Guide lines cost nothing: they end at labels.
         """
@@ -326,7 +326,7 @@ class LabelPlacer:
         return cost + self._cost_of_side(request, spot)
 
     def _cost_of_side(self, request: LabelRequest, spot: Spot) -> float:
-        """Return the cost of standing on the wrong side of a separating line or of the label's own wall."""
+        """Return the cost of standing across a separating line, or across the label's own `wall`, from its anchor."""
         anchor, cost = self._in_points(request.anchor), 0.0
         if request.steady and any(on_opposite_sides(anchor, spot, line) for line in self.walls):
             cost += OTHER_SIDE_COST

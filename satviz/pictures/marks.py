@@ -59,7 +59,7 @@ class SharedOptions(TypedDict, total=False):
 
 
 class MarkOptions(SharedOptions, total=False):
-    """The optional fields of a mark that is no label."""
+    """The optional fields of a mark that is not a label."""
 
     radius: float
     start: tuple[Vec, ...]

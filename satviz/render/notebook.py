@@ -46,8 +46,8 @@ def html_table(trace: Trace) -> str:
         if "reason" in row:
             lines.append(f'<td></td>{axis}<td colspan="4"><em>{escape(row["reason"])}</em></td>')
         else:
-            told = (row[key] for key in ("direction", "a", "b", "outcome"))
-            lines.append(f"<td>{row['number']}</td>{axis}" + "".join(f"<td>{escape(cell)}</td>" for cell in told))
+            cells = (row[key] for key in ("direction", "a", "b", "outcome"))
+            lines.append(f"<td>{row['number']}</td>{axis}" + "".join(f"<td>{escape(cell)}</td>" for cell in cells))
     body = "\n".join(f"<tr>{line}</tr>" for line in lines)
     said = escape(describe.printable(trace.sentence))
     return f"<table>\n<thead><tr>{head}</tr></thead>\n<tbody>\n{body}\n</tbody>\n</table>\n<p>{said}</p>"

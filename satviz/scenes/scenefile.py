@@ -101,7 +101,7 @@ class SceneOfOwnAxes(Scene):
 def with_axes(found: Scene, axes: str | Chooser | Shortcut) -> Scene:
     """Return the scene with other axes: a name, a choice of axes, or a shortcut, whose claim becomes the title.
 
-    InvalidScene for an unknown name, TypeError for what is no choice of axes.
+    InvalidScene for an unknown name, TypeError for anything else.
     """
     if isinstance(axes, str):
         return replace(found, axes=axes)

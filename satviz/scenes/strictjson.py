@@ -67,7 +67,7 @@ def require_keys(data: Any, where: str, required: Set[str], optional: Set[str] =
 
 
 def require_type(value: Any, where: str, wanted: type) -> Any:
-    """Return the value, 3.0 as the integer 3 if wanted; InvalidScene if it has another type; a bool is no number."""
+    """Return the value, 3.0 as the integer 3 if wanted; InvalidScene if it has another type; a bool is not a number."""
     if wanted is int and isinstance(value, float) and value.is_integer():
         return int(value)
     if not isinstance(value, wanted) or (isinstance(value, bool) and wanted is not bool):

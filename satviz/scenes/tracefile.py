@@ -32,7 +32,7 @@ def dump(trace: Trace, indent: int | None) -> str:
     """Return a trace as JSON text; InvalidScene for a shortcut not in SHORTCUTS, or a text too large to be read."""
     if trace.shortcut and SHORTCUTS.get(trace.shortcut.name) != trace.shortcut:
         raise InvalidScene(
-            f"the shortcut {short_repr(trace.shortcut.name)} is none of satviz's: its trace cannot be written"
+            f"the shortcut {short_repr(trace.shortcut.name)} is not one of satviz's: its trace cannot be written"
         )
     data = {"satviz": "trace 1", **_trace_data(trace, trace.known_mtv)}
     text = json.dumps(data, indent=indent, ensure_ascii=False, allow_nan=False)
@@ -275,7 +275,7 @@ def _require_same_run(trace: Trace, again: Trace, where: str) -> None:
     Numbers may differ by the rounding of another machine; signs and everything else may not.
     """
     if _sources(trace.choice) != _sources(again.choice):
-        raise InvalidScene(f"{where}.axes are not those of these shapes")
+        raise InvalidScene(f"{where}.axes are not the axes of these shapes")
     _require_equal(again.choice.complete, trace.choice.complete, f"{where}.complete")
     _require_equal(again.every_axis, trace.every_axis, f"{where}.every_axis")
     if len(trace.tests) != len(again.tests):

@@ -34,6 +34,7 @@ def site(
     `url` is the address of the site's folder: with it, pages say where they are, and there is a sitemap.
     Raise PythonMissing if that folder has no core, and ImportError if no Markdown reader is installed.
     """
+    url = site_folder(url, "the address")
     python: dict[str, bytes] = {}
     missing: list[str] = []
     if live:
@@ -54,7 +55,6 @@ def site(
     version = sha256(
         b"".join([script, style, _browser_file("embed.js"), *(python[name] for name in sorted(python))])
     ).hexdigest()[:12]
-    url = site_folder(url, "the address")
     return _with_sitemap(_files(script, style, python, version, reference_files, url), url), missing
 
 

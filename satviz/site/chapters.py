@@ -92,7 +92,7 @@ class _FoldedText:
         self.choices = choices
 
     def _place_choices(self) -> None:
-        """Add the choices that have no place yet."""
+        """Add the choices of the present question here, unless they are placed already."""
         if self.choices:
             self.parts.append(self.choices)
         self.choices = ""
@@ -195,7 +195,7 @@ def _used_by(names: set[str], known: dict[str, str]) -> list[str]:
 
 
 def _checked_function(source: str) -> str:
-    """Return the name of the function that a cell gives to `sv.check`; "" if its last line is no such call."""
+    """Return the name of the function that a cell gives to `sv.check`; "" if its last line is not such a call."""
     last = (ast.parse(source).body or [ast.Pass()])[-1]
     called = re.fullmatch(r"sv\.check\((\w+)\)", ast.unparse(last))
     return called[1] if called else ""

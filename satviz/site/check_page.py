@@ -93,7 +93,7 @@ autocorrect="off" wrap="off" aria-describedby="editor-keys"></textarea></label>
 
 
 def _symptoms() -> str:
-    """Return what users see of a mistake, in their words, each with the known mistakes that look so."""
+    """Return what users see of a mistake, in their words, each with the known mistakes that look like this."""
     items = []
     for words, names in SYMPTOMS.items():
         links = "".join(
@@ -102,6 +102,6 @@ def _symptoms() -> str:
         items.append(f"<details><summary>It {escape(words)}</summary><ul>{links}</ul></details>")
     return f"""<section class="symptoms" aria-label="what you see">
 <h2>What does it do in your program?</h2>
-<p>Choose what you see. The list names the known mistakes that look so, each with a scene to drag.</p>
+<p>Choose what you see. The list names the known mistakes that look like this, each with a scene to drag.</p>
 {"".join(items)}
 </section>"""

@@ -42,7 +42,7 @@ HOW_IN_WORDS = {
         "The shortcut says “apart”, but the shapes collide. They would go through each other.",
     ),
     "wrong number": ("Wrong numbers", "The yes or no is right, but a depth, a move or a distance is wrong."),
-    REFUSED: ("Refused", "The outline is no polygon, so no answer is right. satviz says what is wrong with it."),
+    REFUSED: ("Refused", "The outline is not a polygon, so no answer is right. satviz says what is wrong with it."),
 }
 # the levels of the challenges: title, and what is said about them
 LEVELS = {
@@ -203,7 +203,7 @@ def explorer_page(frame: Frame) -> bytes:
 <h1>Explorer</h1>
 <p class="lead">Drag the shapes, their corners, or a free axis.
 <b>Paste your own shapes</b> in the box below the picture: WKT, JSON or lines of code, as they stand in a log or in a
-report. It says whether they collide, and why.
+report. The page says whether they collide, and why.
 The address of this page is always a link to the present scene.</p>
 <noscript><p>This page needs JavaScript. Without JavaScript you cannot drag anything, and the picture always shows two
 triangles. The <a href="gallery.html">gallery</a> has a still picture of every scene.</p></noscript>
@@ -246,8 +246,8 @@ def challenges_page(frame: Frame) -> bytes:
     body = f"""
 <h1>Challenges</h1>
 <p class="lead"><b>Choose a challenge, and drag the shapes until it is met.</b> Most challenges are a claim that many
-people believe. Each claim begins with shapes for which it is right: find a place where it is wrong. Who has broken a
-shortcut will not use it. Every answer is checked exactly.</p>
+people believe. Each claim begins with shapes for which it is right: find a place where it is wrong. If you have broken
+a shortcut once, you will not use it. Every answer is checked exactly.</p>
 <p class="progress" hidden><span class="count" role="status" tabindex="-1"></span>
 <button type="button">Forget what I have solved</button></p>
 {listed}

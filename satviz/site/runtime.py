@@ -22,20 +22,14 @@ INTEGRITY = "sha512-0YvXxEhfEdpLfb/XkM2BFAeMROq0iMUX2bzzH9pOttyMcWkwq+HbE5uyuGD8
 CORE = "pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip", "pyodide-lock.json"
 # the parts of satviz that the pages import; neither NumPy nor matplotlib is in the page
 PACKED_PATHS = (
-    *("__init__.py", "optional_imports.py", "engine", "scenes", "pictures", "checking"),
-    *(
-        "advice/__init__.py",
-        "advice/relative_margin.py",
-        "widgets/__init__.py",
-        "widgets/player_model.py",
-        "widgets/explorer_model.py",
-        "widgets/goals.py",
-        "widgets/paste_model.py",
-        "site/__init__.py",
-        "site/live.py",
-    ),
+    *("__init__.py", "optional_imports.py", "engine", "scenes", "pictures", "checking", "widgets"),
+    *("advice/__init__.py", "advice/relative_margin.py", "site/__init__.py", "site/live.py"),
 )
-LEFT_OUT = {"checking/programs.py"}  # of these parts: it starts other programs
+# of these parts: what starts other programs, and what needs a notebook
+LEFT_OUT = {
+    "checking/programs.py",
+    *(f"widgets/{name}.py" for name in ("base", "explorer", "player", "plain_controls")),
+}
 # run before the memory is stored: it imports every module and gives each kind of answer once
 WARM_UP_CODE = """
 import gc, importlib, json, pkgutil, satviz

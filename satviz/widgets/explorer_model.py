@@ -162,7 +162,7 @@ class ExplorerModel(PlayerModel):
 
     @property
     def _hides_map(self) -> bool:
-        """Whether the error region would give away a challenge that is not won yet."""
+        """Return whether the error region would give away a challenge that is not won yet."""
         result = self._challenge_result
         return result is not None and result.goal == BREAK and not self._won
 

@@ -151,7 +151,9 @@ def _classify_edges(own: Edges, other: Edges, start: Indices, left: Indices, fac
 
 
 def _classify_on_line(ex: Array, ey: Array, fx: Array, fy: Array, px: Array, py: Array, which: Indices) -> Signs:
-    """Return what each edge e-f proves; p, of edge `which`: all corners not certainly beyond its line."""
+    """Return the relation that each edge e-f proves; `which`: the edge of each corner p.
+
+    The corners p of an edge are all that are not certainly beyond its line."""
     side = np.empty(len(which), np.int8)
     for start in range(0, len(which), BLOCK_SIGNS):
         part = slice(start, start + BLOCK_SIGNS)

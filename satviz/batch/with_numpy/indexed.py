@@ -70,7 +70,7 @@ def _max_widths(boxes: Array) -> Array:
 
 
 def _corners_in_columns(shapes: Flat, which: Indices) -> tuple[Array, Array]:
-    """Return (x, y) of the shapes `which`, a column each; corners start again until the longest is closed."""
+    """Return (x, y) of the shapes `which`, a column each; shorter ones repeat, until the longest is closed."""
     start = shapes.start[which]
     many, of = np.unique(shapes.start[which + 1] - start, return_inverse=True)
     places = (np.arange(many[-1] + 1)[:, None] % many).take(of, axis=1)  # a division a corner of each would be slow

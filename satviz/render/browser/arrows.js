@@ -1,37 +1,40 @@
 // Arrow keys on a page of its own, where no element has the focus.  (In a notebook they go from cell to cell.)
 
-/** @import { Player } from "./player.js" */
+/** @typedef {{ root: HTMLElement, keyPressed: (event: KeyboardEvent) => void, everyArrow?: boolean }} Keyed A player or an explorer. */
 
-/** @type {Player[]} The players of the page. */
-const players = [];
-/** @type {Player | null} The last one that the reader clicked or focused. */
+/** @type {Keyed[]} The players and explorers of the page. */
+const widgets = [];
+/** @type {Keyed | null} The last one that the reader clicked or focused. */
 let lastUsed = null;
 
-/** @param {Player} player */
-export function arrowKeys(player) {
-  if (!players.length) document.addEventListener("keydown", arrowPressed);
-  players.push(player);
+/** @param {Keyed} widget */
+export function arrowKeys(widget) {
+  if (!widgets.length) document.addEventListener("keydown", arrowPressed);
+  widgets.push(widget);
   for (const kind of ["pointerdown", "focusin"]) {
-    player.root.addEventListener(kind, () => {
-      lastUsed = player;
+    widget.root.addEventListener(kind, () => {
+      lastUsed = widget;
     });
   }
 }
 
 /**
- * The key goes to the player that was used last if it is in view, else to the one that shows most of itself.
+ * The key goes to the widget that was used last if it is in view, else to the one that shows most of itself.  Up and
+ * down scroll the page unless the reader has used an explorer, which takes every arrow then.
  * @param {KeyboardEvent} event
  */
 function arrowPressed(event) {
-  if (event.target !== document.body || event.shiftKey || !["ArrowLeft", "ArrowRight"].includes(event.key)) return;
-  const visible = players.filter((player) => heightInView(player) > 0);
+  if (event.target !== document.body || event.altKey || event.ctrlKey || event.metaKey) return;
+  const visible = widgets.filter((widget) => heightInView(widget) > 0);
   const [most] = visible.toSorted((one, other) => heightInView(other) - heightInView(one));
-  (visible.find((player) => player === lastUsed) ?? most)?.keyPressed(event);
+  const used = visible.find((widget) => widget === lastUsed);
+  const aside = !event.shiftKey && ["ArrowLeft", "ArrowRight"].includes(event.key);
+  if (aside || (used?.everyArrow && event.key.startsWith("Arrow"))) (used ?? most)?.keyPressed(event);
 }
 
 /**
- * How much of the window's height a player takes; nothing where it is folded away.
- * @param {Player} player
+ * How much of the window's height a widget takes; nothing where it is folded away.
+ * @param {Keyed} widget
  */
 function heightInView({ root }) {
   const { top, bottom } = root.getBoundingClientRect();

@@ -59,6 +59,8 @@ export class Explorer {
     this.sender = new PoseSender((content) => model.send(content));
     /** @type {Drag | null} */
     this.drag = null;
+    this.everyArrow = true; // see arrowKeys
+    this.lastHandle = "B-move"; // the id of the handle that the reader used last
     this.choosing = false; // is another scene on its way?
     this.refused = false;
     this.keepsRefusal = false; // a refused outline stays on the screen until the next change
@@ -277,6 +279,7 @@ export class Explorer {
     this.used();
     this.forgetRefused();
     this.controls.status.textContent = "";
+    this.lastHandle = handle.spec.id;
     handle.element.focus({ preventScroll: true });
     this.board.setPointerCapture(event.pointerId);
     this.board.classList.add("sv-dragging");
@@ -338,9 +341,10 @@ export class Explorer {
       else this.undo();
       return;
     }
-    const handle = this.handles.of(event.target);
+    const handle = this.handles.of(event.target) ?? this.handleWithoutFocus(event.target);
     if (!handle || command || event.altKey) return;
     const { spec } = handle;
+    this.lastHandle = spec.id;
     const step = HANDLE_STEPS[event.key];
     if (step !== undefined && spec.key) {
       this.take(event);
@@ -362,6 +366,14 @@ export class Explorer {
     const shape = this.pose[spec.key];
     const made = degrees ? rotated(shape, (degrees * Math.PI) / 180) : nudged(shape, spec, x * size, y * size, size / 10);
     this.change({ [spec.key]: made });
+  }
+
+  /**
+   * Where nothing has the focus, a key is meant for the handle used last, at first for B as a whole.
+   * @param {EventTarget | null} target
+   */
+  handleWithoutFocus(target) {
+    return target === document.body ? (this.handles.handles.get(this.lastHandle) ?? this.handles.handles.get("B-move")) : undefined;
   }
 
   /**

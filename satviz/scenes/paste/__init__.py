@@ -1,1 +1,1 @@
-"""Shapes out of whatever text somebody has: WKT, JSON, or lines of code; what they are told, and how it is sent on."""
+"""Read shapes from any text, such as WKT, JSON or lines of code; say what is found, and write it in other forms."""

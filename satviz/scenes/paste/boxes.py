@@ -91,7 +91,7 @@ class Boxes(Points):
         self.keeps = False  # a choice of a form is for the boxes whose form is asked, and for no others
 
     def _overridden(self, form: str) -> str:
-        """Return the form of a row, or the one that the user chose for all boxes where no box is asked about."""
+        """Return the form that the user chose for all boxes, if none is asked about; else `form`, of the notation."""
         return form if self.keeps else next((c for c in self.chosen if c in ANY_BOX), form)
 
     def mode(self, group: Group) -> str:
@@ -107,7 +107,7 @@ class Boxes(Points):
         self.asked.setdefault(ORDER, CHOICES[ORDER])
 
     def _choose(self, what: str, ask: Sequence[str], sure: str = "") -> str:
-        """Return the chosen reading; if none is, the one that is sure, else the first, and note that it is asked."""
+        """Return the reading that the user chose, else `sure`, else the first of `ask`, which becomes a question."""
         for choice in self.chosen:
             if choice in ask:
                 return choice
@@ -117,7 +117,7 @@ class Boxes(Points):
         return ask[0]
 
     def _outline(self, points: list[Pt], value: Value, label: str, shift: Pt = ZERO, how: str = "") -> Read:
-        """Return a polygon; `how`: words about the position that was added."""
+        """Return the polygon of these points, moved by `shift`; `how`: words that say where this move comes from."""
         moved = tuple((x + shift[0], y + shift[1]) for x, y in points)
         said = f"a polygon of {len(points)} corners{how}"
         used = places(*(c for p in points for c in p), *shift)
@@ -215,7 +215,9 @@ class Boxes(Points):
             if get("width") is not None and get("height") is not None:  # a DOMRect has both, and they must agree
                 w, h = self.number(get("width")), self.number(get("height"))
                 if (w, h) != (four[2] - four[0], abs(four[3] - four[1])):
-                    raise Unreadable(f"its sides are not {plain(w)} and {plain(h)} long: two readings of one box")
+                    raise Unreadable(
+                        f"its width and height ({plain(w)}, {plain(h)}) are not those of its corners: correct one"
+                    )
                 same = [get("width"), get("height")]
                 same += [get(name) for name, side in (("x", 0), ("y", 1)) if get(name) and place[side] == four[side]]
                 self.counts |= {value.end for value in same}
@@ -255,7 +257,7 @@ class Boxes(Points):
 
 
 def moved(shape: Read, move: Pt) -> Read:
-    """Return a shape that was moved."""
+    """Return the shape moved by `move`."""
     points = tuple((x + move[0], y + move[1]) for x, y in shape.points)
     said = shape.said.replace(AT_ORIGIN, "")
     said = said if said.endswith(" and a position") else f"{said} and a position"

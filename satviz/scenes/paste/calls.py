@@ -50,7 +50,7 @@ class Calls(Keyed):
         raise NotImplementedError
 
     def _arguments(self, group: Group) -> tuple[list[Any], Obj]:
-        """Return the arguments of a call that say something, and its named ones."""
+        """Return (arguments of a call that can describe a shape, its named arguments), without null, options and ()."""
         named = self.as_object(group)
         kept = []
         for item in named.rest:
@@ -83,7 +83,7 @@ class Calls(Keyed):
         return made if made.get("radius", "diameter", "width", "size", "half", "halfwidth", "min", "x1") else None
 
     def _body(self, arguments: list[Any]) -> tuple[list[Any], Pt | None, Any]:
-        """Return the arguments without a body, and that body's position and angle."""
+        """Return (arguments without a physics body, the body's position, its angle); None for what it has not."""
         for i, item in enumerate(arguments):
             value = self.resolve(item)
             if isinstance(value, Obj) and self._xy(value) is None and not any(isinstance(k, int) for k in value.fields):
@@ -151,7 +151,7 @@ class Calls(Keyed):
         if word == "arc" and len(group.items) > 4:  # of a canvas: an arc from 0 to a full turn is a circle
             turn = re.sub(r"\s|Math\.|\.0*(?!\d)", "", self.text[group.items[4].start : group.items[4].end]).lower()
             if self.number(group.items[3]) != 0 or turn not in FULL_TURNS:
-                raise Unreadable("an arc that is no full circle: satviz takes polygons and circles")
+                raise Unreadable("an arc that is not a full circle: satviz takes polygons and circles")
             group = replace(group, items=group.items[:3])
         arguments, named = self._arguments(group)
         arguments, place, _ = self._body(arguments)
@@ -206,7 +206,7 @@ class Calls(Keyed):
         return [Read(((x, y),), radius, said, group.start, group.end, label, used=used)]
 
     def _box(self, group: Group, row: Notation, label: str) -> list[Read]:
-        """Return the box of a call, in the form of its row or as it is asked."""
+        """Return the box of a call, in the form that `row` gives to its numbers, or that the user chose."""
         arguments, named = self._arguments(group)
         arguments, place, angle = self._body(arguments)
         if angle is None:

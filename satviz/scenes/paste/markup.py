@@ -145,5 +145,5 @@ def _inner(text: str, at: int) -> list[Token]:
 
 
 def _mark(kind: str, text: str, at: int) -> Token:
-    """Return a token that does not stand in the text."""
+    """Return a token that is added at the place `at`; the text itself does not have it."""
     return Token(kind, text, at, at)

@@ -124,7 +124,7 @@ class Names:
 
 
 def _holds(value: Any, place: int) -> bool:
-    """Return whether a place in the text lies in a value, or in a field of an object: then it cannot name it."""
+    """Return whether a place in the text lies within a value; a name at that place cannot stand for the value."""
     if isinstance(value, Obj):
         return any(_holds(v, place) for v in (*value.fields.values(), *value.rest))
     return bool(value.start <= place < value.end)

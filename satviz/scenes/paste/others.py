@@ -40,7 +40,7 @@ def lie(a: Shape, b: Shape) -> Where:
 
 
 def in_float32(a: Shape, b: Shape) -> Relation | str:
-    """Return the relation once each number is rounded to float32, or why a shape is none any more."""
+    """Return the relation once each number is rounded to float32, or why a shape is no longer valid."""
     return _changed(a, b, lambda value: struct.unpack("f", struct.pack("f", value))[0])
 
 
@@ -61,7 +61,7 @@ def _changed(a: Shape, b: Shape, change: Callable[[float], float]) -> Relation |
 
 
 def _with_numbers(shape: Shape, change: Callable[[float], float]) -> Shape:
-    """Return the shape with each number changed; InvalidShape or OverflowError where that is none."""
+    """Return the shape with each number changed; InvalidShape or OverflowError where they make no shape."""
     if isinstance(shape, Circle):
         return Circle((change(shape.center.x), change(shape.center.y)), change(shape.radius))
     return Polygon([(change(x), change(y)) for x, y in shape.vertices])
@@ -84,13 +84,13 @@ def views(a: Shape, b: Shape, lies: Where, gap: float) -> list[View]:
         View("OGC touches", _says(relation is TOUCHING), "they share border points, and no inside"),
     ]
     if relation is not OVERLAPPING:
-        found.append(View("OGC overlaps, contains, within", _says(False), "they share no inside"))
+        found.append(View("OGC overlaps, contains, within", _says(False), "they share no inner point"))
     elif lies.a_in_b is not None:
         contained = lies.a_in_b or lies.b_in_a
         why = (
             "each has a part outside the other"
             if not contained
-            else "one lies wholly in the other, which is no overlap there"
+            else "one lies wholly in the other, which is not called an overlap there"
         )
         found.append(View("OGC overlaps", _says(not contained), why))
         found.append(View("OGC contains (A contains B)", _says(bool(lies.b_in_a)), _whole("B", "A", lies.b_in_a)))
@@ -120,12 +120,12 @@ def views(a: Shape, b: Shape, lies: Where, gap: float) -> list[View]:
 
 
 def _hit(value: bool) -> str:
-    """Return the words of a collision test."""
+    """Return "hit" or "no hit", as a collision test says it."""
     return "hit" if value else "no hit"
 
 
 def _says(value: bool) -> str:
-    """Return the words of a predicate."""
+    """Return "true" or "false", as a predicate says it."""
     return "true" if value else "false"
 
 

@@ -109,12 +109,14 @@ def _of_concave(pair: Pair) -> Iterator[Finding]:
         shape = each.usable
         assert shape is not None
         hulls.append(Polygon([(float(x), float(y)) for x, y in hull(each.read.points)]) if each in concave else shape)
-    told = relate(hulls[0], hulls[1])
+    changed = relate(hulls[0], hulls[1])
     names = " and ".join(each.title for each in concave)
     verb = "are" if len(concave) > 1 else "is"
-    wrong = told is not pair.lies.relation
+    wrong = changed is not pair.lies.relation
     text = f"{names} {verb} concave: a test for convex shapes answers for the hull"
-    text += f", {_words(told)} instead of {_words(pair.lies.relation)}." if wrong else ", with the same relation here."
+    text += (
+        f", {_words(changed)} instead of {_words(pair.lies.relation)}." if wrong else ", with the same relation here."
+    )
     kind = "concave" if wrong else "note"
     yield Finding(kind, tuple(each.name for each in concave), text, "Cut it into convex parts and test each of them.")
 
@@ -127,15 +129,15 @@ def _of_other_readings(pair: Pair) -> Iterator[Finding]:
         if read.form in (CORNER_SIZE, CENTER_SIZE) and not read.rounded:
             form = CENTER_SIZE if read.form == CORNER_SIZE else CORNER_SIZE
             together = _relation_of_boxes(a, b, form)
-            told = _relation_with(box_points(read.box, form), other) if together is None else together
-            if told is not None and told is not relation and (together is None or each is a):
+            changed = _relation_with(box_points(read.box, form), other) if together is None else together
+            if changed is not None and changed is not relation and (together is None or each is a):
                 point = "center" if form == CENTER_SIZE else "corner"
                 owner = f"the point of {each.title}" if together is None else f"the points of {a.name} and {b.name}"
                 be = f"were its {point}" if together is None else f"were their {point}s"
                 yield Finding(
                     "corner-for-center",
                     (each.name,) if together is None else (a.name, b.name),
-                    f"If {owner} {be}, they would be {_words(told)} instead of {_words(relation)}.",
+                    f"If {owner} {be}, they would be {_words(changed)} instead of {_words(relation)}.",
                     f"It was read as {FORM_WORDS[read.form]}: check what the library wants.",
                 )
             opposite = _relation_of_corners(a, b) if read.keyed and not read.named else None
@@ -158,14 +160,14 @@ def _of_other_readings(pair: Pair) -> Iterator[Finding]:
                     "Check the order of the arguments.",
                 )
         if read.shift != ZERO and other.read.shift == ZERO and relation is APART:
-            told = _relation_with(tuple((x - read.shift[0], y - read.shift[1]) for x, y in read.points), other)
-            if told:
+            changed = _relation_with(tuple((x - read.shift[0], y - read.shift[1]) for x, y in read.points), other)
+            if changed:
                 x, y = read.shift
                 yield Finding(
                     "position-twice",
                     (each.name,),
                     f"The corners of {each.title} were moved by its position ({plain(x)}, {plain(y)}). If they were "
-                    f"absolute already, they would be {_words(told)} instead of {_words(relation)}.",
+                    f"absolute already, they would be {_words(changed)} instead of {_words(relation)}.",
                     "Give corners relative to the position, or a position of (0, 0).",
                 )
     if relation is APART and not any(each.read.is_circle and len(each.read.points) > 1 for each in (a, b)):
@@ -195,12 +197,12 @@ def _of_swapped(pair: Pair) -> Iterator[Finding]:
     extent = max(p[2] - p[0], p[3] - p[1], q[2] - q[0], q[3] - q[1])
     if not pair.gap > 2 * extent:
         return
-    told = _relation_with(tuple((y, x) for x, y in pair.b.read.points), pair.a, pair.b.read.radius)
-    if told:
+    changed = _relation_with(tuple((y, x) for x, y in pair.b.read.points), pair.a, pair.b.read.radius)
+    if changed:
         yield Finding(
             "swapped-arguments",
             (pair.a.name, pair.b.name),
-            f"{pair.a.name} and {pair.b.name} are far apart, and {'touch' if told is TOUCHING else 'overlap'} once "
+            f"{pair.a.name} and {pair.b.name} are far apart, and {'touch' if changed is TOUCHING else 'overlap'} once "
             f"x and y of {pair.b.name} are exchanged.",
             "Longitude comes before latitude in WKT and GeoJSON, and x before y.",
         )
@@ -214,7 +216,7 @@ def box_points(box: Sequence[Fraction], form: str) -> tuple[Pt, ...]:
 
 
 def _relation_with(points: tuple[Pt, ...], other: PastedShape, radius: Fraction | None = None) -> Relation | None:
-    """Return the relation of changed points to another shape; None where that is no shape."""
+    """Return the relation of changed points to another shape; None where they make no shape."""
     try:
         changed = make_shape(Read(points, radius, "", 0, 0))
     except InvalidShape:
@@ -278,7 +280,7 @@ def _decimal(value: Fraction) -> str:
 
 
 def _words(relation: Relation | str) -> str:
-    """Return a relation as an adjective."""
+    """Return a relation as text, such as "apart"; a text (why there is none) is unchanged."""
     return str(relation)
 
 

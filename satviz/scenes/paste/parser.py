@@ -258,7 +258,7 @@ class _Parser:
         return Group(pairs[0].start, pairs[-1].end, pairs, "+")
 
     def plain(self, atoms: list[Any]) -> Any:
-        """Return the value of atoms without `=` and `:`."""
+        """Return the value of atoms that contain no `=` and no `:`."""
         first = next((i for i, a in enumerate(atoms) if not says_nothing(a)), len(atoms))
         atoms = atoms[first:]
         if len(atoms) > 1 and is_operator(atoms[0]) and not (isinstance(atoms[1], Token) and atoms[1].kind == NUMBER):

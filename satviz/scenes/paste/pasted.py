@@ -129,9 +129,8 @@ class Pasted:
         refused = [each for each in self.readings if not each.shape]
         if not self.traces:
             names = listed([each.name for each in refused])
-            start = (
-                f"{names} {'are no valid shapes' if len(refused) > 1 else 'is no valid shape'}, so there is no answer"
-            )
+            words = "are not valid shapes" if len(refused) > 1 else "is not a valid shape"
+            start = f"{names} {words}, so there is no answer"
             if self.pairs:
                 (first, *_) = self.pairs
                 names = f"{first.a.name} and {first.b.name}"
@@ -292,7 +291,7 @@ def _choices(as_: str | Sequence[str]) -> tuple[str, ...]:
     words = as_.replace(",", " ").split() if isinstance(as_, str) else [str(word) for word in as_]
     for word in words:
         if word not in ALL_CHOICES:
-            raise InvalidScene(f"no reading is called {word[:40]!r}: choose of {', '.join(ALL_CHOICES)}")
+            raise InvalidScene(f"no reading is called {word[:40]!r}: choose one of {', '.join(ALL_CHOICES)}")
     return tuple(words)
 
 

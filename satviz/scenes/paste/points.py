@@ -1,4 +1,4 @@
-"""Numbers, points and outlines among the values of a text.  A part that is no number is never taken for one."""
+"""Numbers, points and outlines among the values of a text.  A part that is not a number is never taken for one."""
 
 from collections.abc import Sequence
 from fractions import Fraction
@@ -20,13 +20,13 @@ class Numeral(Fraction):
 
 
 def angle_of(at: Value, flat: Sequence[Fraction]) -> Num:
-    """Return the fifth number of a box, its angle, as a value with its own place in the text."""
+    """Return the fifth number of a box, its angle, as a value; it stands from the start of `at` to its own end."""
     number = flat[4]
     return Num(at.start, number.at if isinstance(number, Numeral) else at.end, number)
 
 
 def places(*numbers: Fraction) -> frozenset[int]:
-    """Return where numbers of the text end; what was computed stands nowhere."""
+    """Return the places in the text where these numbers end; a computed number has no place."""
     return frozenset(n.at for n in numbers if isinstance(n, Numeral))
 
 
@@ -34,10 +34,10 @@ ZERO = (Fraction(0), Fraction(0))
 
 
 class Points(Statements):
-    """Reads numbers, points and outlines; Unreadable says why one that looks so is none."""
+    """Reads numbers, points and outlines; Unreadable says why something that looks like one is not."""
 
     def number(self, value: Any) -> Fraction:
-        """Return an exact number; Unreadable says why there is none."""
+        """Return a value as an exact number; Unreadable says why it is not one."""
         given = value
         value = self.resolve(value)
         if isinstance(value, Num):
@@ -52,12 +52,12 @@ class Points(Statements):
             name = given.text
             if name.lower().rsplit(".", 1)[-1] in ("nan", "inf", "infinity", "positive_infinity"):
                 raise Unreadable(f"{name} is not a finite number")
-            raise Unreadable(f"{short(name)} is a name and no number: write its value")
+            raise Unreadable(f"{short(name)} is a name, not a number: write its value")
         part = self.text[given.start : given.end] if isinstance(given, Value) else ""
         raise Unreadable(f"{short(part)} is not evaluated: write the number that it stands for")
 
     def numbers(self, items: Sequence[Any]) -> list[Fraction] | None:
-        """Return the items as numbers; None if most are none; Unreadable if one among numbers is none."""
+        """Return the items as numbers; None if most are not numbers, Unreadable if only some are not."""
         found = [self.resolve(item) for item in items]
         count = sum(isinstance(v, Num) for v in found)
         if not found or count * 2 < len(found) or any(isinstance(v, (Group, Obj)) for v in found):
@@ -65,7 +65,7 @@ class Points(Statements):
         return [self.number(item) for item in items]
 
     def point(self, value: Any, *, origin: bool = False) -> Pt | None:
-        """Return a point, or None for anything else; Unreadable for a point with a coordinate that is no number.
+        """Return a point, or None for anything else; Unreadable for a point with a coordinate that is not a number.
 
         `origin`: a call without numbers, `new Vector()`, is the origin; a corner must have its numbers.
         """
@@ -106,7 +106,7 @@ class Points(Statements):
         return self.number(items[0]), self.number(items[1])
 
     def vector(self, value: Any) -> Pt | None:
-        """Return the value of a key as a point or a size: also (x, y, z), and {width, height}."""
+        """Return the value of a key as a point or a size, also of (x, y, z) and {width, height}; else None."""
         value = self.resolve(value)
         made = (
             self.as_object(value)
@@ -163,7 +163,9 @@ class Points(Statements):
             if len(flat) < 6 or (row and row.kind == POINT) or unknown:
                 return None  # setTransform(1, 0, 0, 1, 5, 5) is no outline
             if len(flat) % 2:
-                raise Unreadable(f"a list of {len(flat)} numbers is no list of x and y: one is missing or too many")
+                raise Unreadable(
+                    f"a list of {len(flat)} numbers is not a list of x and y: one is missing, or there is one too many"
+                )
             return list(zip(flat[::2], flat[1::2], strict=True))
         return self._points(items)
 
@@ -202,7 +204,7 @@ class Points(Statements):
         return [numbered[k] for k in range(first, last + 1)]
 
     def _points(self, items: Sequence[Any]) -> list[Pt] | None:
-        """Return the items as points; None if fewer than two are; Unreadable if only some are."""
+        """Return the items as points; None if most are not points, Unreadable if only some are not."""
         found: list[Pt | None] = []
         why = ""
         for number, item in enumerate(items):
@@ -221,7 +223,7 @@ class Points(Statements):
             return None  # a center, a size and an angle
         if count < len(items):
             place = next(i for i, p in enumerate(found) if p is None)
-            raise Unreadable(why or f"item {place} of a list of corners is no pair of numbers")
+            raise Unreadable(why or f"item {place} of a list of corners is not a pair of numbers")
         return [p for p in found if p is not None]
 
     def _is_number(self, item: Any) -> bool:

@@ -122,7 +122,7 @@ class Reader(Calls):
             self._refuse_methods(group)  # Point(0, 0).buffer(1)
             return []
         if group.name == "LINESTRING":
-            raise Unreadable("a line is no polygon: satviz takes outlines with an area")
+            raise Unreadable("a line is not a polygon: satviz takes outlines with an area")
         if kind == ARC:
             ring = self._points(group.items) or []
             if len(ring) == 3 and ring[0] == ring[2] and ring[0][1] == ring[1][1]:
@@ -239,7 +239,7 @@ class Reader(Calls):
             self.number(items[0])  # a list of expressions: says that they are not evaluated
         sizes = {len(v.items) if isinstance(v, Group) and _is_numeric(v) else 0 for v in items}
         if len(items) > 2 and len(sizes) > 1 and min(sizes) > 2:
-            raise Unreadable(f"lists of {' and '.join(map(str, sorted(sizes)))} numbers in one list are no corners")
+            raise Unreadable(f"lists of {' and '.join(map(str, sorted(sizes)))} numbers in one list are not corners")
         flat = self.numbers(items) if not _is_call(group) else None
         if flat is not None and len(flat) in (4, 5):
             self._ask_order()

@@ -159,7 +159,7 @@ class Statements(Names):
         return True
 
     def _is_drawn(self, last: str, call: Group) -> bool:
-        """Return whether a call moves a pen, or what its first argument names: Body.setPosition(a, {x: 1, y: 2})."""
+        """Return whether a call moves a pen, or the shape named first in it: Body.setPosition(a, {x: 1, y: 2})."""
         return (last == "moveto" and self._draws) or (len(call.items) > 1 and isinstance(call.items[0], Name))
 
     def _add(self, path: tuple[str, ...], point: Group) -> None:
@@ -181,7 +181,7 @@ class Statements(Names):
             self._insert(Pair(point.start, point.end, path, made))
 
     def _end_pen(self) -> None:
-        """End the outline that a pen draws."""
+        """End the outline that a pen draws; it becomes a shape if it has more than two corners."""
         if self._pen is not None and len(self._pen.items) > 2:
             self.loose.append(self._pen)
         self._pen = None
@@ -203,13 +203,13 @@ class Statements(Names):
         self._next, self._named = number + 1, found["name"]
 
     def _end_corners(self) -> None:
-        """End a numbered list of corners."""
+        """End the numbered list of corners; it becomes a shape if it has more than two."""
         if self._corners is not None and len(self._corners.fields) > 2:
             self.runs.append(Run(self._corners, ""))
         self._corners = None
 
     def _go_on(self, pair: Pair) -> None:
-        """Go on with the shape whose number this is: x1 = 0; y1 = 0; r1 = 5."""
+        """Add a number to the shape that its name tells; x1 = 0; y1 = 0; r1 = 5 is one circle."""
         name = str(pair.path[0]) if len(pair.path) == 1 else ""
         owner, meaning = _owner(name) if name else ("", "")
         if not meaning:
@@ -227,7 +227,7 @@ class Statements(Names):
         run.end = pair.end
 
     def _end_run(self, owner: str) -> None:
-        """End a run; it is a shape if it has all the numbers of one."""
+        """End the run of numbers that `owner` has collected; with all numbers of a shape it becomes a shape."""
         run = self._open.pop(owner, None)
         if run is None:
             return

@@ -91,7 +91,7 @@ def _table(lines: Sequence[Cell], number: int) -> tuple[Table | None, int]:
 
 
 def _tokens(table: Table) -> Iterator[Token]:
-    """Yield the tokens of a table; none for a table of anything else."""
+    """Yield the tokens of a table of shapes or points; none for a table of other things."""
     columns = {key(name): i for i, name in enumerate(table.names) if key(name)}
     names = [name.lower() for name in table.names]
     columns.update({name: i for i, name in enumerate(names) if name in ("x1", "y1", "x2", "y2")})

@@ -43,17 +43,17 @@ class Left(NamedTuple):
 
 
 def unused(tree: Tree, reads: Sequence[Read], text: str, named: Sequence[tuple[int, int]]) -> Iterator[Finding]:
-    """Yield the findings about numbers of a text that stand in no shape: not applied, or left out.
+    """Yield the findings about numbers of a text that no shape uses: not applied, or left out.
 
-    `named`: where parts stand that are named already as unread.
+    `named`: (start, end) of the parts that other findings already call unread.
     """
     used = frozenset().union(*(read.used for read in reads)) | tree.indices
     known = {left.end: left for left in _walk(tree, tree.root, "")}
     for token in tree.numbers:
         known.setdefault(token.end, Left(token.start, token.end, "", token.value))
     unread = dict(_unread(tree, tree.root, used))
-    told = (left for left in known.values() if not any(start <= left.start < end for start, end in named))
-    rest = sorted((left for left in told if left.end not in used), key=lambda left: left.start)
+    unnamed = (left for left in known.values() if not any(start <= left.start < end for start, end in named))
+    rest = sorted((left for left in unnamed if left.end not in used), key=lambda left: left.start)
     not_read = [left._replace(key=unread[left.end]) for left in rest if left.end in unread]
     read = [left for left in rest if left.end not in unread]
     changing: list[Left] = []
@@ -122,9 +122,9 @@ def _words(name: str) -> frozenset[str]:
 
 
 def _changes(left: Left, inside: bool) -> bool:
-    """Return whether the key of a number says that it changes a shape, and its value that it does.
+    """Return whether a number that was left out would change a shape, by its key and its value.
 
-    `inside`: the number stands in the text of a shape, where every key that tables know would change it.
+    `inside`: the number stands in the text of a shape, where every key in the tables of `notations` would change it.
     """
     words = _words(left.key.removeprefix("svg."))
     same = left.value == (1 if any("scal" in word or word == "zoom" for word in words) else 0)

@@ -125,6 +125,7 @@ export class ScenePlace {
       this.model.values = { ...content, alone: true, pasting: this.linked, site: SITE };
       this.model.listeners.clear();
       this.widget = new Explorer(this.model, made);
+      arrowKeys(this.widget);
       this.link.hash = content.first.link;
       this.onstate?.(content.first);
     }

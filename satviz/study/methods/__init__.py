@@ -85,10 +85,10 @@ def wrong_answers(answers: Answers, right: NDArray[np.int8]) -> NDArray[np.bool_
 
 
 def count_mistakes(answers: Answers, right: NDArray[np.int8]) -> dict[str, int]:
-    """Return by name the numbers of false hits, of false misses, and of touches confused with overlaps."""
+    """Return by name the numbers of false hits, of missed hits, and of touches confused with overlaps."""
     hit, is_hit = answers > 0, right > 0
     confused = int((wrong_answers(answers, right) & hit & is_hit).sum())
-    return {"false_hits": int((hit & ~is_hit).sum()), "false_misses": int((~hit & is_hit).sum()), "confused": confused}
+    return {"false_hits": int((hit & ~is_hit).sum()), "missed_hits": int((~hit & is_hit).sum()), "confused": confused}
 
 
 def engine_shapes(side: Side) -> list[Shape]:

@@ -115,7 +115,7 @@ def _towards_origin(corners: Simplex, ax: float, ay: float) -> tuple[Simplex, tu
 
 
 def _edge_towards_origin(a: tuple[float, float], b: tuple[float, float]) -> tuple[Simplex, tuple[float, float]]:
-    """Return the part of the edge from a to b nearest to the origin, and the next search direction."""
+    """Return the part of the edge from a, the newest corner, to b nearest to the origin, and the next direction."""
     ex, ey = b[0] - a[0], b[1] - a[1]
     if ex * -a[0] + ey * -a[1] <= 0:
         return [a], (-a[0], -a[1])

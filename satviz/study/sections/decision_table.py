@@ -31,7 +31,7 @@ COLUMNS = (
     ("what you have", 6.0, 136.0),
     ("least model", 146.0, 106.0),
     ("a pair", 258.0, 50.0),
-    ("gaps told wrongly", 310.0, 78.0),
+    ("wrong for gaps", 310.0, 78.0),
 )  # title, left and width in points
 
 
@@ -76,7 +76,7 @@ def recommend(n: int, settings: Settings) -> list[JsonRow]:
 
 
 def _kind(kind: str, shapes: batch.Shapes) -> str:
-    """Return the short name of a kind of model, under which its time is found."""
+    """Return the key of a model in MEASURED: "circles" for batches of circles, "exact", or the kind itself."""
     return "circles" if shapes.max_corners < 3 else "exact" if "exact" in kind else kind
 
 
@@ -103,9 +103,9 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
         "The least model that `satviz advise` proves right for every pair of such a scene. Time: the answer alone, for "
         "4-gons or circles.",
     )
-    told = [_told(row) for row in rows]
+    table = [_in_words(row) for row in rows]
     heights = [TEXT_LINE * max(len(wrap(words, int(width / TEXT_LETTER)))
-                          for words, (_, _, width) in zip(own, COLUMNS, strict=True)) + 8 for own in told]  # fmt: skip
+                          for words, (_, _, width) in zip(own, COLUMNS, strict=True)) + 8 for own in table]  # fmt: skip
     head = head_height(title, lines)
     size = WIDTH, head + sum(heights) + 62
 
@@ -118,7 +118,7 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
             heading = "\n".join(wrap(words, int(width / TEXT_LETTER)))
             fig.text(left / WIDTH, 1 - down / size[1], heading, color=theme.roles["guide"], **style)
         down += 34
-        for own, row, height in zip(told, rows, heights, strict=True):
+        for own, row, height in zip(table, rows, heights, strict=True):
             fig.add_artist(_rule(theme, down - 4, size))
             for k, (words, (_, left, width)) in enumerate(zip(own, COLUMNS, strict=True)):
                 role = (
@@ -133,11 +133,11 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
                          fontweight="bold" if k == 1 else "normal", **style)  # fmt: skip
             down += height
 
-    text = f"{title}. " + " ".join(f"{own[0][0].upper()}{own[0][1:]}: {own[1]}, {own[2]}." for own in told)
+    text = f"{title}. " + " ".join(f"{own[0][0].upper()}{own[0][1:]}: {own[1]}, {own[2]}." for own in table)
     return Chart("decision-table", title, size, draw, rows, text, timing_warning(rows, settings))
 
 
-def _told(row: JsonRow) -> tuple[str, str, str, str]:
+def _in_words(row: JsonRow) -> tuple[str, str, str, str]:
     """Return the four fields of a row in words."""
     wrong = f"up to {in_metres(row['wrong_metres'])} in 1 km" if row["wrong_metres"] else "none: proven"
     return row["have"], row["model"], format_time(row["ns"]), wrong

@@ -139,16 +139,16 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
             label_ends(ax, ends)
 
     text = f"{title}. satviz against plain SAT, with the 95 % interval over {len(rows[0]['ns_runs'])} processes: "
-    told = []
+    ratios = []
     for what, steps in ("touching", TOUCHING_SHARES), ("outlier", OUTLIERS):
         for much in steps:
             for column, kind in ("ns", "the answer"), ("whole", "from the arrays"):
                 mid, low, high = ratio(what, float(much), column)
                 words = f"{much:.1%} touching" if what == "touching" else f"one triangle 2^{much} times as large"
                 plain, exact = (by[what, float(much), name][column] for name in (PLAIN, EXACT))
-                told.append(f"{words}, {kind}: {mid:.1f} times ({low:.1f} to {high:.1f}), {format_time(exact)} "
+                ratios.append(f"{words}, {kind}: {mid:.1f} times ({low:.1f} to {high:.1f}), {format_time(exact)} "
                             f"against {format_time(plain)}")  # fmt: skip
-    text += f"{'; '.join(told)}. {VECTORISED}"
+    text += f"{'; '.join(ratios)}. {VECTORISED}"
     return Chart("price-of-exactness", title, size, draw, rows, text, timing_warning(rows, settings))
 
 

@@ -247,7 +247,7 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
         ax.set_xticks([0, 1], ["0", "all"])
         errors = ("angle", 236.0, "direction", [1e-12, 1], ["10⁻¹²°", "1°"], 180.0)
         for column, left, heading, ticks, names, most in (
-            errors, ("length", 314.0, "length", [1e-12, 1e-2], ["10⁻¹²", "1 %"], 10.0)
+            errors, ("length", 314.0, "length", [1e-12, 1e-2], ["10⁻¹²", "1 %"], 250.0)
         ):  # fmt: skip
             ax = panel(left, 66, heading)
             for at, row in zip(places, rows, strict=True):
@@ -269,8 +269,8 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
 
     text = f"{title}. "
     for row in rows:
-        told = ", ".join(f"{row[outcome]:,} {outcome}" for outcome in OUTCOMES if row[outcome])
-        text += f"{row['kind']}, {row['method']}: {told} of {row['pairs']:,}; direction off by "
+        outcomes = ", ".join(f"{row[outcome]:,} {outcome}" for outcome in OUTCOMES if row[outcome])
+        text += f"{row['kind']}, {row['method']}: {outcomes} of {row['pairs']:,}; direction off by "
         text += f"{row['angle_median']:.2g}° in the median and {row['angle_largest']:.2g}° at worst, length by "
         text += f"{row['length_median']:.2g} and {row['length_largest']:.2g} of the least push. "
     text += f"A push is turned where it is more than {TURNED:g}° off. For concave outlines the least push is computed "

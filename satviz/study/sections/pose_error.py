@@ -75,7 +75,7 @@ def _exact_turn(angle: float) -> tuple[int, int]:
 
 
 def _exact_path(at: tuple[float, float], c: int, s: int) -> dict[int, tuple[float, float]]:
-    """Return where the point is after each number of STEPS, by integers over 2**BITS."""
+    """Return where the point is after each number of STEPS; c, s: cosine and sine of a step, integers over 2**BITS."""
     x, y = (int(v.as_integer_ratio()[0] * (1 << BITS) // v.as_integer_ratio()[1]) for v in map(float, at))
     path = {}
     for step in range(1, STEPS[-1] + 1):

@@ -72,6 +72,7 @@ def cells(settings: Settings) -> list[Cell]:
 def measure(test: str, away: float, seconds: int) -> JsonRow:
     """Return how far the top box has sunk in metres, and the energy in joules, for each tenth of a second.
 
+    `test`: a name in TESTS; `away`: metres from the origin.
     The energy is the largest of the tenth.  `jitter` and `largest_energy` are of all steps in the second half.
     """
     frames = simulate(TESTS[test], BOXES, round(seconds / STEP), away)
@@ -154,7 +155,7 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     )
     text += f"to {BOXES * SLOP * 1e3:g} mm; the first steps decide where. "
     fall = GRAVITY * STEP
-    text += f"In one step without a contact a box gains {fall:.2g} m/s, so each false miss is seen as energy."
+    text += f"In one step without a contact a box gains {fall:.2g} m/s, so each missed hit is seen as energy."
     return Chart("resting-stack", title, size, draw, rows, text)
 
 

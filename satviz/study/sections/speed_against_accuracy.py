@@ -92,7 +92,7 @@ def search(name: str, n: int, generations: int, settings: Settings) -> JsonRow:
         a, b = Polygon(found.a[0]), Polygon(found.b[0])
         hit = truth.agreed(a, b) > 0
         row["metres"] = math.sqrt(truth.squared_gap(a, b))
-        row |= {"mistake": "false miss" if hit else "false hit", "a": found.a[0].tolist(), "b": found.b[0].tolist()}
+        row |= {"mistake": "missed hit" if hit else "false hit", "a": found.a[0].tolist(), "b": found.b[0].tolist()}
     return row
 
 
@@ -146,7 +146,7 @@ def summaries(found: dict[str, Any]) -> list[JsonRow]:
         row = {**worst, "proven": proven_metres(times["method"])}
         for work in WORKS:
             (count,) = (row for row in found[f"count-{work}"] if row["method"] == times["method"])
-            row |= {f"{work}_{what}": count[what] for what in ("pairs", "wrong", "false_hits", "false_misses")}
+            row |= {f"{work}_{what}": count[what] for what in ("pairs", "wrong", "false_hits", "missed_hits")}
         rows.append({**row, **times})
     return rows
 
@@ -166,7 +166,7 @@ def in_metres(gap: float) -> str:
 
 
 def main_chart(rows: list[JsonRow], settings: Settings) -> Chart:
-    """Return the chart of time against the largest gap told wrongly, with at most eight labels."""
+    """Return the chart of time against the largest gap with a wrong answer, with at most eight labels."""
     by_name = {row["method"]: row for row in rows}
     sat, exact = by_name["SAT, raw normals"], by_name["satviz"]
     ratio, low, high = ratio_interval(exact["ns_runs"], sat["ns_runs"])
@@ -175,8 +175,8 @@ def main_chart(rows: list[JsonRow], settings: Settings) -> Chart:
         f"(proven); exact answers take {ratio:.1f} times as long"
     )
     lines = (
-        "Left is faster, down is more accurate. Dot: the largest gap told wrongly that a search found. Dash: the "
-        "proven bound. Of the two dots of SAT in float64, the right one has normals of length 1.",
+        "Left is faster, down is more accurate. Dot: the largest gap with a wrong answer that a search found. Dash: "
+        "the proven bound. Of the two dots of SAT in float64, the right one has normals of length 1.",
     )
     head = head_height(title, lines)
     size = WIDTH, head + 390
@@ -192,7 +192,7 @@ def main_chart(rows: list[JsonRow], settings: Settings) -> Chart:
         set_time_ticks(ax.xaxis, limits)
         ax.set_xlabel("time for a pair: answer only, one core")
         ax.set_yticks([*TICKS.values(), NONE], [*TICKS, "none\nfound"])
-        ax.set_ylabel("largest gap told wrongly in 1 km", labelpad=0)
+        ax.set_ylabel("largest gap with a wrong answer in 1 km", labelpad=0)
         ax.axhline(log10(ATOM_METRES), color=guide, lw=0.8, ls=(0, (1, 2.2)))
         style: dict[str, Any] = {"fontsize": TEXT_POINTS, "color": guide, "parse_math": False}
         ax.text(0.99, log10(ATOM_METRES) + 0.1, "an atom", transform=ax.get_yaxis_transform(), ha="right", **style)
@@ -265,8 +265,8 @@ def all_methods_chart(rows: list[JsonRow], settings: Settings) -> Chart:
             for key, fill in ("ns", shade), ("whole", theme.paper):
                 ax.plot([row[f"{key}_low"], row[f"{key}_high"]], [y, y], color=ink, lw=1, zorder=4)
                 ax.plot([row[key]], [y], "o", mec=shade, mfc=fill, ms=7, mew=1.5, zorder=3)
-            told = (in_metres(row["metres"]), f"{row['touching_wrong']:,}", f"{row['extreme_wrong']:,}")
-            for x, words in zip(places, told, strict=True):
+            cells_of = (in_metres(row["metres"]), f"{row['touching_wrong']:,}", f"{row['extreme_wrong']:,}")
+            for x, words in zip(places, cells_of, strict=True):
                 ax.text(x, y, words, transform=ax.get_yaxis_transform(), color=ink, ha="center", **style)
         ax.set(xscale="log", ylim=(len(rows) - 0.5, -0.5), xlabel="time for a pair")
         ax.set_yticks(range(len(rows)), [row["method"] for row in rows])

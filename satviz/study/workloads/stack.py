@@ -133,7 +133,7 @@ def _arms(bodies: list[Body], point: ContactPoint, k: int) -> tuple[Point, float
 
 
 def _apply(bodies: list[Body], speeds: list[list[float]], point: ContactPoint, k: int, impulse: float) -> None:
-    """Add impulse k of a contact point to the velocities of both bodies."""
+    """Add an impulse at a contact point, along its normal (k = 0) or across it (1), to both bodies' velocities."""
     (x, y), *arms = _arms(bodies, point, k)
     for number, arm, size in zip((point.i, point.j), arms, (-impulse, impulse), strict=True):
         body, v = bodies[number], speeds[number]

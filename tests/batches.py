@@ -1,0 +1,162 @@
+"""Shapes and helpers that several tests of batches share."""
+
+import importlib
+import pickle
+from concurrent.futures import Executor, Future
+
+import numpy as np
+import pytest
+
+import satviz as sv
+from satviz import batch
+from satviz.batch import arrays
+
+ENGINES = ["numpy", "numba"]
+ELL = np.array([(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)])
+RNG = np.random.default_rng
+
+
+def ngons(rng, n, v, spread=1.5):
+    center = rng.uniform(-spread, spread, (n, 1, 2))
+    turns = np.sort(rng.uniform(0, 2 * np.pi, (n, v)), axis=1)
+    return center + np.stack([np.cos(turns), np.sin(turns)], axis=2)
+
+
+def regular(rng, n, v, spread=0.1):
+    """Regular polygons of one size, turned any way."""
+    turns = rng.uniform(0, 2 * np.pi, (n, 1)) + 2 * np.pi * np.arange(v) / v
+    return rng.uniform(-spread, spread, (n, 1, 2)) + np.stack([np.cos(turns), np.sin(turns)], axis=2)
+
+
+def kernels_of(name):
+    """One of numba's modules, where numba is installed."""
+    pytest.importorskip("numba", reason="needs numba: python -m pip install '.[fast]'")
+    return importlib.import_module(f"satviz.batch.with_numba.{name}")
+
+
+def in_python(kernel):
+    """A kernel as Python, which asks what stands in its module."""
+    return getattr(kernel, "py_func", kernel)
+
+
+def as_python(monkeypatch, module, *names):
+    for name in names:
+        monkeypatch.setattr(module, name, in_python(getattr(module, name)))
+
+
+def circles(rng, n, spread=2.0):
+    return batch.Circles(rng.uniform(-spread, spread, (n, 2)), rng.uniform(0.1, 1, n))
+
+
+def scalar(shapes):
+    """The same shapes one by one."""
+    found = []
+    for v, slot in zip(shapes.count.tolist(), shapes.slot.tolist()):
+        group = shapes.groups[v]
+        x, y = group.x[:, slot], group.y[:, slot]
+        found.append(sv.Circle((x[0], y[0]), group.r[slot]) if v == 1 else sv.Polygon(np.stack([x, y], axis=1)))
+    return found
+
+
+def one_by_one(a, b):
+    return [sv.relate(p, q) for p, q in zip(scalar(a), scalar(b))]
+
+
+def batches_of(known):
+    """Scalar convex shapes as one mixed batch, in order."""
+    return batch.concat(
+        [batch.Circles([s.center], [s.radius]) if isinstance(s, sv.Circle) else batch.Polygons([s]) for s in known]
+    )
+
+
+def beside_mirror(v, w):
+    """60 shapes, each beside one of another kind on whose leftmost corner or edge its rightmost corner lies."""
+    a, b = (np.round(ngons(RNG(v * w), 60, k) * 2.0**40) for k in (v, w))
+    wall = a[:, :, 0].max(axis=1)
+    low = b[:, :, 0].min(axis=1)
+    corner = a[np.arange(60), a[:, :, 0].argmax(axis=1), 1] - b[np.arange(60), b[:, :, 0].argmin(axis=1), 1]
+    return a, b + np.stack([wall - low, corner], axis=1)[:, None]
+
+
+def tiles(edge, coordinate):
+    """A group of which only the largest numbers of its tiles are known."""
+    x = np.zeros((3, 1))
+    return arrays.Group(x, x, maxima=np.array([edge, coordinate]))
+
+
+TRIPLES = np.array([(3, 4, 5), (5, 12, 13), (8, 15, 17), (20, 21, 29), (-9, 40, 41)], float)
+
+
+def turned(vectors):
+    return np.stack([vectors[..., 1], -vectors[..., 0]], axis=-1)
+
+
+def resting_exactly(rng, n, bits=10):
+    """The same on a grid: edges along whole-number triples, the corner of a right angle or the middle of its edge."""
+    x, y, z = TRIPLES[rng.integers(0, len(TRIPLES), n)].T
+    along = np.stack([x, y], axis=1)
+    p = rng.integers(-(2**bits), 2**bits, (n, 2)).astype(float)
+    k, m = rng.integers(1, 2**bits, (2, n, 1)).astype(float)
+    q = p + 2 * k * along
+    o = p + k * along - turned(along) * rng.integers(1, 5, (n, 1)) * k + along * rng.integers(-1, 2, (n, 1)) * k
+    centers = np.where(rng.random((n, 1)) < 0.5, p + k * along + m * turned(along), q + m * along)
+    return centers, z * m[:, 0], np.stack([p, q, o], axis=1)
+
+
+def resting_on_boxes(rng, n):
+    """Below boxes, then mirrored and turned to each of the four sides."""
+    low = rng.uniform(-2, 2, (n, 2))
+    high = low + rng.uniform(0.1, 3, (n, 2))
+    corners = [low, np.c_[high[:, 0], low[:, 1]], high, np.c_[low[:, 0], high[:, 1]]]
+    centers = np.c_[low[:, 0] + rng.uniform(0, 1, n) * (high - low)[:, 0], low[:, 1] - rng.uniform(0.1, 1, n)]
+    mirror, swap = rng.choice([-1.0, 1.0], (n, 1, 2)), rng.random((n, 1, 1)) < 0.5
+    points = np.stack([centers, *corners], axis=1) * mirror
+    points = np.where(swap, points[..., ::-1], points)
+    return points[:, 0], low[:, 1] - centers[:, 1], points[:, 1:]
+
+
+def jolt(rng, values, most):
+    """Each up to `most` floats up or down."""
+    steps = rng.integers(-most, most + 1, values.shape)
+    for k in range(1, most + 1):
+        values = np.where(np.abs(steps) >= k, np.nextafter(values, np.where(steps > 0, np.inf, -np.inf)), values)
+    return values
+
+
+def a_float_off(make):
+    def made(rng, n):
+        centers, radii, rings = make(rng, n)
+        return jolt(rng, centers, 1), jolt(rng, radii, 1), rings
+
+    return made
+
+
+def moved(make):
+    """Scaled by 2**-300 to 2**300, or shifted by up to 2**40: what is then rounded is the question."""
+
+    def made(rng, n):
+        made = make(rng, n)
+        scale, shift = 2.0 ** rng.integers(-300, 301, n), 2.0 ** rng.integers(0, 41, n)
+        scale, shift = np.where(rng.random(n) < 0.5, (scale, 0 * shift), (np.ones(n), shift))
+        return tuple((c.T * scale + (0 if c.ndim == 1 else shift)).T for c in made)
+
+    return made
+
+
+def batches_from(made):
+    centers, radii, rings = made
+    return batch.Circles(centers, radii), batch.Polygons(rings.copy())
+
+
+class Elsewhere(Executor):
+    """Does what it is handed at once and on a copy, as another process would; keeps what was sent."""
+
+    def __init__(self):
+        self.sent = []
+
+    def submit(self, function, *args):
+        self.sent.append(pickle.dumps((function, args)))
+        function, args = pickle.loads(self.sent[-1])
+        future = Future()
+        future.set_result(function(*args))
+        return future
