@@ -219,7 +219,8 @@ class Boxes(Points):
                         f"its width and height ({plain(w)}, {plain(h)}) are not those of its corners: correct one"
                     )
                 same = [get("width"), get("height")]
-                same += [get(name) for name, side in (("x", 0), ("y", 1)) if get(name) and place[side] == four[side]]
+                xy = (get("x"), get("y"))
+                same += [v for v, c, side in zip(xy, place or (), four, strict=False) if v is not None and c == side]
                 self.counts |= {value.end for value in same}
             return four, CORNER_CORNER
         if place is None and all(c is not None for c in corners[:2]):
