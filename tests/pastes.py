@@ -1620,8 +1620,7 @@ r2 = pygame.Rect(5, 0, 10, 10)""",
         """r1 = pygame.Rect(0, 0, 10, 10)
 r1.move_ip(20, 0)
 r2 = pygame.Rect(5, 0, 10, 10)""",
-        ((0, 0, 10, 10), (5, 0, 15, 10)),
-        says="move_ip",
+        ((20, 0, 30, 10), (5, 0, 15, 10)),
     ),
     Paste(
         "inflate",
@@ -2873,5 +2872,96 @@ paddle: x=5, y=0, w=10, h=2""",
         "calls before an equals sign",
         """Rect.fromLTRB(0.0, 0.0, 10.0, 10.0) overlaps Rect.fromLTRB(10.0, 0.0, 20.0, 10.0) = false""",
         ((0, 0, 10, 10), (10, 0, 20, 10)),
+    ),
+    Paste(
+        "a table with two shapes in a row",
+        """ frame  player_x  player_y  enemy_x  enemy_y  r
+    10       0.0       0.0      3.0      0.0  1""",
+        (),
+        says="a table whose columns",
+    ),
+    Paste(
+        "Offset of a box",
+        """var a = new Rectangle(0, 0, 10, 10);
+a.Offset(20, 0);
+var b = new Rectangle(12, 0, 5, 5);""",
+        ((20, 0, 30, 10), (12, 0, 17, 5)),
+    ),
+    Paste(
+        "setBounds",
+        """Rectangle r1 = new Rectangle();
+r1.setBounds(0, 0, 10, 10);
+Rectangle r2 = new Rectangle();
+r2.setBounds(20, 0, 10, 10);""",
+        ((0, 0, 10, 10), (20, 0, 30, 10)),
+    ),
+    Paste(
+        "x and y in two lists of an object",
+        """{"polygonA": {"x": [0, 4, 4], "y": [0, 0, 4]}, "polygonB": {"x": [5, 6, 6], "y": [0, 0, 4]}}""",
+        ((0, 0, 4, 4), (5, 0, 6, 4)),
+    ),
+    Paste(
+        "fields of an object as arguments",
+        """var p = {x: 0, y: 0};
+var a = new Circle(p.x, p.y, 2);
+var b = new Circle(3, p.y, 2);""",
+        ((-2, -2, 2, 2), (1, -2, 5, 2)),
+    ),
+    Paste(
+        "names as arguments of a circle",
+        """c = new Circle(x, y, 10); d = new Circle(0, 0, 5);""",
+        ((-5, -5, 5, 5),),
+        says="x is a name",
+    ),
+    Paste(
+        "a name as the center of a circle",
+        """c = new Circle(this.pos, 10); d = new Circle(0, 0, 5);""",
+        ((-5, -5, 5, 5),),
+        says="this.pos is a name",
+    ),
+    Paste(
+        "names as arguments of a box",
+        """c = new Rect(player.x, player.y, 10, 10); d = new Circle(0, 0, 5);""",
+        ((-5, -5, 5, 5),),
+        says="player.x is a name",
+    ),
+    Paste(
+        "Rectangle of two points",
+        """a = Rectangle(Point(0, 0), Point(10, 10))
+b = Rectangle(Point(12, 0), Point(20, 10))""",
+        ((0, 0, 10, 10), (12, 0, 20, 10)),
+        as_="corner-corner",
+    ),
+    Paste(
+        "Rectangle in square brackets",
+        """Rectangle[0,0,10,10]
+Rectangle[12,0,5,5]""",
+        ((0, 0, 10, 10), (12, 0, 17, 5)),
+        as_="corner-size",
+    ),
+    Paste(
+        "IntersectsWith",
+        """Assert.False(new Rect(0,0,10,10).IntersectsWith(new Rect(new Point(10,0), new Point(20,10))));""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+        as_="corner-corner",
+    ),
+    Paste(
+        "Square",
+        """Square(0, 0, 10) Square(12, 0, 5)""",
+        ((0, 0, 10, 10), (12, 0, 17, 5)),
+        as_="corner-size",
+    ),
+    Paste(
+        "Triangle (as Rust prints it)",
+        """Triangle { a: Vec2(0.0, 0.0), b: Vec2(4.0, 0.0), c: Vec2(0.0, 4.0) }
+Triangle { a: Vec2(5.0, 0.0), b: Vec2(9.0, 0.0), c: Vec2(5.0, 4.0) }""",
+        ((0, 0, 4, 4), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "a centroid beside corners",
+        """b2Polygon { vertices: [(0,0),(4,0),(0,4)], normals: [(0,-1),(0.7,0.7),(-1,0)], centroid: (1.3,1.3) }
+b2Circle { center: (5, 5), radius: 1 }""",
+        ((0, 0, 4, 4), (4, 4, 6, 6)),
+        says="normals",
     ),
 )

@@ -56,8 +56,8 @@ class Calls(Keyed):
         for item in named.rest:
             value = self.resolve(item)
             if isinstance(value, (Name, Bad)) and not (isinstance(value, Bad) and value.inside):
-                if isinstance(value, Bad):
-                    kept.append(item)
+                if isinstance(value, Bad) or key(value.text.replace("->", ".").split(".")[-1]):
+                    kept.append(item)  # player.x, width: a number that is not in the text
                 continue  # null, a body, options
             if isinstance(value, Group) and not value.items and not value.name:
                 continue
@@ -168,6 +168,7 @@ class Calls(Keyed):
         if not flat and named.get("radius") is not None:
             flat = [self.number(named.get("radius"))]
         if not flat:
+            self._refuse_names(arguments)
             raise Unreadable("a circle without a radius")
         x, y = points[0] if points else ZERO
         said = "a circle by its center and radius" if points or place else f"a circle by its radius{AT_ORIGIN}"
@@ -182,6 +183,13 @@ class Calls(Keyed):
             flat[0], said = flat[0] / 2, "a circle by its center and diameter"
         x, y = (x + place[0], y + place[1]) if place else (x, y)
         return [Read(((x, y),), flat[0], said, group.start, group.end, label, used=used)]
+
+    def _refuse_names(self, arguments: Sequence[Any]) -> None:
+        """Raise Unreadable for a name among numbers: Circle(x, y, 10)."""
+        if any(map(self._is_number, arguments)):
+            for argument in arguments:
+                if isinstance(self.resolve(argument), Name):
+                    self.number(argument)
 
     def _ellipse(self, group: Group, row: Notation, label: str) -> list[Read]:
         """Return the circle of an ellipse with equal axes: (x, y, width, height); Unreadable for any other.
@@ -234,14 +242,22 @@ class Calls(Keyed):
             flat = [*(place or ZERO), *flat]
             made = self._made_box(flat, form, group, label, angle, row.unit)
             return [made if place else replace(made, said=f"{made.said}{AT_ORIGIN}")]
+        if len(flat) == 3 and group.name.lower().endswith("square"):
+            flat.append(flat[2])
         if len(flat) not in (4, 5):
+            self._refuse_names(arguments)
             return self._plain(replace(group, name="", methods=[]), label)
         ask = row.ask or ()
         if not row.form and len(arguments) == 3:
             ask = CORNER_OR_CENTER  # a point, a width and a height
         if group.bracket == "[" and row.form == CORNER_SIZE:  # Mathematica: Rectangle[{0, 0}, {1, 1}]
-            row, ask = row._replace(form=CORNER_CORNER), ()
-        form = self._choose(BOX_FORM, ask, sure=self.mode(group)) if ask else self._overridden(row.form)
+            row, ask = row._replace(form=CORNER_CORNER if len(arguments) == 2 else ""), ask or ANY_BOX
+        second = self.resolve(arguments[1]) if len(arguments) == 2 else None
+        if row.form == CORNER_SIZE and isinstance(second, Group) and "point" in second.name.lower():
+            row, ask = row._replace(form=""), (CORNER_CORNER, CORNER_SIZE)
+        form = (
+            self._choose(BOX_FORM, ask, sure=self.mode(group)) if ask and not row.form else self._overridden(row.form)
+        )
         if len(flat) == 5 and angle is None and form not in (CORNER_CORNER, X_THEN_Y) and not self.mode(group):
             angle = angle_of(group, flat)
         if len(arguments) == 4 and not named.fields and row.ask == ANY_BOX:

@@ -3,7 +3,7 @@
 from dataclasses import replace
 from typing import Any
 
-from .axis_lists import joined, pairs_of_lists
+from .axis_lists import is_flat, joined, pairs_of_lists
 from .boxes import (
     ABSOLUTE,
     AT_ORIGIN,
@@ -63,12 +63,15 @@ class Keyed(Boxes):
             ends = [self.point(v) for v in two.items] if isinstance(two, Group) else []
             if len(ends) == 2 and ends[0] and ends[1]:
                 return [self._made_box([*ends[0], *ends[1]], CORNER_CORNER, obj, label)]
+        if {"a", "b", "c"} <= set(obj.fields) <= set("abcd") and (corners := self.ring(self._lettered(obj))):
+            return [self._outline(corners, obj, label)]
         angle, unit = obj.get("angle", "degrees", "radians"), unit_of(obj)
         center = obj.get("center", "corner")
         if isinstance(self.resolve(center), Name) and obj.get("x0") is not None:
             center = None  # position: absolute
         place = None if center is None else self.vector(center)
-        if place is None and obj.get("x") is not None and obj.get("y") is not None:
+        lists = is_flat(self.resolve(obj.get("x"))) and is_flat(self.resolve(obj.get("y")))
+        if place is None and not lists and obj.get("x") is not None and obj.get("y") is not None:
             place = (self.number(obj.get("x")), self.number(obj.get("y")))
         if place is None:
             rest = () if any(isinstance(k, int) for k in obj.fields) else obj.rest
@@ -90,6 +93,8 @@ class Keyed(Boxes):
             outline = self.ring(joint)
         if outline is not None and len(outline) > 2:
             shift, given = place or ZERO, places(*(place or ()))
+            if all(str(name).lower() == "centroid" for name in obj.fields if key(name) in ("center", "corner", "x")):
+                shift = ZERO  # where its corners are already
             if shift != ZERO and self._choose(CORNERS, CHOICES[CORNERS]) == ABSOLUTE:
                 shift = ZERO
             made = self._outline(outline, obj, label, shift, " and a position" if shift != ZERO else "")
@@ -124,6 +129,10 @@ class Keyed(Boxes):
                     found = [moved(s, place) for s in found]
                 inner += found
         return inner
+
+    def _lettered(self, obj: Obj) -> Group:
+        """Return the fields a, b, c as a list of corners: Triangle { a: Vec2(0, 0), ... }."""
+        return Group(obj.start, obj.end, [obj.fields[name] for name in sorted(obj.fields, key=str)], "[")
 
     def _circle_of_keys(self, obj: Obj, place: Pt | None, label: str, row: Notation | None) -> Read:
         """Return the circle of an object with a radius or a diameter, and a center or its left and top sides."""

@@ -83,7 +83,10 @@ class Names:
                 break
             node: Any = self.env
             for part in value.text.replace("->", ".").replace("::", ".").split("."):
-                node = node.before(part, value.start) if isinstance(node, Obj) else None
+                if isinstance(node, Group) and any(isinstance(item, Pair) for item in node.items):
+                    node = self.as_object(node).get(key(part)) if key(part) in ("x", "y") else None
+                else:
+                    node = node.before(part, value.start) if isinstance(node, Obj) else None
             if node is None:
                 break
             value = node

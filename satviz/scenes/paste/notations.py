@@ -8,7 +8,7 @@ import re
 from typing import NamedTuple
 
 POINT, RING, CIRCLE, BOX, MANY, MOVE, ARC = "point", "ring", "circle", "box", "many", "move", "arc"
-ELLIPSE, OTHER_SHAPE, ON_THE_GLOBE = "ellipse", "other", "globe"
+ELLIPSE, OTHER_SHAPE, ON_THE_GLOBE, TABLE = "ellipse", "other", "globe", "table"
 # How the four numbers of a box are meant, in the words of `--as`.
 CORNER_SIZE, CORNER_CORNER, CENTER_SIZE, CENTER_HALF = "corner-size", "corner-corner", "center-size", "center-half"
 X_THEN_Y, SIZE_CORNER = "x-then-y", "size-corner"
@@ -78,7 +78,7 @@ NOTATIONS = (
         "ccrectmake ccrect "
         "svg.rect rect.fromltwh makerect rectmake qrect.new fillrect strokerect rect2.new rectangle.new "
         "graphics.rectangle drawrectangle "
-        "sdl_rect sdl_frect domrect rectangle2d.double rectangle2d.float geom.rectangle recti",
+        "sdl_rect setbounds setrect sdl_frect domrect rectangle2d.double rectangle2d.float geom.rectangle recti",
         BOX,
         CORNER_SIZE,
     ),
@@ -109,10 +109,11 @@ NOTATIONS = (
     Notation(
         "capsule b2capsule capsule2d capsuleshape2d segment b2segment linesegment line ray edge roundedrect roundedbox "
         "b2makeroundedbox makeroundedbox stadium matrix roundrectangle2d.double roundrectangle2d.float roundrect rrect "
-        "box3 box3d aabb3d cube sphere "
+        "box3 box3d aabb3d cube sphere bodies.polygon bodies.trapezoid "
         "create_oval oval rhombus star wedge ring arcshape regularpolygon konva.regularpolygon konva.star",
         OTHER_SHAPE,
     ),
+    Notation("unknown.table", TABLE),
     Notation("turf.circle l.circle maps.circle", ON_THE_GLOBE),
     Notation("square", BOX, ask=(CORNER_SIZE, CENTER_SIZE)),
     # what moves the next shape
@@ -207,10 +208,16 @@ HARMLESS = frozenset(
         "crosses",
         "covers",
         "almostequals",
+        "intersectswith",
+        "intersects_with",
+        "collideswith",
+        "collides",
         "distance",
     ]
 )
 MOVES = frozenset(["translate", "translation", "setposition", "settranslation", "moveto", "setoffset", "set_position"])
+# Calls that move what has a place already by so much.
+SHIFTS = frozenset(["translate", "offset", "move_ip", "moveby", "move_by"])
 TURNS = {
     "rotate": "",
     "setangle": "",

@@ -34,6 +34,7 @@ from .notations import (
     RADIANS,
     RING,
     SHAPE_WORDS,
+    TABLE,
     TURNS,
     notation,
 )
@@ -115,9 +116,11 @@ class Reader(Calls):
         if (plain := self._columns(group)) is not group:
             return self._plain(plain, label)
         if kind == OTHER_SHAPE and self._has_numbers(group):
-            raise Unreadable(f"{short(group.name)}: satviz takes polygons, boxes and circles")
+            raise Unreadable(f"{short(group.name)}: satviz takes boxes, circles, and polygons by their corners")
         if kind == ON_THE_GLOBE:
             raise Unreadable(f"{group.name}: its center is in degrees and its radius is not: write both in one unit")
+        if kind == TABLE:
+            raise Unreadable("a table whose columns are of no one shape: call them x, y, width, height or x, y, radius")
         if kind in (POINT, MOVE):
             self._refuse_methods(group)  # Point(0, 0).buffer(1)
             return []

@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Any, NamedTuple
 
 from .names import Names, Obj, is_block, short
-from .notations import BOX, CIRCLE, MOVES, OTHER_SHAPE, POINT, SETTERS, TURNS, key, notation
+from .notations import BOX, CIRCLE, MOVES, OTHER_SHAPE, POINT, SETTERS, SHIFTS, TURNS, key, notation
 from .tree import Bad, Group, Name, Num, Pair
 
 # Calls that add a corner to a list, that draw an outline with a pen, and that give a shape to a body.
@@ -140,10 +140,13 @@ class Statements(Names):
             self._insert(Pair(item.start, item.end, (*item.name.split("."), number), item.methods[0][1]))
         elif last in SETTERS and owner and len(item.items) == 2:  # circle.m_p.Set(1, 2)
             self._insert(Pair(item.start, item.end, owner, replace(item, name="")))
-        elif last in (*MOVES, *TURNS) and owner and len(item.items) in (1, 2) and not self._is_drawn(last, item):
-            value = item if last in MOVES and len(item.items) == 2 else item.items[0]
+        elif (
+            last in (*MOVES, *SHIFTS, *TURNS) and owner and len(item.items) in (1, 2) and not self._is_drawn(last, item)
+        ):
+            moves = last in MOVES or last in SHIFTS
+            value = item if moves and len(item.items) == 2 else item.items[0]
             value = Group(item.start, item.end, item.items, "(") if value is item else value
-            field = "translation" if last == "translate" else "position" if last in MOVES else "angle"
+            field = "translation" if last in SHIFTS else "position" if moves else "angle"
             self._insert(Pair(item.start, item.end, (*owner, field), value))
         elif last in ADDERS and owner and (point := _point_of(item)):
             self._add(owner, point)

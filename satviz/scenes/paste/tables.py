@@ -68,7 +68,8 @@ def _table(lines: Sequence[Cell], number: int) -> tuple[Table | None, int]:
     if len(names) < 2 or not all(_WORD.fullmatch(name) for name in names):
         return None, after
     known = {key(name) for name in names} - {""}
-    if len(known) < 2 and mark != "|":
+    owned = sum(bool(key(re.split(r"[_ .]", name)[-1])) for name in names)  # player_x, player_y
+    if len(known) < 2 and owned < 2 and mark != "|":
         return None, after
     indexed = header.text[:1] in (" ", ",", "\t")  # pandas writes the number of a row under no name
     rows = []
@@ -105,6 +106,8 @@ def _tokens(table: Table) -> Iterator[Token]:
     elif all(_POINT.fullmatch(cell.text) and len(_numbers(cell)) == 2 for row in table.rows for cell in row):
         for column in zip(*table.rows, strict=True):
             yield from _list([_numbers(cell) for cell in column])
+    elif len(names) > 3 and all(len(_numbers(cell)) == 1 for row in table.rows for cell in row):
+        yield from _unknown(table)
 
 
 _OBJECTS = (
@@ -133,6 +136,18 @@ def _object(names: Sequence[str], row: Sequence[Cell]) -> Iterator[Token]:
     end = row[-1].at + len(row[-1].text)
     yield Token(CLOSE, "}", end, end)
     yield Token(MARK, ";", end, end)
+
+
+def _unknown(table: Table) -> Iterator[Token]:
+    """Yield a table of numbers that are no shapes one can tell, so that they are not taken for lists of corners."""
+    at = table.start
+    yield Token(NAME, "unknown.table", at, at)
+    yield Token(OPEN, "(", at, at)
+    for row in table.rows:
+        for cell in row:
+            yield from (*_numbers(cell), Token(MARK, ",", cell.at, cell.at))
+    yield Token(CLOSE, ")", table.end, table.end)
+    yield Token(MARK, ";", table.end, table.end)
 
 
 def _outlines(table: Table, x: int, y: int) -> Iterator[Token]:
