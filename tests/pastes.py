@@ -1211,9 +1211,8 @@ B = { x: 108, y: 8, width: 10, height: 50 }""",
 <object id="2" x="48" y="64">
  <polygon points="0,0 16,0 16,16"/>
 </object>""",
-        ((32, 64, 48, 80), (0, 0, 16, 16)),
+        ((32, 64, 48, 80), (48, 64, 64, 80)),
         as_="corner-size",
-        says="x ",
     ),
     Paste(
         "TexturePacker",
@@ -1328,8 +1327,7 @@ b <- st_polygon(list(rbind(c(5,0), c(9,0), c(9,4), c(5,0))))""",
         "R matrix",
         """a <- matrix(c(0,4,0, 0,0,3), ncol=2)
 b <- matrix(c(5,9,9, 0,0,4), ncol=2)""",
-        (),
-        says="matrix",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
     ),
     Paste(
         "MATLAB",
@@ -1441,8 +1439,8 @@ const b = turf.polygon([[[5,0],[9,0],[9,4],[5,0]]]);""",
         "turf circle",
         """turf.circle([0, 0], 5, {steps: 64, units: 'kilometers'})
 turf.polygon([[[5,0],[9,0],[9,4],[5,0]]])""",
-        ((-5, -5, 5, 5), (5, 0, 9, 4)),
-        says="steps",
+        ((5, 0, 9, 4),),
+        says="its center is in degrees and its radius is not",
     ),
     Paste(
         "Box2D polygon radius",
@@ -1615,8 +1613,7 @@ r2 = pygame.Rect(5, 0, 10, 10)""",
         """r1 = pygame.Rect(0, 0, 10, 10)
 r1.topleft = (20, 0)
 r2 = pygame.Rect(5, 0, 10, 10)""",
-        ((0, 0, 10, 10), (5, 0, 15, 10)),
-        says="topleft",
+        ((20, 0, 30, 10), (5, 0, 15, 10)),
     ),
     Paste(
         "move_ip",
@@ -2111,7 +2108,7 @@ Ellipse(pos=(5, 5), size=(10, 10))""",
         """canvas.create_rectangle(0, 0, 10, 10)
 canvas.create_oval(10, 0, 20, 10)
 canvas.create_polygon(0, 0, 4, 0, 0, 3)""",
-        ((0, 0, 4, 3),),
+        ((0, 0, 10, 10), (0, 0, 4, 3)),
         says="create_oval",
     ),
     Paste(
@@ -2508,5 +2505,373 @@ circle((0,0),1)""",
 {"shape": 'Mat', "x": 9, "y": 0, "radius": 5, "mass": 3}""",
         ((-5, -5, 5, 5), (4, -5, 14, 5)),
         says="mass 3",
+    ),
+    # -- found later: lost fields, prints, and forms of lists
+    Paste(
+        "rectMode inside a function",
+        """function draw() {
+  rectMode(CENTER);
+  rect(100, 100, 50, 50);
+  ellipse(140, 100, 20, 20);
+}""",
+        ((75, 75, 125, 125), (130, 90, 150, 110)),
+    ),
+    Paste(
+        "ellipseMode",
+        """ellipseMode(CORNER);
+ellipse(9, 9, 4, 4);
+rect(0, 0, 5, 5);""",
+        ((0, 0, 5, 5),),
+        says="ellipseMode",
+    ),
+    Paste(
+        "center of a pygame Rect",
+        """a = pygame.Rect(0, 0, 10, 10)
+b = pygame.Rect(0, 0, 4, 4)
+b.center = (12, 5)
+print(a.colliderect(b))""",
+        ((0, 0, 10, 10), (10, 3, 14, 7)),
+    ),
+    Paste(
+        "setPosition of shapes with a place",
+        """r = new Rectangle(5, 5, 10, 10); r.setPosition(20, 0);
+c = new Circle(0, 0, 3); c.setPosition(9, 9);""",
+        ((20, 0, 30, 10), (6, 6, 12, 12)),
+    ),
+    Paste(
+        "translate of a box",
+        """r = new Rectangle(5, 5, 10, 10); r.translate(20, 0);
+c = new Circle(9, 9, 3);""",
+        ((25, 5, 35, 15), (6, 6, 12, 12)),
+    ),
+    Paste(
+        "setAngle of a box with a place",
+        """b = new SAT.Box(new SAT.Vector(100, 100), 100, 100).toPolygon();
+b.setAngle(90);
+c = new SAT.Circle(new SAT.Vector(220, 150), 30);""",
+        ((100, 100, 200, 200), (190, 120, 250, 180)),
+        as_="corner-size around-center degrees",
+    ),
+    Paste(
+        "setAngle of a polygon with a place",
+        """b = new SAT.Polygon(new SAT.Vector(100, 100), [new SAT.Vector(0,0), new SAT.Vector(10,0),
+  new SAT.Vector(10,10)]);
+b.setAngle(90);
+c = new SAT.Circle(new SAT.Vector(220, 150), 30);""",
+        ((90, 100, 100, 110), (190, 120, 250, 180)),
+        as_="degrees",
+    ),
+    Paste(
+        "pandas with an index and another column",
+        """   xmin  ymin  xmax  ymax  score
+0     0     0    10    10   0.91
+1     8     8    18    18   0.88""",
+        ((0, 0, 10, 10), (8, 8, 18, 18)),
+        says="score",
+    ),
+    Paste(
+        "sf matrix col",
+        """p1 <- st_polygon(list(matrix(c(0,4,4,0,0, 0,0,4,4,0), ncol = 2)))
+p2 <- st_polygon(list(matrix(c(5,9,9,5,5, 0,0,4,4,0), ncol = 2)))
+st_disjoint(p1, p2)""",
+        ((0, 0, 4, 4), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "sf structure dput",
+        """structure(list(structure(c(0, 4, 4, 0, 0, 0, 0, 4, 4, 0), dim = c(5L, 2L))),
+  class = c("XY", "POLYGON", "sfg"))
+structure(list(structure(c(5, 9, 9, 5, 5, 0, 0, 4, 4, 0), dim = c(5L, 2L))),
+  class = c("XY", "POLYGON", "sfg"))""",
+        ((0, 0, 4, 4), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "a matrix of R by rows",
+        """p <- matrix(c(0,0, 4,0, 4,4, 0,4), ncol = 2, byrow = TRUE)""",
+        ((0, 0, 4, 4),),
+    ),
+    Paste(
+        "a matrix of R with three columns",
+        """p <- matrix(c(0,0,1, 4,0,1, 4,4,1), ncol = 3)""",
+        (),
+        says="two columns",
+    ),
+    Paste(
+        "points in lines of YAML",
+        """colliders:
+  - name: player
+    shape: circle
+    center: [0, 0]
+    radius: 2
+  - name: wall
+    shape: polygon
+    points:
+      - [2, -1]
+      - [4, -1]
+      - [4, 1]
+      - [2, 1]""",
+        ((-2, -2, 2, 2), (2, -1, 4, 1)),
+    ),
+    Paste(
+        "xml tiled ellipse",
+        """<object id="1" x="0" y="0" width="32" height="32"><ellipse/></object>
+<object id="2" x="30" y="30" width="10" height="10"/>""",
+        ((0, 0, 32, 32), (30, 30, 40, 40)),
+        as_="corner-size",
+        says="id",
+    ),
+    Paste(
+        "Tiled with a rotation",
+        """<object id="2" x="100" y="100" rotation="45"><polygon points="0,0 32,0 32,32"/></object>""",
+        (),
+        says="tiled-rotation",
+    ),
+    Paste(
+        "ST_MakeEnvelope with an SRID",
+        """SELECT ST_Intersects('SRID=4326;POLYGON((0 0,4 0,4 4,0 4,0 0))'::geometry,
+  ST_MakeEnvelope(4, 0, 8, 4, 4326));""",
+        ((0, 0, 4, 4), (4, 0, 8, 4)),
+        says="4326",
+    ),
+    Paste(
+        "JTS new Envelope",
+        """Envelope a = new Envelope(0, 10, 0, 20);
+Envelope b = new Envelope(12, 15, 0, 20);
+a.intersects(b)""",
+        ((0, 0, 10, 20), (12, 0, 15, 20)),
+        as_="x-then-y",
+    ),
+    Paste(
+        "JTS Envelope (as it prints)",
+        """Env[0.0 : 10.0, 0.0 : 20.0]
+Env[5.0 : 15.0, 30.0 : 40.0]""",
+        ((0, 0, 10, 20), (5, 30, 15, 40)),
+    ),
+    Paste(
+        "leaflet circle meters",
+        """L.circle([51.508, -0.11], {radius: 500}).addTo(map);
+L.circle([51.6, -0.11], { radius: 500 }).addTo(map);""",
+        (),
+        says="its center is in degrees and its radius is not",
+    ),
+    Paste(
+        "a DOMRect with all its keys",
+        """DOMRect { x: 8, y: 8, width: 100, height: 50, top: 8, right: 108, bottom: 58, left: 8 }
+DOMRect { x: 100, y: 8, width: 50, height: 50, top: 8, right: 150, bottom: 58, left: 100 }""",
+        ((8, 8, 108, 58), (100, 8, 150, 58)),
+    ),
+    Paste(
+        "pygame Rect (as it prints)",
+        """>>> a
+<rect(0, 0, 10, 10)>
+>>> b
+<rect(5, 5, 10, 10)>
+>>> a.colliderect(b)
+1""",
+        ((0, 0, 10, 10), (5, 5, 15, 15)),
+        says="1",
+    ),
+    Paste(
+        "Android Rect (as it prints)",
+        """D/Hit: player=Rect(0, 0 - 100, 50) wall=Rect(90, 0 - 160, 50) intersects=true""",
+        ((0, 0, 100, 50), (90, 0, 160, 50)),
+    ),
+    Paste(
+        "Go (as it prints)",
+        """got (0,0)-(10,10) and (12,0)-(20,10), want no overlap""",
+        ((0, 0, 10, 10), (12, 0, 20, 10)),
+    ),
+    Paste(
+        "OpenCV Rect (as it prints)",
+        """[10 x 10 from (0, 0)]
+[5 x 5 from (10, 0)]""",
+        ((0, 0, 10, 10), (10, 0, 15, 5)),
+    ),
+    Paste(
+        "euclid Rect (as it prints)",
+        """Rect(10.0x10.0 at (0.0, 0.0))
+Rect(5.0x5.0 at (10.0, 0.0))""",
+        ((0, 0, 10, 10), (10, 0, 15, 5)),
+    ),
+    Paste(
+        "egui Rect (as it prints)",
+        """[[0.0 0.0] - [10.0 10.0]]
+[[10.0 0.0] - [20.0 10.0]]""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+    ),
+    Paste(
+        "RECT of Windows",
+        """RECT a = { 0, 0, 100, 50 };
+RECT b = { 90, 0, 200, 50 };
+RECT out; IntersectRect(&out, &a, &b);""",
+        ((0, 0, 100, 50), (90, 0, 200, 50)),
+    ),
+    Paste(
+        "a name and a colon before keys",
+        """GetWindowRect: left=0 top=0 right=100 bottom=50
+GetWindowRect: left=100 top=0 right=200 bottom=50""",
+        ((0, 0, 100, 50), (100, 0, 200, 50)),
+    ),
+    Paste(
+        "bbox_left of GameMaker",
+        """inst_a: bbox_left = 0, bbox_top = 0, bbox_right = 31, bbox_bottom = 31
+inst_b: bbox_left = 32, bbox_top = 0, bbox_right = 63, bbox_bottom = 31""",
+        ((0, 0, 31, 31), (32, 0, 63, 31)),
+    ),
+    Paste(
+        "matplotlib Rectangle with a style",
+        """ax.add_patch(patches.Rectangle((0, 0), 4, 2, linewidth=1, edgecolor='r', facecolor='none'))
+ax.add_patch(patches.Circle((5, 1), 1))""",
+        ((0, 0, 4, 2), (4, 0, 6, 2)),
+        says="linewidth",
+    ),
+    Paste(
+        "matplotlib Rectangle by names",
+        """Rectangle(xy=(0, 0), width=3, height=2, angle=0)
+Rectangle(xy=(4, 0), width=2, height=2, angle=90)""",
+        ((0, 0, 3, 2), (2, 0, 4, 2)),
+        as_="around-corner y-up",
+    ),
+    Paste(
+        "Phaser with a color",
+        """this.r1 = this.add.rectangle(100, 100, 100, 50, 0xff0000);
+this.r2 = this.add.rectangle(200, 100, 100, 50, 0x00ff00);
+// Phaser.Geom.Intersects.RectangleToRectangle(r1.getBounds(), r2.getBounds())""",
+        ((50, 75, 150, 125), (150, 75, 250, 125)),
+        says="0xff0000",
+    ),
+    Paste(
+        "rapier js",
+        """const a = RAPIER.ColliderDesc.cuboid(1.0, 1.0);
+const b = RAPIER.ColliderDesc.ball(1.0).setTranslation(2.5, 0.0);""",
+        ((-1, -1, 1, 1), (1.5, -1, 3.5, 1)),
+    ),
+    Paste(
+        "Bevy bounding volumes",
+        """let a = Aabb2d::new(Vec2::ZERO, Vec2::new(1.0, 1.0));
+let b = Aabb2d::new(Vec2::new(2.5, 0.0), Vec2::splat(1.0));
+let c = BoundingCircle::new(Vec2::new(5., 0.), 1.);""",
+        ((-1, -1, 1, 1), (4, -1, 6, 1)),
+        says="splat",
+    ),
+    Paste(
+        "Bevy Rect",
+        """let a = Rect::from_center_size(Vec2::new(0.0, 0.0), Vec2::new(2.0, 2.0));
+let b = Rect::from_corners(Vec2::new(1.0, 0.0), Vec2::new(3.0, 2.0));
+let c = Rect::new(5.0, 0.0, 6.0, 2.0);""",
+        ((-1, -1, 1, 1), (1, 0, 3, 2), (5, 0, 6, 2)),
+        as_="corner-corner",
+    ),
+    Paste(
+        "QPolygonF with <<",
+        """QPolygonF poly;
+poly << QPointF(0, 0) << QPointF(4, 0) << QPointF(0, 4);
+QRectF r(1, 1, 2, 2);
+poly.intersects(QPolygonF(r));""",
+        ((0, 0, 4, 4), (1, 1, 3, 3)),
+    ),
+    Paste(
+        "Ellipse2D.Double",
+        """Ellipse2D e = new Ellipse2D.Double(0, 0, 10, 10);
+Rectangle2D r = new Rectangle2D.Double(9, 9, 2, 2);
+e.intersects(r)""",
+        ((0, 0, 10, 10), (9, 9, 11, 11)),
+    ),
+    Paste(
+        "Haskell with a negative number",
+        """let a = [(0,0),(4,0),(4,4),(0,4)]
+    b = [(5.0,0.0),(7.0,0.0),(6.0,(-1.0))]
+in intersects a b""",
+        ((0, 0, 4, 4), (5, -1, 7, 0)),
+    ),
+    Paste(
+        "OCaml arrays",
+        """let a = [| (0., 0.); (4., 0.); (4., 4.); (0., 4.) |]
+let b = [| (4., 0.); (6., 0.); (5., -1.) |]""",
+        ((0, 0, 4, 4), (4, -1, 6, 0)),
+    ),
+    Paste(
+        "Fortran with d0",
+        """real :: a(2,4) = reshape([0.,0., 4.,0., 4.,4., 0.,4.], [2,4])
+real :: b(2,3) = reshape([3.0d0,3.0d0, 6.0d0,3.0d0, 6.0d0,6.0d0], [2,3])""",
+        ((0, 0, 4, 4), (3, 3, 6, 6)),
+        says="reshape 2, 4",
+    ),
+    Paste(
+        "AngusJohnson/Clipper2#711 (three corners of four)",
+        """Paths64 subPaths{ { {0LL, 10LL}, {-10LL, 0LL}, {10LL, 0LL} } };
+Paths64 clipPaths{ {{10LL, 5LL}, {-5LL, 5LL}, {-5LL, -5LL} } };""",
+        ((-10, 0, 10, 10), (-5, -5, 10, 5)),
+    ),
+    Paste(
+        "CSS by id",
+        """#a { position: absolute; left: 0px; top: 0px; width: 100px; height: 50px; }
+#b { position: absolute; left: 100px; top: 0px; width: 50px; height: 50px; }""",
+        ((0, 0, 100, 50), (100, 0, 150, 50)),
+    ),
+    Paste(
+        "SVG with rounded corners",
+        """<svg viewBox="0 0 100 100"><circle cx="20" cy="20" r="10" stroke-width="2"/>
+<rect x="30" y="10" width="20" height="20" rx="4" /></svg>""",
+        ((10, 10, 30, 30), (30, 10, 50, 30)),
+        says="Not applied to a shape: svg.rect.rx 4",
+    ),
+    Paste(
+        "Leaflet latLngBounds",
+        """var a = L.latLngBounds([40.712, -74.227], [40.774, -74.125]);
+var b = L.latLngBounds([40.774, -74.125], [40.8, -74.1]);
+a.overlaps(b)""",
+        ((40.712, -74.227, 40.774, -74.125), (40.774, -74.125, 40.8, -74.1)),
+    ),
+    Paste(
+        "three Box3",
+        """const a = new THREE.Box3(new THREE.Vector3(0, 0, 0), new THREE.Vector3(10, 10, 10));
+const b = new THREE.Box3(new THREE.Vector3(5, 5, 20), new THREE.Vector3(20, 10, 30));""",
+        (),
+        says="THREE.Box3",
+    ),
+    Paste(
+        "godotengine/godot#1731",
+        """Rect2::intersects() says true
+```GDScript
+var r1 = Rect2(0,0,2,2)
+var r2 = Rect2(2,2,2,2)
+print(r1.intersects(r2)) # true
+```""",
+        ((0, 0, 2, 2), (2, 2, 4, 4)),
+    ),
+    Paste(
+        "PixelVision8/PixelVision8#299",
+        """a = NewRect(8, 0, 8, 16)
+b = NewRect(9, 9, 8, 16)
+print(a:Contains(b))""",
+        ((8, 0, 16, 16), (9, 9, 17, 25)),
+    ),
+    Paste(
+        "liabru/matter-js#12",
+        """Matter.World.add(engine.world, Matter.Bodies.rectangle(285.5, 323.5, 102, 102,
+  { isStatic: true, density: 1.0, friction: 0.0, restitution: 1.0 }));
+Matter.World.add(engine.world, Matter.Bodies.rectangle(380.5, 25.5, 102, 102,
+  { isStatic: false, density: 1.0, friction: 0.0, restitution: 1.0 }));""",
+        ((234.5, 272.5, 336.5, 374.5), (329.5, -25.5, 431.5, 76.5)),
+        says="density",
+    ),
+    Paste(
+        "a choice is for the boxes that are asked about",
+        """Rect.fromLTRB(5, 5, 10, 10)
+Rect(12, 0, 4, 4)""",
+        ((5, 5, 10, 10), (12, 0, 16, 4)),
+        as_="corner-size",
+    ),
+    Paste(
+        "names before keys in lines of a log",
+        """ball: x=0 y=0 r=5
+paddle: x=5, y=0, w=10, h=2""",
+        ((-5, -5, 5, 5), (5, 0, 15, 2)),
+        as_="corner-size",
+    ),
+    Paste(
+        "calls before an equals sign",
+        """Rect.fromLTRB(0.0, 0.0, 10.0, 10.0) overlaps Rect.fromLTRB(10.0, 0.0, 20.0, 10.0) = false""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
     ),
 )

@@ -16,6 +16,8 @@ from .notations import (
     CORNER_SIZE,
     DEGREES,
     RADIANS,
+    SIZE_CORNER,
+    X_THEN_Y,
     Notation,
     key,
 )
@@ -29,7 +31,7 @@ ROUND, RADIUS, DIAMETER = "round", "radius", "diameter"
 Y_UP, Y_DOWN, WIDTH_FIRST, HEIGHT_FIRST = "y-up", "y-down", "width-first", "height-first"
 AROUND_CENTER, AROUND_CORNER, RELATIVE, ABSOLUTE = "around-center", "around-corner", "relative", "absolute"
 CHOICES: Mapping[str, tuple[str, ...]] = {
-    BOX_FORM: ANY_BOX,
+    BOX_FORM: (*ANY_BOX, X_THEN_Y),
     ANGLE: (DEGREES, RADIANS),
     TURN: (Y_UP, Y_DOWN),
     ORDER: (WIDTH_FIRST, HEIGHT_FIRST),
@@ -44,9 +46,14 @@ AT_ORIGIN = ", at the origin"  # of a shape for which the text gives no position
 FORM_WORDS = {
     CORNER_SIZE: "a box by a corner and its size",
     CORNER_CORNER: "a box by two opposite corners",
+    X_THEN_Y: "a box by its two x, then its two y",
+    SIZE_CORNER: "a box by its size and a corner",
     CENTER_SIZE: "a box by its center and its size",
     CENTER_HALF: "a box by its center and half its size",
 }
+
+# Forms with the numbers of another one, in another order.
+ORDERS = {X_THEN_Y: (CORNER_CORNER, (0, 2, 1, 3)), SIZE_CORNER: (CORNER_SIZE, (2, 3, 0, 1))}
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,17 +88,19 @@ class Boxes(Points):
         super().__init__(text)
         self.chosen = chosen
         self.asked: dict[str, tuple[str, ...]] = {}
+        self.keeps = False  # a choice of a form is for the boxes whose form is asked, and for no others
 
     def _overridden(self, form: str) -> str:
-        """Return the form that the user chose for all boxes, else `form`, which the notation has."""
-        return next((c for c in self.chosen if c in ANY_BOX), form)
+        """Return the form that the user chose for all boxes, if none is asked about; else `form`, of the notation."""
+        return form if self.keeps else next((c for c in self.chosen if c in ANY_BOX), form)
 
     def mode(self, group: Group) -> str:
-        """Return how a sketch of Processing means the numbers of rect(...), or "" for other calls."""
-        if not self.sketch or group.name not in ("rect", "square"):
+        """Return how a sketch of Processing means the numbers of rect(...) or ellipse(...), or "" for other calls."""
+        what = {"rect": "rect", "square": "rect", "circle": "ellipse", "ellipse": "ellipse"}.get(group.name, "")
+        if not self.sketch or not what:
             return ""
-        before = [mode for start, mode in self.modes if start < group.start]
-        return SKETCH_MODES.get(before[-1] if before else "corner", "")
+        before = [mode for of, start, mode in self.modes if of == what and start < group.start]
+        return SKETCH_MODES.get(before[-1] if before else "corner" if what == "rect" else "center", "")
 
     def _ask_order(self) -> None:
         """Note that width and height could be the other way round."""
@@ -118,6 +127,10 @@ class Boxes(Points):
         self, four: Sequence[Fraction], form: str, at: Value, label: str, angle: Any = None, unit: str = ""
     ) -> Read:
         """Return a box of four numbers in a form, turned if an angle is given."""
+        if form in ORDERS:
+            other, order = ORDERS[form]
+            made = self._made_box([four[i] for i in order], other, at, label, angle, unit)
+            return replace(made, said=made.said.replace(FORM_WORDS[other], FORM_WORDS[form]))
         a, b, w, h = four
         if HEIGHT_FIRST in self.chosen and form in (CORNER_SIZE, CENTER_SIZE, CENTER_HALF):
             w, h = h, w
@@ -143,6 +156,16 @@ class Boxes(Points):
         if form == CORNER_SIZE and self.number(angle) and self._choose(PIVOT, CHOICES[PIVOT]) == AROUND_CORNER:
             pivot = (a, b)
         return self._turned(made, angle, unit, pivot)
+
+    def pivot(self, shape: Read, place: Pt | None = None) -> Pt:
+        """Return the point about which a call or a field turns a shape that was made before."""
+        if not shape.form or shape.said.endswith(AT_ORIGIN):
+            return place or shape.shift
+        xs, ys = zip(*shape.points, strict=True)
+        by_corner = shape.form in (CORNER_SIZE, CORNER_CORNER)
+        if by_corner and self._choose(PIVOT, CHOICES[PIVOT]) == AROUND_CORNER:
+            return min(xs), min(ys)
+        return (min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2
 
     def _turned(self, shape: Read, angle: Any, unit: str, pivot: Pt | None) -> Read:
         """Return a shape turned by an angle about a pivot (None: the origin); the unit is asked where none is named."""
@@ -195,6 +218,10 @@ class Boxes(Points):
                     raise Unreadable(
                         f"its width and height ({plain(w)}, {plain(h)}) are not those of its corners: correct one"
                     )
+                same = [get("width"), get("height")]
+                xy = (get("x"), get("y"))
+                same += [v for v, c, side in zip(xy, place or (), four, strict=False) if v is not None and c == side]
+                self.counts |= {value.end for value in same}
             return four, CORNER_CORNER
         if place is None and all(c is not None for c in corners[:2]):
             place = (self.number(corners[0]), self.number(corners[1]))

@@ -27,6 +27,7 @@ from .notations import (
     CORNER_OR_CENTER,
     CORNER_SIZE,
     RADIANS,
+    X_THEN_Y,
     Notation,
     key,
     notation,
@@ -175,25 +176,34 @@ class Calls(Keyed):
             x, y, said = flat[0], flat[0], f"a circle by its radius{AT_ORIGIN}"
         used = places(x, y, *(place or ()), flat[0])
         bare = group.name == "circle" and len(group.items) == 3 and all(isinstance(v, Num) for v in group.items)
+        if self.mode(group) not in ("", CENTER_SIZE):
+            raise Unreadable("an ellipseMode other than CENTER: write the center and the diameter")
         if bare and self._choose(ROUND, CHOICES[ROUND], sure=DIAMETER if self.sketch else "") == DIAMETER:
             flat[0], said = flat[0] / 2, "a circle by its center and diameter"
         x, y = (x + place[0], y + place[1]) if place else (x, y)
         return [Read(((x, y),), flat[0], said, group.start, group.end, label, used=used)]
 
-    def _ellipse(self, group: Group, label: str) -> list[Read]:
-        """Return the circle of an ellipse with equal axes: (x, y, width, height); Unreadable for any other."""
+    def _ellipse(self, group: Group, row: Notation, label: str) -> list[Read]:
+        """Return the circle of an ellipse with equal axes: (x, y, width, height); Unreadable for any other.
+
+        The point is its center, or the corner of its box if the row says so.
+        """
         keys = self.as_object(group).fields
         if {"cx", "cy", "rx", "ry"} <= set(keys):
             x, y, radius, other = (self.number(keys[name]) for name in ("cx", "cy", "rx", "ry"))
             if radius == other:
                 said, used = "a circle by its center and radius", places(x, y, radius, other)
                 return [Read(((x, y),), radius, said, group.start, group.end, label, used=used)]
+        if self.mode(group) not in ("", CENTER_SIZE):
+            raise Unreadable("an ellipseMode other than CENTER: write the center and the diameter")
         flat = self.numbers(group.items) or []
         if len(flat) not in (3, 4) or flat[2] != flat[-1]:
             raise Unreadable("an ellipse: satviz takes polygons and circles")
         said = "a circle by its center and diameter"
         used = places(*flat)
-        return [Read(((flat[0], flat[1]),), flat[2] / 2, said, group.start, group.end, label, used=used)]
+        radius = flat[2] / 2
+        x, y = (flat[0] + radius, flat[1] + radius) if row.form == CORNER_SIZE else (flat[0], flat[1])
+        return [Read(((x, y),), radius, said, group.start, group.end, label, used=used)]
 
     def _box(self, group: Group, row: Notation, label: str) -> list[Read]:
         """Return the box of a call, in the form that `row` gives to its numbers, or that the user chose."""
@@ -203,7 +213,11 @@ class Calls(Keyed):
             angle = named.get("angle", "degrees", "radians")
         if only := self._options(arguments):
             return self._object(replace(only, start=group.start, end=group.end), label, row)
-        if named.fields and not (angle is not None and len(named.fields) == 1 and arguments):
+        fifth = self.resolve(arguments[4]) if len(arguments) > 4 else None
+        if isinstance(fifth, Num) and fifth.value is None:  # a color: 0xff0000
+            arguments = arguments[:4]
+        says = [name for name in named.fields if key(name) and key(name) not in ("angle", "degrees", "radians")]
+        if named.fields and (says or not arguments):
             return self._object(replace(named, start=group.start, end=group.end, rest=arguments), label, row)
         parts = [self.point(a) if isinstance(self.resolve(a), (Group, Obj)) else None for a in arguments]
         if parts and any(p is not None for p in parts):
@@ -228,7 +242,7 @@ class Calls(Keyed):
         if group.bracket == "[" and row.form == CORNER_SIZE:  # Mathematica: Rectangle[{0, 0}, {1, 1}]
             row, ask = row._replace(form=CORNER_CORNER), ()
         form = self._choose(BOX_FORM, ask, sure=self.mode(group)) if ask else self._overridden(row.form)
-        if len(flat) == 5 and angle is None:
+        if len(flat) == 5 and angle is None and form not in (CORNER_CORNER, X_THEN_Y) and not self.mode(group):
             angle = angle_of(group, flat)
         if len(arguments) == 4 and not named.fields and row.ask == ANY_BOX:
             self._ask_order()

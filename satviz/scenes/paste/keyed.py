@@ -17,6 +17,8 @@ from .boxes import (
 )
 from .names import Obj, Unreadable
 from .notations import (
+    CENTER_HALF,
+    CENTER_SIZE,
     CORNER_CORNER,
     Notation,
     key,
@@ -109,8 +111,8 @@ class Keyed(Boxes):
         if obj.rest and (place is not None or angle is not None):
             self.consume(obj.rest)
             found = [s for v in obj.rest for s in self.shapes(v, label)]
-            found = [moved(s, place) if place and self.point(obj.get("center")) else s for s in found]
-            return [self._turned(s, angle, unit, place) if angle is not None else s for s in found]
+            found = [_placed(s, obj, place) if place else s for s in found]
+            return [self._turned(s, angle, unit, self.pivot(s, place)) if angle is not None else s for s in found]
         inner = [s for v in obj.rest if not isinstance(v, Name) for s in self.shapes(v, label)]
         for name, value in obj.fields.items():
             if not (isinstance(kind, Name) and name in ("bbox", "properties")):
@@ -147,3 +149,18 @@ class Keyed(Boxes):
         if given is None:
             said = said.replace("radius", "diameter")
         return Read((place or ZERO,), radius, said, obj.start, obj.end, label, used=used)
+
+
+def _placed(shape: Read, obj: Obj, place: Pt) -> Read:
+    """Return a shape where its fields put it: a box or circle by its own place, rect.center = (1, 2)."""
+    names = {str(name).lower() for name in obj.fields}
+    has_place = (shape.box or shape.is_circle) and not shape.said.endswith(AT_ORIGIN)
+    if "translation" in names or not has_place:
+        return moved(shape, place) if obj.get("center") is not None else shape
+    if obj.get("center", "corner", "x") is None:
+        return shape
+    xs, ys = zip(*shape.points, strict=True)
+    by_center = shape.is_circle or shape.form in (CENTER_SIZE, CENTER_HALF) or names & {"center", "centre"}
+    old = ((min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2) if by_center else (min(xs), min(ys))
+    made = moved(shape, (place[0] - old[0], place[1] - old[1]))
+    return replace(made, used=made.used | places(*place))

@@ -12,7 +12,9 @@ from .tables import tables
 from .tokens import CLOSE, FIELD, MARK, MAX_TOKENS, NAME, NUMBER, OPEN, TOO_MANY, Token, tokens
 
 _QUOTED = r"\"[^\"<>]*\"|'[^'<>]*'"
-_ELEMENT = re.compile(rf"<(circle|ellipse|rect|polygon|polyline|path)\b((?:[^<>\"']|{_QUOTED})*)>")
+_ELEMENT = re.compile(rf"<(circle|ellipse|rect|polygon|polyline|path)(?=[\s/>])((?:[^<>\"']|{_QUOTED})*)>")
+# of Tiled: the corners of a polygon are relative to the object that holds it
+_OBJECT = re.compile(rf"<object\b((?:[^<>\"']|{_QUOTED})*)>\s*(?=<(?:polygon|polyline|ellipse)\b)")
 _ATTRIBUTE = re.compile(rf"([\w:-]+)[ \t\r\n]*=[ \t\r\n]*({_QUOTED})")
 _BARE = re.compile(rf"([\"'`])({PATH_DATA.pattern})\1")
 _TRANSFORM = re.compile(r"(\w+)\s*\(([^()]*)\)")
@@ -29,7 +31,9 @@ _PLACES = frozenset(["x", "y", "cx", "cy"])
 def all_tokens(text: str) -> list[Token]:
     """Return the tokens of a text, with SVG elements, path data and tables as calls and lists."""
     plain = tokens(text)
-    parts = [(m.start(), m.end(), list(_element(m))) for m in _ELEMENT.finditer(text)]
+    held = {m.end(): _attributes(m[1], m.start(1)) for m in _OBJECT.finditer(text)}
+    parts = [(m.start(), m.end(), list(_element(m, held.get(m.start(), {})))) for m in _ELEMENT.finditer(text)]
+    parts += [(m.start(), m.end(), []) for m in _OBJECT.finditer(text)]
     ends = [(start, end) for start, end, _ in parts]
     inside = iter([*ends, (len(text), len(text))])
     start, end = next(inside)
@@ -68,14 +72,23 @@ def _replaced(plain: list[Token], parts: list[tuple[int, int, list[Token]]]) -> 
         part = next(rest, None)
 
 
-def _element(match: re.Match[str]) -> Iterator[Token]:
-    """Yield the call that an element stands for, on a line of its own."""
-    tag, begin = match[1], match.start(2)
-    found = {m[1]: (m[2][1:-1], begin + m.start(2) + 1) for m in _ATTRIBUTE.finditer(match[2])}
+def _attributes(text: str, at: int) -> dict[str, tuple[str, int]]:
+    """Return the attributes of an element: their names, and each value with its place."""
+    return {m[1]: (m[2][1:-1], at + m.start(2) + 1) for m in _ATTRIBUTE.finditer(text)}
+
+
+def _element(match: re.Match[str], holder: dict[str, tuple[str, int]]) -> Iterator[Token]:
+    """Yield the call that an element stands for, on a line of its own, moved to the object that holds it."""
+    tag = match[1]
+    found = _attributes(match[2], match.start(2))
+    round_ = tag == "ellipse" and {"x", "y", "width", "height"} <= set(holder)
     yield _mark(MARK, ";", match.start())
-    yield Token(NAME, f"svg.{tag}", match.start(), match.start())
+    yield Token(NAME, "tiled.ellipse" if round_ else f"svg.{tag}", match.start(), match.start())
     yield _mark(OPEN, "(", match.start())
-    if tag == "path":
+    if round_:
+        for name in ("x", "y", "width", "height"):
+            yield from (*_inner(*holder[name]), _mark(MARK, ",", match.start()))
+    elif tag == "path":
         yield from path_tokens(*found.get("d", ("", match.start())))
     elif tag in ("polygon", "polyline"):
         for token in _inner(*found.get("points", ("", match.start()))):
@@ -90,6 +103,10 @@ def _element(match: re.Match[str]) -> Iterator[Token]:
     yield _mark(CLOSE, ")", match.end())
     if "transform" in found:
         yield from _changes(*found["transform"])
+    if {"x", "y"} <= set(holder) and not round_:
+        yield from _call("translate", [*_inner(*holder["x"]), *_inner(*holder["y"])])
+    if "rotation" in holder:
+        yield from _call("tiled-rotation", _inner(*holder["rotation"]))
     yield _mark(MARK, ";", match.end())
 
 
@@ -105,16 +122,21 @@ def _pair(name: str, value: list[Token]) -> Iterator[Token]:
 def _changes(text: str, at: int) -> Iterator[Token]:
     """Yield the calls behind a shape that its transform stands for: a move is applied, all else is refused."""
     for m in _TRANSFORM.finditer(text):
-        name = ".translate" if m[1] == "translate" else f".transform-{m[1]}"
-        yield Token(FIELD, name, at + m.start(), at + m.start())
-        yield _mark(OPEN, "(", at + m.start(2))
         values = _inner(m[2], at + m.start(2))
-        if name == ".translate" and len(values) == 1:
+        if m[1] == "translate" and len(values) == 1:
             values.append(Token(NUMBER, "0", values[0].end, values[0].end, Fraction(0)))
-        for value in values:
-            yield value
-            yield _mark(MARK, ",", value.end)
-        yield _mark(CLOSE, ")", at + m.end())
+        if values:
+            yield from _call(m[1] if m[1] == "translate" else f"transform-{m[1]}", values)
+
+
+def _call(name: str, values: list[Token]) -> Iterator[Token]:
+    """Yield a call behind a shape."""
+    yield Token(FIELD, f".{name}", values[0].start, values[0].start)
+    yield _mark(OPEN, "(", values[0].start)
+    for value in values:
+        yield value
+        yield _mark(MARK, ",", value.end)
+    yield _mark(CLOSE, ")", values[-1].end)
 
 
 def _inner(text: str, at: int) -> list[Token]:

@@ -1,11 +1,15 @@
 """What a text gives a name: lines as assignments, names as values, groups of pairs as objects."""
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from fractions import Fraction
 from typing import Any
 
 from .notations import BOX, CIRCLE, OTHER_SHAPE, key, notation
-from .tree import Bad, Group, Name, Pair, Value
+from .tree import Bad, Group, Name, Num, Pair, Value
+
+_ZERO = re.compile(r"(?:\.|::)zero$|^cpvzero$|^b2Vec2_zero$", re.IGNORECASE)
 
 
 class Unreadable(Exception):
@@ -85,6 +89,9 @@ class Names:
             value = node
         if isinstance(value, Pair):
             return value.value
+        if isinstance(value, Name) and _ZERO.search(value.text):
+            nothing = Num(value.end, value.end, Fraction(0))
+            return Group(value.start, value.end, [nothing, nothing], "(")
         return value
 
     def consume(self, items: Sequence[Any]) -> None:

@@ -8,9 +8,10 @@ import re
 from typing import NamedTuple
 
 POINT, RING, CIRCLE, BOX, MANY, MOVE, ARC = "point", "ring", "circle", "box", "many", "move", "arc"
-ELLIPSE, OTHER_SHAPE = "ellipse", "other"
+ELLIPSE, OTHER_SHAPE, ON_THE_GLOBE = "ellipse", "other", "globe"
 # How the four numbers of a box are meant, in the words of `--as`.
 CORNER_SIZE, CORNER_CORNER, CENTER_SIZE, CENTER_HALF = "corner-size", "corner-corner", "center-size", "center-half"
+X_THEN_Y, SIZE_CORNER = "x-then-y", "size-corner"
 DEGREES, RADIANS = "degrees", "radians"
 
 
@@ -53,7 +54,9 @@ NOTATIONS = (
         RING,
     ),
     Notation(
-        "circle circle2d ball disc disk createcircle circleshape addcircle drawcircle bodies.circle c2circle", CIRCLE
+        "circle circle2d ball disc disk createcircle circleshape boundingcircle addcircle drawcircle bodies.circle "
+        "c2circle",
+        CIRCLE,
     ),
     Notation(
         "circle.new ball::new newcircle circleimpl circlef colliderbuilder::ball circleshape2d newcircleshape "
@@ -63,7 +66,7 @@ NOTATIONS = (
     # boxes
     Notation(
         "bodies.rectangle add.rectangle bodies.rect boxshape2d centered_rect rotatedrect p2.box p2.rectangle "
-        "create_box "
+        "create_box rect::from_center_size "
         "newrectangleshape poly.create_box bounds rect.fromcenter rectangleshape2d boxcollider2d",
         BOX,
         CENTER_SIZE,
@@ -80,14 +83,19 @@ NOTATIONS = (
         CORNER_SIZE,
     ),
     Notation(
-        "shapely.box geometry.box shapely.geometry.box st_makeenvelope makeenvelope envelope bbox boundingbox ltrb "
-        "pixel.r image.rect rect64 rectd rect.fromltrb rect.frompoints lnglatbounds rectf bb pymunk.bb box2.new",
+        "shapely.box geometry.box shapely.geometry.box st_makeenvelope makeenvelope bbox boundingbox ltrb "
+        "pixel.r image.rect rect64 rectd rect.fromltrb rect.frompoints rect::from_corners create_rectangle "
+        "RECT RECTL lnglatbounds latlngbounds rectf bb pymunk.bb box2.new",
         BOX,
         CORNER_CORNER,
     ),
+    Notation("envelope referencedenvelope", BOX, ask=(X_THEN_Y, CORNER_CORNER)),
+    Notation("jts.env", BOX, X_THEN_Y),
+    Notation("size.at", BOX, SIZE_CORNER),
     Notation("c2aabb aabb aabb::new aabb2 box2 box2d b2aabb extent", BOX, ask=(CORNER_CORNER, CENTER_HALF)),
     Notation(
-        "cuboid cuboid::new colliderbuilder::cuboid setasbox.new b2makebox setasbox b2makeoffsetbox pl.box planck.box",
+        "aabb2d rect::from_center_half_size cuboid cuboid::new colliderbuilder::cuboid setasbox.new "
+        "b2makebox setasbox b2makeoffsetbox pl.box planck.box",
         BOX,
         CENTER_HALF,
     ),
@@ -96,11 +104,16 @@ NOTATIONS = (
     Notation("sf::circleshape", CIRCLE, alone=True),
     Notation("ellipse svg.ellipse", ELLIPSE),
     Notation(
+        "ellipse2d.double ellipse2d.float fillellipse drawellipse filloval drawoval tiled.ellipse", ELLIPSE, CORNER_SIZE
+    ),
+    Notation(
         "capsule b2capsule capsule2d capsuleshape2d segment b2segment linesegment line ray edge roundedrect roundedbox "
         "b2makeroundedbox makeroundedbox stadium matrix roundrectangle2d.double roundrectangle2d.float roundrect rrect "
+        "box3 box3d aabb3d cube sphere "
         "create_oval oval rhombus star wedge ring arcshape regularpolygon konva.regularpolygon konva.star",
         OTHER_SHAPE,
     ),
+    Notation("turf.circle l.circle maps.circle", ON_THE_GLOBE),
     Notation("square", BOX, ask=(CORNER_SIZE, CENTER_SIZE)),
     # what moves the next shape
     Notation(
@@ -122,7 +135,7 @@ KEYS = {
         "points": "vertices verts points corners polygon coords path hull outline pts vertexlist ring exterior poly "
         "pointlist vertex coordinates vertices2d",
         "center": "center centre pos position translation location circle middle mid c p centroid",
-        "corner": "corner topleft bottomleft start origin",
+        "corner": "corner xy topleft bottomleft start origin",
         "radius": "radius r",
         "x": "x posx px cx lon lng longitude",
         "y": "y posy py cy lat latitude",
@@ -136,10 +149,10 @@ KEYS = {
         "halfheight": "hy halfheight hh",
         "min": "min mins lower lowerbound minimum minpoint southwest",
         "max": "max maxs upper upperbound maximum maxpoint northeast",
-        "x0": "x0 xmin minx left l x1of2 west",
-        "y0": "y0 ymin miny top t south",
-        "x1": "xmax maxx right east",
-        "y1": "ymax maxy bottom north",
+        "x0": "x0 xmin minx left l x1of2 west bboxleft",
+        "y0": "y0 ymin miny top t south bboxtop",
+        "x1": "xmax maxx right east bboxright",
+        "y1": "ymax maxy bottom north bboxbottom",
         "angle": "angle rotation rot theta orientation yaw heading",
         "degrees": "degrees angledeg rotationdegrees deg angledegrees",
         "radians": "radians anglerad rad angleradians",
@@ -197,10 +210,11 @@ HARMLESS = frozenset(
         "distance",
     ]
 )
-MOVES = frozenset(["translate", "translation", "setposition", "moveto", "setoffset", "set_position"])
+MOVES = frozenset(["translate", "translation", "setposition", "settranslation", "moveto", "setoffset", "set_position"])
 TURNS = {
     "rotate": "",
     "setangle": "",
+    "rotation": "",
     "setrotation": "",
     "set_rotation": "",
     "set_angle": "",
@@ -223,6 +237,8 @@ LIST_WORDS = re.compile(
 
 def notation(name: str) -> Notation | None:
     """Return the row of a name, by its longest ending that the table has; None for an unknown name."""
+    if name in NAMES:  # RECT is that of Windows, and Rect is not
+        return NAMES[name]
     plain = name.lower().split("<")[0].rstrip("!") if "<" in name else name.lower()
     for ending in ("::new", "::from", ".new"):
         plain = plain.removesuffix(ending) if plain not in NAMES else plain

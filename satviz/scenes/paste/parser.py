@@ -30,6 +30,7 @@ from .tokens import CLOSE, FIELD, LINE, MARK, NAME, NUMBER, OPEN, OTHER, TEXT, T
 from .tree import Bad, Group, Name, Num, Pair
 
 MAX_DEPTH = 24
+LEAST = 3  # corners of an outline
 PAIRS = {"(": ")", "[": "]", "{": "}"}
 SEPARATORS = frozenset(["vs", "versus", "and", "against", "intersects", "overlaps", "touches", "collides"])
 ARROWS = frozenset(["->", "<->", "\u2192", "\u2194", "\u21d2"])
@@ -232,7 +233,8 @@ class _Parser:
             if words and isinstance(last, Token) and last.kind == NUMBER and last.text.isdigit():
                 pair.number = last.text
                 self.indices.add(last.end)
-            before = [a for a in atoms[:mark] if isinstance(a, Group) and a.bracket in "({" and a.items]
+            found = self.joined(atoms[:mark])[0]
+            before = [a for a in found if isinstance(a, Group) and a.bracket in "({" and a.items]
             return Group(pair.start, pair.end, [*before, pair], "+") if before else pair  # {x: 1, y: 2} radius: 5
         return self.plain(atoms)
 
@@ -271,6 +273,15 @@ class _Parser:
                 return Num(start, end, -only.value)
             if operators == ["-"] and len(values) == 2 and all(is_pair(v) for v in values):
                 return Group(start, end, values, " ")  # (0, 0)-(10, 10), as Go prints a box
+            if (
+                set(operators) == {"<"}
+                and isinstance(values[0], Name)
+                and len(values) > LEAST
+                and _are_points(values[1:])
+            ):
+                return Pair(
+                    start, end, (values[0].text,), Group(values[1].start, end, values[1:], "[")
+                )  # poly << P(0, 0)
             if any(o in OPERATORS for o in operators):
                 return Bad(start, end, "an expression, which is not evaluated", hides=any(map(is_long, values)))
             return Bad(start, end, "not a number", [v for v in values if isinstance(v, Group)])
@@ -311,6 +322,8 @@ class _Parser:
                         continue
                     name = last.text if atom is length else ""  # the list after Vector2[] is no Vector2
                     values[-1] = Group(last.start, atom.end, atom.items, atom.bracket, name)
+                elif atom.bracket == "(" and len(atom.items) == 1 and _is_negative(atom.items[0]):  # (-1.0)
+                    values.append(atom.items[0])
                 else:
                     values.append(atom)
             elif not isinstance(atom, Token):
@@ -365,3 +378,13 @@ class _Parser:
                     parts.append(int(index.value))
                     self.indices.add(index.end)
         return tuple(parts)
+
+
+def _is_negative(value: Any) -> bool:
+    """Return whether a value is a number below zero."""
+    return isinstance(value, Num) and value.value is not None and value.value < 0
+
+
+def _are_points(values: Sequence[Any]) -> bool:
+    """Return whether all values are brackets with two numbers."""
+    return all(isinstance(v, Group) and len(v.items) == 2 and all(isinstance(n, Num) for n in v.items) for v in values)

@@ -16,7 +16,7 @@ from .. import minimal_test
 from ..link import link
 from ..scenefile import MAX_VERTICES, Scene
 from . import findings, others
-from .boxes import ALL_CHOICES, ONLY_IF_IT_MATTERS, Read
+from .boxes import ALL_CHOICES, BOX_FORM, CHOICES, ONLY_IF_IT_MATTERS, Read
 from .findings import KINDS, Finding, PastedShape, listed
 from .objects import as_text
 from .pair_findings import Pair, clear, of_pair
@@ -45,6 +45,7 @@ CHOICE_WORDS = {
     "corner-corner": "two opposite corners",
     "center-size": "the center, then width and height",
     "center-half": "the center, then half of width and height",
+    "x-then-y": "the two x, then the two y",
     "degrees": "the angle in degrees",
     "radians": "the angle in radians",
     "y-up": "y up, angles counter-clockwise",
@@ -261,6 +262,10 @@ def paste(what: Any, as_: str | Sequence[str] = ()) -> Pasted:
     chosen = _choices(as_)
     tree = parse(text)
     reader = Reader(text, chosen)
+    if forms := set(chosen) & set(CHOICES[BOX_FORM]):
+        bare = Reader(text, [choice for choice in chosen if choice not in forms])
+        bare.read(tree.root)
+        reader.keeps = BOX_FORM in bare.asked
     reads = _checked(reader.read(tree.root), reader)
     shapes = _named(reads, text)
     questions = tuple(_questions(reader, tree.root, text, chosen))
@@ -322,19 +327,21 @@ def _named(reads: Sequence[Read], text: str) -> list[PastedShape]:
 
 def _questions(reader: Reader, root: Group, text: str, chosen: tuple[str, ...]) -> Iterator[Question]:
     """Yield what must be asked: each possible reading with the relation that it gives."""
+    keeps = reader.keeps or BOX_FORM in reader.asked
     for what, choices in reader.asked.items():
         if any(choice in chosen for choice in choices):
             continue
-        answers = tuple(Answer(c, CHOICE_WORDS[c], _gives(root, text, (*chosen, c))) for c in choices)
+        answers = tuple(Answer(c, CHOICE_WORDS[c], _gives(root, text, (*chosen, c), keeps=keeps)) for c in choices)
         possible = {answer.gives for answer in answers if "refused" not in answer.gives}
         matters = len(possible) > 1 or (bool(possible) and answers[0].gives not in possible)
         if matters or what not in ONLY_IF_IT_MATTERS:
             yield Question(what, ASKS[what], answers, matters)
 
 
-def _gives(root: Group, text: str, chosen: tuple[str, ...]) -> str:
+def _gives(root: Group, text: str, chosen: tuple[str, ...], *, keeps: bool) -> str:
     """Return in words the relations of all pairs under a reading."""
     reader = Reader(text, chosen)
+    reader.keeps = keeps
     shapes = _named(reader.read(root), text)
     if len(shapes) < 2:
         return shapes[0].refused.split(":")[0] or "one shape" if shapes else "no shape"

@@ -99,6 +99,7 @@ class Points(Statements):
             if plain < 3 or not row or row.kind != POINT:
                 return None
             self.remark("a third coordinate was left out: the shapes are read in x and y")
+            self.counts.add(items[2].end)
         if plain == 0 and not (row and row.kind == POINT):
             return None
         self._refuse_methods(value)
@@ -115,6 +116,7 @@ class Points(Statements):
         if isinstance(made, Obj) and made.get("width") is not None and made.get("height") is not None:
             return self.number(made.get("width")), self.number(made.get("height"))
         if isinstance(value, Group) and not value.name and len(value.items) == 3 and self.numbers(value.items):
+            self.counts.add(value.items[2].end)
             self.remark("a third coordinate was left out: the shapes are read in x and y")
             value = Group(value.start, value.end, value.items[:2], value.bracket)
         return self.point(value)
@@ -136,7 +138,7 @@ class Points(Statements):
 
     def ring(self, value: Any) -> list[Pt] | None:
         """Return the points of an outline, or None; Unreadable where one among points has no numbers."""
-        value = self.resolve(value)
+        value = self._columns(self.resolve(value))
         if isinstance(value, Obj):
             numbered = {k: v for k, v in value.fields.items() if isinstance(k, int)}
             if not numbered:
@@ -166,6 +168,28 @@ class Points(Statements):
                 )
             return list(zip(flat[::2], flat[1::2], strict=True))
         return self._points(items)
+
+    def _columns(self, value: Any) -> Any:
+        """Return a matrix of R with two columns as a list of points: matrix(c(0, 4, 4, 0, 0, 3), ncol = 2)."""
+        if not isinstance(value, Group) or value.name not in ("matrix", "structure"):
+            return value
+        said = self.as_object(value)
+        lists = [v for v in map(self.resolve, said.rest) if isinstance(v, Group)]
+        flat = lists[0].items if lists else []
+        counts = [v for v in map(self.resolve, said.rest) if isinstance(v, Num)]  # matrix(data, rows, columns)
+        counts += [v for v in (said.fields.get("nrow"), said.fields.get("ncol")) if isinstance(v, Num)]
+        if isinstance(dim := said.fields.get("dim"), Group):
+            counts += dim.items
+        if not counts or not all(isinstance(v, Num) for v in (*flat, *counts)):
+            return value
+        half = len(flat) // 2
+        columns = counts[-1].value if len(counts) > 1 or "ncol" in said.fields else len(flat) / (counts[0].value or 1)
+        if len(flat) % 2 or half < 3 or columns != 2:
+            raise Unreadable("a matrix that has not two columns of numbers: write its corners")
+        self.counts |= {v.end for v in counts}
+        by_row = getattr(said.fields.get("byrow"), "text", "F").upper().startswith("T")
+        pairs = zip(flat[::2], flat[1::2], strict=True) if by_row else zip(flat[:half], flat[half:], strict=True)
+        return Group(value.start, value.end, [Group(a.start, b.end, [a, b], "(") for a, b in pairs], "[")
 
     def _all_numbered(self, obj: Obj, numbered: dict[int, Any]) -> list[Any]:
         """Return the elements v[0], v[1], ... in their order; Unreadable where one is missing, or was set before."""

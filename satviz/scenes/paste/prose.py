@@ -8,10 +8,17 @@ from .tokens import CLOSE, MARK, NAME, NUMBER, OPEN, Token, tokens
 _N = r"[-+\u2212]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?"
 _PLACE = rf"(?:\([ ]?{_N}[ ]?,[ ]?{_N}[ ]?\)|\b(?:center|centre|at|position)[ ]{_N}[ ]?,[ ]?{_N})"
 _FILL = r"[ ,]{1,3}(?:(?:and|with|has|having|of|is|a|an|the|its|size)[ ,]{1,3}){0,4}"
-# One row for each kind of sentence: the call that it stands for, and its words.
+# One row for each kind of sentence, or of print: the call that it stands for, and its words.
 SENTENCES = (
     ("circle", re.compile(rf"{_PLACE}{_FILL}radius(?:[ ](?:of|is|=))?[ ]{_N}(?![\w.])", re.IGNORECASE)),
     ("qrect", re.compile(rf"(?<=QRect)\({_N},{_N} {_N}x{_N}\)|(?<=QRectF)\({_N},{_N} {_N}x{_N}\)")),
+    ("qrect", re.compile(rf"<rect\({_N}, {_N}, {_N}, {_N}\)>")),  # pygame
+    ("image.rect", re.compile(rf"(?<=Rect)\({_N}, {_N} - {_N}, {_N}\)")),  # Android
+    ("image.rect", re.compile(rf"(?<!, )\({_N},{_N}\)-\({_N},{_N}\)(?!, ?\()")),  # Go
+    ("image.rect", re.compile(rf"\[\[{_N} {_N}\] - \[{_N} {_N}\]\]")),  # egui
+    ("jts.env", re.compile(rf"Env\[{_N} : {_N}, {_N} : {_N}\]")),
+    ("size.at", re.compile(rf"\[{_N} x {_N} from \({_N}, {_N}\)\]")),  # OpenCV
+    ("size.at", re.compile(rf"(?<=Rect)\({_N}x{_N} at \({_N}, {_N}\)\)")),  # euclid
     ("circle", re.compile(rf"\({_N}[ ]?,[ ]?{_N}\)[ ]circle[ ]\({_N}\)")),
     ("image.rect", re.compile(rf"\({_N}[ ]?,[ ]?{_N}\)[ ]rectangle[ ]\({_N}[ ]?,[ ]?{_N}\)")),
     ("rect", re.compile(rf"{_PLACE}{_FILL}{_N}[ ]?[x\u00d7][ ]?{_N}(?![\w.])", re.IGNORECASE)),

@@ -28,6 +28,7 @@ from .notations import (
     MANY,
     MOVE,
     MOVES,
+    ON_THE_GLOBE,
     OTHER_SHAPE,
     POINT,
     RADIANS,
@@ -111,8 +112,12 @@ class Reader(Calls):
         """Return the shapes of a bracket, a call or a typed list, with the calls behind it."""
         row = notation(group.name) if group.name else None
         kind = row.kind if row else ""
+        if (plain := self._columns(group)) is not group:
+            return self._plain(plain, label)
         if kind == OTHER_SHAPE and self._has_numbers(group):
             raise Unreadable(f"{short(group.name)}: satviz takes polygons, boxes and circles")
+        if kind == ON_THE_GLOBE:
+            raise Unreadable(f"{group.name}: its center is in degrees and its radius is not: write both in one unit")
         if kind in (POINT, MOVE):
             self._refuse_methods(group)  # Point(0, 0).buffer(1)
             return []
@@ -136,8 +141,8 @@ class Reader(Calls):
             raise Unreadable("an outline with arcs: satviz takes polygons and circles")
         if kind == CIRCLE:
             found = self._circle(group, label)
-        elif kind == ELLIPSE:
-            found = self._ellipse(group, label)
+        elif kind == ELLIPSE and row:
+            found = self._ellipse(group, row, label)
         elif kind == BOX and row:
             found = self._box(group, row, label)
         elif kind == RING and group.bracket != '"':
@@ -195,7 +200,7 @@ class Reader(Calls):
                     found = [moved(shape, move) for shape in found]
                     continue
             if plain in TURNS and len(arguments.items) == 1:
-                found = [self._turned(shape, arguments.items[0], TURNS[plain], None) for shape in found]
+                found = [self._turned(shape, arguments.items[0], TURNS[plain], self.pivot(shape)) for shape in found]
                 continue
             if plain not in HARMLESS and arguments.items and self.numbers(arguments.items) is not None:
                 raise Unreadable(f".{name}(...) is not evaluated: write the result")

@@ -1,7 +1,7 @@
 """What the lines of a text do: give names, add corners, draw with a pen, and set the fields of a shape."""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
@@ -18,6 +18,7 @@ PEN_STARTS = frozenset(["moveto", "beginpath", "beginshape", "endshape", "closep
 ATTACHERS = frozenset(["addshape", "add_shape", "createfixture", "create_fixture", "addfixture", "setshape"])
 # Calls that only sketches of Processing and p5.js have.
 _SKETCH = re.compile(r"\b(?:rectMode|ellipseMode|createCanvas|beginShape|noStroke|strokeWeight|ellipse|quad)\(")
+_MODE = re.compile(r"\b(rect|ellipse)Mode\(\s*(\w+)\s*\)")
 # Names such as x1, rect_w, ballRadius and bx: whose number it is, and which.
 _LETTERS = "x|y|w|h|r|cx|cy|width|height|radius|diameter"
 _NUMBERED = re.compile(rf"(?P<key>{_LETTERS}|left|top|right|bottom)_?(?P<owner>\d+|[a-dA-D])")
@@ -41,7 +42,8 @@ class Statements(Names):
         self.runs: list[Run] = []
         self.named: list[tuple[int, int]] = []  # where short parts stand that a problem quotes in full
         self.taken: set[int] = set()  # values that a run has
-        self.modes: list[tuple[int, str]] = []  # rectMode(CENTER), where it stands
+        # rectMode(CENTER): what it is of, where it stands, and the mode
+        self.modes = [(m[1], m.start(), m[2].lower()) for m in _MODE.finditer(text)]
         self._open: dict[str, Obj] = {}  # runs that may go on
         self._grown: set[int] = set()  # lists to which corners were added
         self._pen: Group | None = None
@@ -53,7 +55,7 @@ class Statements(Names):
     def assign(self, items: Sequence[Any]) -> None:
         """Sort the lines of a text or block: what gets a name, and what stands alone."""
         column: list[Group] = []
-        for item in (*items, None):
+        for item in (*self._gathered(items), None):
             if isinstance(item, Group) and not item.name and item.bracket != '"' and self._is_row(item):
                 column.append(item)
                 continue
@@ -70,6 +72,21 @@ class Statements(Names):
             self._end_run(owner)
         self._end_pen()
         self._end_corners()
+
+    def _gathered(self, items: Sequence[Any]) -> Iterator[Any]:
+        """Yield lines, with those that go on with a list of points as one: points: and the lines - [2, -1] of YAML."""
+        i = 0
+        while i < len(items):
+            item, i = items[i], i + 1
+            if isinstance(item, Pair) and key(item.path[-1]) == "points" and _is_row_of_points(item.value):
+                rows = [item.value]
+                while i < len(items) and _is_row_of_points(items[i]):
+                    rows.append(items[i])
+                    i += 1
+                if len(rows) > 1:
+                    made = Group(rows[0].start, rows[-1].end, rows, "[")
+                    item = replace(item, value=made, end=made.end)
+            yield item
 
     def _is_row(self, item: Group) -> bool:
         """Return whether a line consists of two numbers."""
@@ -126,7 +143,8 @@ class Statements(Names):
         elif last in (*MOVES, *TURNS) and owner and len(item.items) in (1, 2) and not self._is_drawn(last, item):
             value = item if last in MOVES and len(item.items) == 2 else item.items[0]
             value = Group(item.start, item.end, item.items, "(") if value is item else value
-            self._insert(Pair(item.start, item.end, (*owner, "position" if last in MOVES else "angle"), value))
+            field = "translation" if last == "translate" else "position" if last in MOVES else "angle"
+            self._insert(Pair(item.start, item.end, (*owner, field), value))
         elif last in ADDERS and owner and (point := _point_of(item)):
             self._add(owner, point)
         elif last in PENS or last in PEN_STARTS:
@@ -136,8 +154,6 @@ class Statements(Names):
                 self._pen = self._pen or Group(item.start, item.end, [], "[")
                 self._pen.items.append(point)
                 self._pen.end = item.end
-        elif last == "rectmode" and item.items:
-            self.modes.append((item.start, getattr(item.items[0], "text", "").lower()))
         else:
             return False
         return True
@@ -235,6 +251,11 @@ def _owner(name: str) -> tuple[str, str]:
             parts = found.groupdict()
             return parts["owner"], key(parts["key"] or parts["camel"])
     return "", ""
+
+
+def _is_row_of_points(value: Any) -> bool:
+    """Return whether a value is a bracket with two numbers and no name."""
+    return isinstance(value, Group) and not value.name and len(value.items) == 2 and _are_numbers(value)
 
 
 def _are_numbers(item: Group) -> bool:

@@ -70,6 +70,7 @@ def _table(lines: Sequence[Cell], number: int) -> tuple[Table | None, int]:
     known = {key(name) for name in names} - {""}
     if len(known) < 2 and mark != "|":
         return None, after
+    indexed = header.text[:1] in (" ", ",", "\t")  # pandas writes the number of a row under no name
     rows = []
     while after < len(lines):
         line = lines[after]
@@ -77,6 +78,8 @@ def _table(lines: Sequence[Cell], number: int) -> tuple[Table | None, int]:
             after += 1
             continue
         cells = _cells(line, mark)
+        if indexed and len(cells) == len(names) + 1 and re.fullmatch(r"\w+", cells[0].text):
+            cells = cells[1:]
         if len(cells) != len(names):
             break
         rows.append(cells)

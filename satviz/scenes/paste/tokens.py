@@ -25,17 +25,19 @@ NUMBER, NAME, FIELD, TEXT, OPEN, CLOSE, MARK, LINE, OTHER = (
 )
 
 # What may follow a number directly: the suffixes of C, C++, C#, Java, Rust, Scala, and units.
-SUFFIXES = frozenset(["", "f", "d", "l", "u", "m", "f32", "f64", "i32", "i64", "u32", "px", "deg", "rad", "°"])
+SUFFIXES = frozenset(
+    ["", "f", "d", "l", "u", "m", "f32", "f64", "i32", "i64", "u32", "ll", "ul", "ull", "px", "deg", "rad", "°"]
+)
 
 _TOKEN = re.compile(
     r"""
-    (?P<space>[ \t\r\f\v\ufeff\u00a0]+|\\\n|'''|"\""+|```\w*)
-  | (?P<comment>(?<![\d)\]])//[^\n]*|\#[^\n]*|--(?=[ \[])[^\n]*|/\*.*?\*/|<!--.*?-->)
+    (?P<space>[ \t\r\f\v\ufeff\u00a0]+|\\\n|(?<=\[)\||\|(?=\])|'''|"\""+|```\w*)
+  | (?P<comment>(?<![\d)\]])//[^\n]*|\#(?![\w-]+[ ]*\{)[^\n]*|--(?=[ \[])[^\n]*|/\*.*?\*/|<!--.*?-->)
   | (?P<line>\n)
-  | (?P<tag>/>|</[A-Za-z][\w:.-]*>|(?<![\w>])<[A-Za-z][\w:.-]*>)
+  | (?P<tag>/>|(?<=["'])>|</[A-Za-z][\w:.-]*>|(?<![\w>])<[A-Za-z][\w:.-]*>)
   | (?P<number>(?:(?<![\w)\].])[+\-\u2212])?
         (?:0[xX][0-9a-fA-F]+(?:\.[0-9a-fA-F]*)?(?:[pP][+-]?[0-9]+)?
-         |(?:[0-9][0-9_]*(?:'[0-9]{3})*(?:\.(?!\.)[0-9_]*)?|\.[0-9][0-9_]*)(?:[eE][+\-\u2212]?[0-9]+)?)
+         |(?:[0-9][0-9_]*(?:'[0-9]{3})*(?:\.(?!\.)[0-9_]*)?|\.[0-9][0-9_]*)(?:[eEdD][+\-\u2212]?[0-9]+)?)
         (?P<suffix>[A-Za-z_%°\u2032][\w]*)?)
   | (?P<name>[^\W\d][\w$]*(?:(?:\.|::|->)[^\W\d][\w$]*)*
         (?:(?:::)?<[A-Za-z_][\w ,.:\[\]&]*>(?:(?:\.|::)[^\W\d]\w*)*)?(?:!(?=[\[({]))?|\$\w+)
@@ -55,10 +57,12 @@ _PROMPT = re.compile(r"^[ \t]*(?:>>>|\.\.\.:?|In \[\d+\]:|Out\[\d+\]:)(?=\s)", r
 _STAMP = (
     r"\d{4}[-/]\d\d[-/]\d\d(?:[T ]\d\d:\d\d(?::\d\d(?:[.,]\d+)?)?(?:Z|[+-]\d\d:?\d\d)?)?|\d\d:\d\d:\d\d(?:[.,]\d+)?"
 )
+_KEYED = r"[A-Za-z_]\w*[ \t]?=[ \t]?[-+]?[\d.]+"
 _PREFIX = re.compile(
     rf"""^[ \t]*(?:[\[(<]?(?:{_STAMP})(?!\d)[\])>]?[ \t:|,-]*)?
     (?:(?:\[[A-Za-z][\w\ ./:\#-]*\]|\b(?:TRACE|DEBUG|INFO|WARN|WARNING|ERROR|FATAL)\b)[ \t:|-]+)*
-    (?:\d{{1,3}}[.)][ \t]+(?=[A-Za-z(\[{{]))?""",
+    (?:\d{{1,3}}[.)][ \t]+(?=[A-Za-z(\[{{]))?
+    (?:[A-Za-z_][\w.\#-]*:[ \t]+(?={_KEYED}[ \t,;]+{_KEYED}))?""",
     re.MULTILINE | re.VERBOSE,
 )
 # two numbers with commas for points, and a semicolon between them
@@ -138,7 +142,7 @@ def number(text: str) -> tuple[Fraction | None, str]:
         if abs(int(exponent)) > 2 * MAX_DIGITS + 400:
             return None, f"{_short(text)} is beyond float64"
         return sign * Fraction(int(whole + part, 16)) * Fraction(2) ** (int(exponent) - 4 * len(part)), ""
-    mantissa, _, exponent = plain.partition("e")
+    mantissa, _, exponent = plain.replace("d", "e").partition("e")  # 3.0d0 is Fortran's
     whole, _, part = mantissa.partition(".")
     power = int(exponent or 0) - len(part)
     digits = int(whole + part)

@@ -126,7 +126,7 @@ def _changes(left: Left, inside: bool) -> bool:
 
     `inside`: the number stands in the text of a shape, where every key in the tables of `notations` would change it.
     """
-    words = _words(left.key)
+    words = _words(left.key.removeprefix("svg."))
     same = left.value == (1 if any("scal" in word or word == "zoom" for word in words) else 0)
     known = {key(part) for part in left.key.split(".") if len(part) > 1 or inside or part != left.key} - {""}
     known -= set() if inside else {"points"}
