@@ -76,7 +76,7 @@ def by_shortcut(shortcut: Shortcut, a: Shape, b: Shape) -> Relation | None:
         return record(a, b, axes=shortcut).relation
     except InvalidScene as error:
         if shortcut.split:
-            assert "cannot take A apart" in str(error) and a.is_upright_box
+            assert "cannot cut A into pieces" in str(error) and a.is_upright_box
         else:
             assert "overflow" in str(error) and shortcut.measure and max(a.max_coordinate, b.max_coordinate) > 1e150
         return None

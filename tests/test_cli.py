@@ -111,7 +111,7 @@ BAD = {
     "no json": ("{", "not JSON"),
     "unknown key": ({**GOOD, "colour": 1}, '"colour"'),
     "missing key": ({"satviz": "scene 1", "a": GOOD["a"]}, 'lacks "b"'),
-    "key twice": ('{"satviz": "scene 1", "a": 1, "a": 2}', 'key "a" stands twice'),
+    "key twice": ('{"satviz": "scene 1", "a": 1, "a": 2}', 'key "a" is given twice'),
     "NaN": (json.dumps(GOOD).replace("5, 5", "NaN, 5"), "NaN"),
     "too large": (json.dumps(GOOD).replace("5, 5", "1e400, 5"), "1e400"),
     "endless digits": (json.dumps(GOOD).replace("5, 5", f"{'9' * 100_000}, 5"), "100000 digits"),

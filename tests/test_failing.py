@@ -204,7 +204,7 @@ def test_the_pairs_of_a_shortcut_that_splits_are_not_left_out():
         data = json.loads(trace.to_json())
         assert sv.Trace.from_json(json.dumps(data)) == trace and data["pairs"]
         for claim in "apart", "overlapping":
-            with pytest.raises(sv.InvalidScene, match=r"trace\.pairs are not those"):
+            with pytest.raises(sv.InvalidScene, match=r"trace\.pairs are not the pairs"):
                 sv.Trace.from_json(json.dumps(data | {"pairs": [], "claim": claim}))
 
 
@@ -251,7 +251,7 @@ def test_pieces_may_come_one_by_one_and_are_refused_in_the_same_words():
         yield shape
         yield sv.Polygon([(0, 0), (1, 0)])
 
-    with pytest.raises(sv.InvalidScene, match=r"^'mine' cannot take A apart: "):
+    with pytest.raises(sv.InvalidScene, match=r"^'mine' cannot cut A into pieces: "):
         sv.record(box(0, 0, 1, 1), box(2, 0, 3, 1), axes=sv.Shortcut("mine", "it is so", split=in_turn))
 
 
@@ -341,7 +341,7 @@ def test_what_cannot_be_taken_apart_is_refused_as_that_also_in_a_file():
     scene, least = sv.scene("tile-seam"), 5e-324
     thin = [(least, 0.0), (2 * least, 0.0), (2 * least, least), (least, least)]
     data = json.loads(scene.record().to_json()) | {"a": {"polygon": thin}}
-    words = "^'tile-seam' cannot take A apart: 2 distinct vertices"
+    words = "^'tile-seam' cannot cut A into pieces: 2 distinct vertices"
     with pytest.raises(sv.InvalidScene, match=words):
         sv.record(sv.Polygon(thin), scene.b, axes=SHORTCUTS["tile-seam"])
     with pytest.raises(sv.InvalidScene, match=words):

@@ -432,7 +432,7 @@ def test_without_npm_the_site_is_made_and_one_line_says_so(monkeypatch, tmp_path
     assert next(found)[0] == "site.js"
 
 
-@pytest.mark.parametrize("version, why", [(None, "holds no Pyodide"), ("0.1", "goes with")])
+@pytest.mark.parametrize("version, why", [(None, "holds no Pyodide"), ("0.1", "this satviz needs")])
 def test_another_pyodide_is_refused(tmp_path, version, why):
     if version:
         (tmp_path / "package.json").write_text(json.dumps({"version": version}))

@@ -856,7 +856,7 @@ def test_no_other_gap_or_landing_is_taken_for_rounding_however_far_from_the_orig
         with pytest.raises(sv.InvalidScene, match="gap"):
             sv.Trace.from_json(replace(trace, tests=tests).to_json())
     landed = y.a._replace(landings=tuple(c + 1e-3 + far * 2**-44 for c in y.a.landings))
-    with pytest.raises(sv.InvalidScene, match="is not where these shapes land"):
+    with pytest.raises(sv.InvalidScene, match="is not the projection of these shapes"):
         sv.Trace.from_json(replace(trace, tests=(y._replace(a=landed), x)).to_json())
 
 

@@ -90,7 +90,7 @@ class Recommendation:
         if self.given.tests > most:
             raise InvalidScene(
                 f"check() would make {self.given.tests:,} tests of an edge against a corner with fractions: the limit "
-                f"is {most:,}; advise on some of the pairs, or raise the limit by most="
+                f"is {most:,}; advise on some of the pairs, or pass a larger limit (most=)"
             )
         models = _candidates(self.given)
         if tuple(j.model for j in self.results) != models:
@@ -237,7 +237,7 @@ def advise(
         return advise(a.a, a.b)
     if isinstance(a, Shape) and (b is None or isinstance(b, Shape)):
         if pairs is not None:
-            raise TypeError("pairs are of batch shapes: make them with batch.Polygons or batch.Circles")
+            raise TypeError("pairs= needs batch shapes: make them with batch.Polygons or batch.Circles")
         summary, results, given = _recommend_pair(a, require_shape(b, "b"))
     else:
         from .advising_batches import recommend_batch

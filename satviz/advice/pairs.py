@@ -70,7 +70,7 @@ def indexed(a: Shapes, b: Shapes, pairs: ArrayLike | None) -> tuple[Indices, Ind
     if pairs is not None:
         return check_pairs(pairs, len(a), len(b))
     if len(a) != len(b):
-        raise ValueError(f"{len(a)} and {len(b)} shapes: give as many of each, or pairs=")
+        raise ValueError(f"{len(a)} and {len(b)} shapes: give two batches of one length, or say which pairs (pairs=)")
     every = np.arange(len(a))
     return every, every
 

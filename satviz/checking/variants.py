@@ -72,10 +72,13 @@ def outward_from_each_middle(a: Shape, b: Shape, axis: Axis) -> AxisTest:
 
 
 def one_extreme_each(step: int, a: Shape, b: Shape, axis: Axis) -> AxisTest:
-    """Return the test of an axis that projects one vertex for each side of the bounding box, the first or the last."""
+    """Return the test of an axis that projects one vertex on each side of the bounding box.
+
+    `step`: where several vertices lie on a side, 1 takes the first, -1 the last.
+    """
 
     def project_extremes(shape: Shape) -> Projection:
-        """Return the projection of these four vertices; of several on one side the first counts (step -1: the last)."""
+        """Return the projection of these four vertices."""
         listed = shape.vertices[::step]
         if not listed:
             return project(shape, axis)

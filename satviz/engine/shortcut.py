@@ -56,7 +56,7 @@ class Shortcut(NamedTuple):
         try:
             return list(self.split(a))
         except InvalidShape as error:
-            raise InvalidScene(f"{short_repr(self.name)} cannot take A apart: {error}") from None
+            raise InvalidScene(f"{short_repr(self.name)} cannot cut A into pieces: {error}") from None
 
     def separates(self, test: AxisTest) -> bool:
         """Return whether the shortcut counts this test as a gap, and so ends the run."""

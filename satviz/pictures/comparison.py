@@ -282,7 +282,7 @@ def _lies_on(p: Vec, edge: tuple[Vec, Vec]) -> bool:
 
 
 def _with_corner_names(words: str, rings: Sequence[Sequence[Vec]]) -> str:
-    """Return an error line with the edges that cross named by their corners and their place by the rings drawn."""
+    """Return an error line with the crossing edges named by corners, and "(rings)", the marks, for coordinates."""
     for name, ring in zip("ab", rings, strict=False):
         for _, i, j in _crossings(ring):
             one, other = (f"{name}{k + 1}{name}{(k + 1) % len(ring) + 1}" for k in (i, j))

@@ -78,7 +78,7 @@ def _steps(text: str | None) -> tuple[int, int] | None:
         return None
     match = STEPS.fullmatch(text)
     if not match or int(match[1]) > int(match[2]):
-        raise InvalidScene(f"the link says steps={text[:40]!r}: expected the first and the last one, such as 3-8")
+        raise InvalidScene(f"the link says steps={text[:40]!r}: expected the first and the last step, such as 3-8")
     return int(match[1]), int(match[2])
 
 

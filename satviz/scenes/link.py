@@ -78,7 +78,7 @@ def site_folder(site: str, name: str = "site") -> str:
 
     The address of a page, such as .../scene.html, gives its folder.
     Only http and https are taken: a link must not run a script or open a file of whoever clicks on it.
-    InvalidScene for any other address, TypeError for anything but text; `name` names the argument in these lines.
+    InvalidScene for any other address, TypeError for anything but text; error lines call it `name`.
     """
     if not isinstance(site, str):
         raise TypeError(f"{name} is {short_repr(site)}: pass an address as text, such as https://example.org/satviz/")

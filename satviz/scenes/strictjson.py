@@ -89,13 +89,13 @@ def _object_without_duplicates(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     found = dict(pairs)
     if len(found) < len(pairs):
         twice = next(key for key, times in Counter(key for key, _ in pairs).items() if times > 1)
-        raise InvalidScene(f"the key {_quoted([twice])} stands twice in one object")
+        raise InvalidScene(f"the key {_quoted([twice])} is given twice in one object")
     return found
 
 
 def _refuse_constant(name: str) -> float:
     """Raise InvalidScene for NaN or Infinity, which Python would read."""
-    raise InvalidScene(f"{name} is not a number of a scene: coordinates must be finite")
+    raise InvalidScene(f"{name} cannot stand in a scene: coordinates must be finite")
 
 
 def _parse_finite(text: str) -> float:

@@ -50,7 +50,7 @@ def load(text: str) -> Trace:
     """
     data = dict(require_keys(parse(text, MAX_CHARS), "the trace", {"satviz"}, _KEYS))
     if data.pop("satviz") != "trace 1":
-        raise InvalidScene('this is no trace file of this version: the key "satviz" must have the value "trace 1"')
+        raise InvalidScene('this is not a trace file of this version: the key "satviz" must have the value "trace 1"')
     require_keys(data, "trace", _KEYS)
     a, b = (shape_from(data[name], f"trace.{name}") for name in ("a", "b"))
     shortcut = _parse_shortcut(data["shortcut"])
@@ -59,7 +59,7 @@ def load(text: str) -> Trace:
         every_axis = require_type(data["every_axis"], "trace.every_axis", bool)
         again = record(a, b, axes=shortcut or axes.needed, every_axis=every_axis)
         if len(pairs) != len(again.pairs):
-            raise InvalidScene("trace.pairs are not those of the shapes' convex parts")
+            raise InvalidScene("trace.pairs are not the pairs of the shapes' convex parts")
         found = zip(pairs, again.pairs, strict=True)
         trace = replace(
             again, pairs=tuple(_parse_pair(pair, f"trace.pairs[{i}]", ours) for i, (pair, ours) in enumerate(found))
@@ -295,7 +295,7 @@ def _require_same_run(trace: Trace, again: Trace, where: str) -> None:
             tolerance = max((own_max if trace.gaps_are_proofs else max_coordinate) * rounding, MIN_FLOAT)
             flat = [c for p in mine.points for c in p], [c for p in other.points for c in p]
             if not (_all_near(*flat, tolerance) and _all_near(mine.landings, other.landings, tolerance)):
-                raise InvalidScene(f"{where}.tests[{i}].{name} is not where these shapes land")
+                raise InvalidScene(f"{where}.tests[{i}].{name} is not the projection of these shapes")
 
 
 def _all_near(mine: Any, ours: Any, tolerance: float) -> bool:

@@ -118,7 +118,7 @@ def _core_from_folder(folder: Path) -> dict[str, bytes]:
     except (OSError, ValueError, KeyError) as error:
         raise PythonMissing(f"{folder} holds no Pyodide ({error})") from None
     if found != VERSION:
-        raise PythonMissing(f"{folder} holds Pyodide {found}: this satviz goes with {VERSION}")
+        raise PythonMissing(f"{folder} holds Pyodide {found}: this satviz needs {VERSION}")
     return core
 
 

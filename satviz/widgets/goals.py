@@ -143,9 +143,7 @@ def _evaluate_break(shown: Scene) -> tuple[bool, str]:
     """Return whether the shortcut's answer is wrong, and a sentence with both answers."""
     trace = shown.record()
     if trace.shortcut is None:
-        raise InvalidScene(
-            f"the axes {shown.axes!r} are not a shortcut: choose a shortcut, which this goal is to make fail"
-        )
+        raise InvalidScene(f"the axes {shown.axes!r} are not a shortcut: this goal needs a shortcut that can fail")
     found = answers(trace)
     if found.is_wrong:
         return True, f"Broken. It says {found.claimed}; right is {found.actual}."

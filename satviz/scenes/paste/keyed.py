@@ -45,7 +45,7 @@ class Keyed(Boxes):
         """Return the shape that an object describes by its keys, or else the shapes in its fields."""
         kind = obj.fields.get("type")
         if obj.twice and key(obj.twice):
-            raise Unreadable(f"the key {obj.twice} stands twice")
+            raise Unreadable(f"the key {obj.twice} is given twice")
         if isinstance(kind, Name) and "coordinates" in obj.fields:
             inside = obj.fields["coordinates"]
             if kind.text == "Polygon":
@@ -57,7 +57,7 @@ class Keyed(Boxes):
             "shape_type"
         )  # of labelme: two points are corners of a box, or a center and a border point
         if isinstance(sort, Name) and sort.text == "circle":
-            raise Unreadable("a circle by its center and a point of it: write its radius")
+            raise Unreadable("a circle given by its center and a point on it: write its radius")
         if isinstance(sort, Name) and sort.text == "rectangle" and obj.get("points") is not None:
             two = self.resolve(obj.get("points"))
             ends = [self.point(v) for v in two.items] if isinstance(two, Group) else []
@@ -89,7 +89,7 @@ class Keyed(Boxes):
         if outline is None and (lists := list(pairs_of_lists(obj.fields))):
             joint = joined(*lists[0][1:])
             if joint is None or len(lists) > 1:
-                raise Unreadable("the lists of x and y do not have the same number of numbers")
+                raise Unreadable("the lists of x and y have different lengths")
             outline = self.ring(joint)
         if outline is not None and len(outline) > 2:
             shift, given = place or ZERO, places(*(place or ()))
@@ -137,7 +137,7 @@ class Keyed(Boxes):
     def _circle_of_keys(self, obj: Obj, place: Pt | None, label: str, row: Notation | None) -> Read:
         """Return the circle of an object with a radius or a diameter, and a center or its left and top sides."""
         if any(str(k).lower() in ("sides", "numpoints", "num_points", "numsides") for k in obj.fields):
-            raise Unreadable("a regular polygon by its radius: write its corners")
+            raise Unreadable("a regular polygon given by its radius: write its corners")
         given = obj.get("radius")
         size = self.number(given if given is not None else obj.get("diameter"))
         used = places(*(place or ()), size)

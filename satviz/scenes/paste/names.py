@@ -22,7 +22,7 @@ class Obj(Value):
 
     fields: dict[str | int, Any] = field(default_factory=dict)
     rest: list[Any] = field(default_factory=list)
-    twice: str = ""  # a key that stands twice
+    twice: str = ""  # a key that is given twice
 
     def before(self, name: str, place: int) -> Any:
         """Return the value that a name had at a place in the text, or None: the last one that was assigned before."""

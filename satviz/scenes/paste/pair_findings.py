@@ -225,7 +225,7 @@ def _relation_with(points: tuple[Pt, ...], other: PastedShape, radius: Fraction 
 
 
 def _relation_of_boxes(a: PastedShape, b: PastedShape, form: str) -> Relation | None:
-    """Return the relation of two boxes once the points of both are meant otherwise; None for other shapes."""
+    """Return the relation of two boxes if the numbers of both are read in another form; None for other shapes."""
     if a.read.form not in ANY_BOX or a.read.form != b.read.form or a.read.rounded or b.read.rounded:
         return None
     moved = replace(b, read=b.read, meant=None, shape=None)
@@ -237,7 +237,7 @@ def _relation_of_boxes(a: PastedShape, b: PastedShape, form: str) -> Relation | 
 
 
 def _relation_of_corners(a: PastedShape, b: PastedShape) -> Relation | None:
-    """Return the relation of two boxes once their last two numbers are the opposite corner; None for other shapes."""
+    """Return the relation of two boxes if their last two numbers are the opposite corner; None for other shapes."""
     made = []
     for each in (a, b):
         box = each.read.box

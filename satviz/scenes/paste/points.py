@@ -81,7 +81,7 @@ class Points(Statements):
             made = self.as_object(value)
             found = self._xy(made)
             if found and made.rest:
-                raise Unreadable("there is something beside x and y")
+                raise Unreadable("there is something else besides x and y")
             return found
         items = value.items
         if len(items) == 1 and isinstance(items[0], Group) and items[0].bracket in " ({[" and not items[0].name:
@@ -125,7 +125,7 @@ class Points(Statements):
         """Return the point of an object with x and y."""
         x, y = obj.get("x"), obj.get("y")
         if obj.twice and (x is not None or y is not None):
-            raise Unreadable(f"the key {obj.twice} stands twice")
+            raise Unreadable(f"the key {obj.twice} is given twice")
         if x is None or y is None or obj.get("radius", "width", "half", "size", "points") is not None:
             return None
         return self.number(x), self.number(y)
