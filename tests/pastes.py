@@ -2324,8 +2324,7 @@ Collider::circle(1.0), Transform::from_xyz(1.5, 0.0, 0.0)""",
         """collideRectCircle(0, 0, 10, 10, 12, 5, 6)
 collidePolyPoly([createVector(0,0), createVector(4,0), createVector(0,3)],
     [createVector(5,0), createVector(9,0), createVector(9,4)], true)""",
-        ((0, 0, 4, 3), (5, 0, 9, 4)),
-        says="collideRectCircle",
+        ((0, 0, 10, 10), (9, 2, 15, 8), (0, 0, 4, 3), (5, 0, 9, 4)),
     ),
     Paste(
         "Excalibur",
@@ -2963,5 +2962,50 @@ Triangle { a: Vec2(5.0, 0.0), b: Vec2(9.0, 0.0), c: Vec2(5.0, 4.0) }""",
 b2Circle { center: (5, 5), radius: 1 }""",
         ((0, 0, 4, 4), (4, 4, 6, 6)),
         says="normals",
+    ),
+    Paste(
+        "intervals",
+        """[0, 10] x [0, 10]
+x in [12, 20], y in [0, 10]""",
+        ((0, 0, 10, 10), (12, 0, 20, 10)),
+    ),
+    Paste(
+        "a change in place",
+        """a = Circle(0, 0, 5)
+b = Circle(9, 0, 5)
+b.radius *= 2""",
+        ((-5, -5, 5, 5), (4, -5, 14, 5)),
+        says="b.radius *= 2",
+    ),
+    Paste(
+        "a change in place of a field",
+        """a.x = 5; a.y = 0; a.r = 5; a.x += 20
+b.x = 9; b.y = 0; b.r = 5""",
+        ((0, -5, 10, 5), (4, -5, 14, 5)),
+        says="a.x += 20",
+    ),
+    Paste(
+        "shapes in lines of words",
+        """rect 0 0 10 10
+circle 12 0 5""",
+        ((0, 0, 10, 10), (7, -5, 17, 5)),
+        as_="corner-size",
+    ),
+    Paste(
+        "top-left and bottom-right",
+        """rect1: top-left = (0, 0), bottom-right = (10, 10)
+B.topLeft = {12, 10}; B.bottomRight = {20, 0};""",
+        ((0, 0, 10, 10), (12, 0, 20, 10)),
+    ),
+    Paste(
+        "collide2D of p5",
+        """collideCircleCircle(0, 0, 10, 8, 0, 10)
+collideRectRect(0, 0, 10, 10, 20, 0, 5, 5)""",
+        ((-5, -5, 5, 5), (3, -5, 13, 5), (0, 0, 10, 10), (20, 0, 25, 5)),
+    ),
+    Paste(
+        "rectangle_in_rectangle of GameMaker",
+        """rectangle_in_rectangle(0, 0, 10, 10, 8, 0, 20, 10)""",
+        ((0, 0, 10, 10), (8, 0, 20, 10)),
     ),
 )

@@ -482,7 +482,7 @@ BOX = "box = [(-2, -1), (2, -1), (2, 1), (-2, 1)]"
         (f"a = {{x: 1, y: 1, radius: 5, scale: 2}}; {BOX}", "not-applied", "a.scale 2"),
         (f"a = {{x: 1, y: 1, radius: 5, anchor: {{x: 0.5, y: 0}}}}; {BOX}", "not-applied", "a.anchor 0.5, 0"),
         (f"bodyDef.position.Set(0.0f, 10.0f); {BOX}", "not-applied", "bodyDef.position.Set 0.0f, 10.0f"),
-        (f"rectRect(1, 2, 3); {BOX}", "not-read", "rectRect 1, 2, 3"),
+        (f"prismRect(1, 2, 3); {BOX}", "not-read", "prismRect 1, 2, 3"),
         (f"a = {{x: 1, y: 1, radius: 5, scale: 1}}; {BOX}", "left-out", "a.scale 1"),
         (f"a = {{x: 1, y: 1, radius: 5, density: 2, id: 7}}; {BOX}", "left-out", "a.density 2, a.id 7"),
         (f"world.gravity = (0, -10); {BOX}", "left-out", "world.gravity 0, -10"),

@@ -202,6 +202,9 @@ class Boxes(Points):
         if least is not None and most is not None:
             p, q = self.vector(least), self.vector(most)
             return ([*p, *q], CORNER_CORNER) if p and q else None
+        if get("corner") is not None and get("opposite") is not None:
+            p, q = self.vector(get("corner")), self.vector(get("opposite"))
+            return ([*p, *q], CORNER_CORNER) if p and q else None
         letters = {str(k).lower(): v for k, v in obj.fields.items()}
         if all(side in letters for side in "ltrb"):  # Rect64(l: 0, t: 0, r: 4, b: 4)
             return [self.number(letters[side]) for side in "ltrb"], CORNER_CORNER

@@ -129,6 +129,17 @@ NOTATIONS = (
 )
 NAMES = {name: row for row in NOTATIONS for name in row.names.split()}
 
+# Calls with the numbers of two shapes: the notation of each, and how many numbers it has.
+TWO_SHAPES = {
+    "colliderectrect": (("qrect", 4), ("qrect", 4)),
+    "collidecirclecircle": (("ellipse", 3), ("ellipse", 3)),
+    "colliderectcircle": (("qrect", 4), ("ellipse", 3)),
+    "rectrect": (("qrect", 4), ("qrect", 4)),
+    "circlecircle": (("c2circle", 3), ("c2circle", 3)),
+    "circlerect": (("c2circle", 3), ("qrect", 4)),
+    "rectangle_in_rectangle": (("rectd", 4), ("rectd", 4)),
+}
+
 # Keys of objects, and what is assigned to a variable's fields, without case, `_` and a leading `m`.
 KEYS = {
     name: meaning
@@ -136,7 +147,8 @@ KEYS = {
         "points": "vertices verts points corners polygon coords path hull outline pts vertexlist ring exterior poly "
         "pointlist vertex coordinates vertices2d",
         "center": "center centre pos position translation location circle middle mid c p centroid",
-        "corner": "corner xy topleft bottomleft start origin",
+        "corner": "corner xy topleft bottomleft upperleft lowerleft start origin",
+        "opposite": "bottomright topright lowerright upperright",
         "radius": "radius r",
         "x": "x posx px cx lon lng longitude",
         "y": "y posy py cy lat latitude",

@@ -226,6 +226,8 @@ class _Parser:
                 return Bad(start_of(atoms[0]), end_of(atoms[-1]), "a key without a value", groups) if slips else None
             if not path:
                 return rest
+            if is_operator(atoms[mark - 1]):  # b.x += 20 changes what it was
+                path = (*path[:-1], f"{path[-1]} {atoms[mark - 1].text}=")
             words = [a.text for a in atoms[:mark] if isinstance(a, Token) and a.kind == NAME]
             words = [word for word in words if word not in IGNORED_NAMES]
             pair = Pair(start_of(atoms[0]), rest.end, path, rest, words[-2] if len(words) > 1 else "")

@@ -175,7 +175,9 @@ class Points(Statements):
             return value
         said = self.as_object(value)
         lists = [v for v in map(self.resolve, said.rest) if isinstance(v, Group)]
-        flat = lists[0].items if lists else []
+        if not lists:
+            return value
+        flat = lists[0].items
         counts = [v for v in map(self.resolve, said.rest) if isinstance(v, Num)]  # matrix(data, rows, columns)
         counts += [v for v in (said.fields.get("nrow"), said.fields.get("ncol")) if isinstance(v, Num)]
         if isinstance(dim := said.fields.get("dim"), Group):

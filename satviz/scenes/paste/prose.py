@@ -16,6 +16,10 @@ SENTENCES = (
     ("image.rect", re.compile(rf"(?<=Rect)\({_N}, {_N} - {_N}, {_N}\)")),  # Android
     ("image.rect", re.compile(rf"(?<!, )\({_N},{_N}\)-\({_N},{_N}\)(?!, ?\()")),  # Go
     ("image.rect", re.compile(rf"\[\[{_N} {_N}\] - \[{_N} {_N}\]\]")),  # egui
+    ("jts.env", re.compile(rf"\[{_N}, ?{_N}\] ?[x\u00d7] ?\[{_N}, ?{_N}\]")),  # intervals
+    ("jts.env", re.compile(rf"\bx in \[{_N}, ?{_N}\],? (?:and )?y in \[{_N}, ?{_N}\]")),
+    ("circle", re.compile(rf"^[ \t]*circle {_N} {_N} {_N}[ \t]*$", re.IGNORECASE | re.MULTILINE)),
+    ("rect", re.compile(rf"^[ \t]*(?:rect|rectangle|box) {_N} {_N} {_N} {_N}[ \t]*$", re.IGNORECASE | re.MULTILINE)),
     ("jts.env", re.compile(rf"Env\[{_N} : {_N}, {_N} : {_N}\]")),
     ("size.at", re.compile(rf"\[{_N} x {_N} from \({_N}, {_N}\)\]")),  # OpenCV
     ("size.at", re.compile(rf"(?<=Rect)\({_N}x{_N} at \({_N}, {_N}\)\)")),  # euclid

@@ -36,6 +36,7 @@ from .notations import (
     SHAPE_WORDS,
     TABLE,
     TURNS,
+    TWO_SHAPES,
     notation,
 )
 from .points import ZERO, Pt, angle_of, places
@@ -113,6 +114,8 @@ class Reader(Calls):
         """Return the shapes of a bracket, a call or a typed list, with the calls behind it."""
         row = notation(group.name) if group.name else None
         kind = row.kind if row else ""
+        if two := TWO_SHAPES.get(group.name.lower().split(".")[-1]):
+            return self._two(group, two, label)
         if (plain := self._columns(group)) is not group:
             return self._plain(plain, label)
         if kind == OTHER_SHAPE and self._has_numbers(group):
@@ -157,6 +160,16 @@ class Reader(Calls):
         else:
             found = self._plain(group, label)
         return self._after(group, found)
+
+    def _two(self, group: Group, two: Sequence[tuple[str, int]], label: str) -> list[Read]:
+        """Return the shapes of a call with the numbers of two: collideRectRect(0, 0, 4, 4, 2, 0, 4, 4)."""
+        found: list[Read] = []
+        at = 0
+        for name, count in two:
+            items, at = group.items[at : at + count], at + count
+            if len(items) == count and all(map(self._is_number, items)):
+                found += self._group(Group(items[0].start, items[-1].end, items, "(", name), label)
+        return found
 
     def _by_its_name(self, group: Group) -> Group:
         """Return a call with the name that its own stands for: var C = SAT.Circle; new C(...)."""

@@ -57,7 +57,7 @@ _PROMPT = re.compile(r"^[ \t]*(?:>>>|\.\.\.:?|In \[\d+\]:|Out\[\d+\]:)(?=\s)", r
 _STAMP = (
     r"\d{4}[-/]\d\d[-/]\d\d(?:[T ]\d\d:\d\d(?::\d\d(?:[.,]\d+)?)?(?:Z|[+-]\d\d:?\d\d)?)?|\d\d:\d\d:\d\d(?:[.,]\d+)?"
 )
-_KEYED = r"[A-Za-z_]\w*[ \t]?=[ \t]?[-+]?[\d.]+"
+_KEYED = r"[A-Za-z_][\w-]*[ \t]?=[ \t]?(?:[-+]?[\d.]+|\([^()\n]*\))"
 _PREFIX = re.compile(
     rf"""^[ \t]*(?:[\[(<]?(?:{_STAMP})(?!\d)[\])>]?[ \t:|,-]*)?
     (?:(?:\[[A-Za-z][\w\ ./:\#-]*\]|\b(?:TRACE|DEBUG|INFO|WARN|WARNING|ERROR|FATAL)\b)[ \t:|-]+)*

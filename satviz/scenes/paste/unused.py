@@ -128,7 +128,9 @@ def _changes(left: Left, inside: bool) -> bool:
     """
     words = _words(left.key.removeprefix("svg."))
     same = left.value == (1 if any("scal" in word or word == "zoom" for word in words) else 0)
-    known = {key(part) for part in left.key.split(".") if len(part) > 1 or inside or part != left.key} - {""}
+    known = {key(part.split(" ")[0]) for part in left.key.split(".") if len(part) > 1 or inside or part != left.key} - {
+        ""
+    }
     known -= set() if inside else {"points"}
     row = notation(left.key) if left.key else None
     moving = row is not None and row.kind == MOVE
