@@ -2893,6 +2893,7 @@ r1.setBounds(0, 0, 10, 10);
 Rectangle r2 = new Rectangle();
 r2.setBounds(20, 0, 10, 10);""",
         ((0, 0, 10, 10), (20, 0, 30, 10)),
+        as_="corner-size",
     ),
     Paste(
         "x and y in two lists of an object",
@@ -3007,5 +3008,27 @@ collideRectRect(0, 0, 10, 10, 20, 0, 5, 5)""",
         "rectangle_in_rectangle of GameMaker",
         """rectangle_in_rectangle(0, 0, 10, 10, 8, 0, 20, 10)""",
         ((0, 0, 10, 10), (8, 0, 20, 10)),
+    ),
+    Paste(
+        "labels that are keys",
+        """position: x=0, y=0, z=0
+scale: x=2, y=2, z=1
+size: x=10, y=10, z=0""",
+        (),
+        says="no shape",
+    ),
+    Paste(
+        "YOLO with a header",
+        """class x_center y_center width height
+0 0.5 0.5 0.2 0.2
+1 0.7 0.5 0.2 0.2""",
+        ((0.4, 0.4, 0.6, 0.6), (0.6, 0.4, 0.8, 0.6)),
+        says="class 0, 1",
+    ),
+    Paste(
+        "center_x of Arcade",
+        """a.center_x = 0; a.center_y = 0; a.width = 10; a.height = 10
+b.center_x = 9; b.center_y = 0; b.width = 10; b.height = 10""",
+        ((-5, -5, 5, 5), (4, -5, 14, 5)),
     ),
 )

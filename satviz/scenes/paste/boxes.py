@@ -42,6 +42,7 @@ CHOICES: Mapping[str, tuple[str, ...]] = {
 ALL_CHOICES = tuple(choice for choices in CHOICES.values() for choice in choices)
 FULL_TURN = Fraction(63, 10)  # an angle beyond a full turn in radians is in degrees
 ONLY_IF_IT_MATTERS = (TURN, ORDER, ROUND)  # asked only where the answer changes
+CENTER_KEYS = ("center", "centre", "centroid", "middle", "cx", "xc", "centerx", "xcenter")
 AT_ORIGIN = ", at the origin"  # of a shape for which the text gives no position
 FORM_WORDS = {
     CORNER_SIZE: "a box by a corner and its size",
@@ -248,10 +249,8 @@ class Boxes(Points):
             raise Unreadable("an origin that is neither the corner nor the center: write the corner")
         if "center" in sides:
             return [*place, *size], CENTER_SIZE
-        named_center = any(
-            isinstance(n, str) and n.lower() in ("center", "centre", "centroid", "middle") for n in obj.fields
-        )
-        named_center = named_center or any(isinstance(n, str) and n.lower() in ("cx", "center_x") for n in obj.fields)
+        names = {n.lower().replace("_", "") for n in obj.fields if isinstance(n, str)}
+        named_center = not names.isdisjoint(CENTER_KEYS)
         named_corner = get("corner") is not None or get("x0") is not None
         if named_center or named_corner:
             return [*place, *size], CENTER_SIZE if named_center else CORNER_SIZE

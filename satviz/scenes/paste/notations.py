@@ -78,7 +78,7 @@ NOTATIONS = (
         "ccrectmake ccrect "
         "svg.rect rect.fromltwh makerect rectmake qrect.new fillrect strokerect rect2.new rectangle.new "
         "graphics.rectangle drawrectangle "
-        "sdl_rect setbounds setrect sdl_frect domrect rectangle2d.double rectangle2d.float geom.rectangle recti",
+        "sdl_rect setrect sdl_frect domrect rectangle2d.double rectangle2d.float geom.rectangle recti",
         BOX,
         CORNER_SIZE,
     ),
@@ -92,9 +92,9 @@ NOTATIONS = (
     Notation("envelope referencedenvelope", BOX, ask=(X_THEN_Y, CORNER_CORNER)),
     Notation("jts.env", BOX, X_THEN_Y),
     Notation("size.at", BOX, SIZE_CORNER),
-    Notation("c2aabb aabb aabb::new aabb2 box2 box2d b2aabb extent", BOX, ask=(CORNER_CORNER, CENTER_HALF)),
+    Notation("c2aabb aabb aabb::new aabb2d aabb2 box2 box2d b2aabb extent", BOX, ask=(CORNER_CORNER, CENTER_HALF)),
     Notation(
-        "aabb2d rect::from_center_half_size cuboid cuboid::new colliderbuilder::cuboid setasbox.new "
+        "aabb2d::new rect::from_center_half_size cuboid cuboid::new colliderbuilder::cuboid setasbox.new "
         "b2makebox setasbox b2makeoffsetbox pl.box planck.box",
         BOX,
         CENTER_HALF,
@@ -113,6 +113,7 @@ NOTATIONS = (
         "create_oval oval rhombus star wedge ring arcshape regularpolygon konva.regularpolygon konva.star",
         OTHER_SHAPE,
     ),
+    Notation("setbounds", BOX, ask=(CORNER_SIZE, CORNER_CORNER)),
     Notation("unknown.table", TABLE),
     Notation("turf.circle l.circle maps.circle", ON_THE_GLOBE),
     Notation("square", BOX, ask=(CORNER_SIZE, CENTER_SIZE)),
@@ -150,8 +151,8 @@ KEYS = {
         "corner": "corner xy topleft bottomleft upperleft lowerleft start origin",
         "opposite": "bottomright topright lowerright upperright",
         "radius": "radius r",
-        "x": "x posx px cx lon lng longitude",
-        "y": "y posy py cy lat latitude",
+        "x": "x posx px cx xc xcenter centerx lon lng longitude",
+        "y": "y posy py cy yc ycenter centery lat latitude",
         "width": "width w sx dx",
         "height": "height h sy dy",
         "size": "size dimensions extent wh dims s",

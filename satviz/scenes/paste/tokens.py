@@ -57,12 +57,15 @@ _PROMPT = re.compile(r"^[ \t]*(?:>>>|\.\.\.:?|In \[\d+\]:|Out\[\d+\]:)(?=\s)", r
 _STAMP = (
     r"\d{4}[-/]\d\d[-/]\d\d(?:[T ]\d\d:\d\d(?::\d\d(?:[.,]\d+)?)?(?:Z|[+-]\d\d:?\d\d)?)?|\d\d:\d\d:\d\d(?:[.,]\d+)?"
 )
-_KEYED = r"[A-Za-z_][\w-]*[ \t]?=[ \t]?(?:[-+]?[\d.]+|\([^()\n]*\))"
+# what says all of a shape: three keys with numbers (but not x, y and z), or two with points
+_KEYED = r"[A-Za-z_][\w-]*[ \t]?=[ \t]?"
+_SCALAR, _POINT, _GAP = rf"{_KEYED}[-+]?[\d.]+", rf"{_KEYED}\([^()\n]*\)", r"[ \t,;]+"
+_KEYS = rf"{_SCALAR}{_GAP}{_SCALAR}{_GAP}(?![zZ]\b){_SCALAR}|{_POINT}{_GAP}{_POINT}"
 _PREFIX = re.compile(
     rf"""^[ \t]*(?:[\[(<]?(?:{_STAMP})(?!\d)[\])>]?[ \t:|,-]*)?
     (?:(?:\[[A-Za-z][\w\ ./:\#-]*\]|\b(?:TRACE|DEBUG|INFO|WARN|WARNING|ERROR|FATAL)\b)[ \t:|-]+)*
     (?:\d{{1,3}}[.)][ \t]+(?=[A-Za-z(\[{{]))?
-    (?:[A-Za-z_][\w.\#-]*:[ \t]+(?={_KEYED}[ \t,;]+{_KEYED}))?""",
+    (?:[A-Za-z_][\w.\#-]*:[ \t]+(?={_KEYS}))?""",
     re.MULTILINE | re.VERBOSE,
 )
 # two numbers with commas for points, and a semicolon between them
