@@ -3066,4 +3066,19 @@ DrawCircle(140, 100, 5.0f, RED);""",
         ((0, 0, 10, 10), (-5, -5, 5, 5)),
         as_="corner-size",
     ),
+    Paste(
+        "Zig lists",
+        """const a = [_]Vec2{ .{ .x = 0, .y = 0 }, .{ .x = 4, .y = 0 }, .{ .x = 4, .y = 4 } };
+const b = [_][2]f32{ .{ 5, 0 }, .{ 6, 0 }, .{ 6, 1 } };""",
+        ((0, 0, 4, 4), (5, 0, 6, 1)),
+        says="b 2",
+    ),
+    Paste(
+        "a function that is called circle",
+        """function circle(x, y, r) { return {x: x, y: y, r: r}; }
+const a = circle(0, 0, 5); const b = circle(9, 0, 5);""",
+        ((-5, -5, 5, 5), (4, -5, 14, 5)),
+        as_="radius",
+        says="x is a name",
+    ),
 )

@@ -159,7 +159,7 @@ class Calls(Keyed):
         only = self._options(arguments)
         if only or (named.fields and named.get("radius", "diameter") is not None and not arguments):
             return self._object(replace(only or named, start=group.start, end=group.end), label, notation(group.name))
-        if not arguments:
+        if all(isinstance(self.resolve(a), Name) for a in arguments):  # function circle(x, y, r)
             return []
         found = (self.point(a, origin=True) for a in arguments if isinstance(self.resolve(a), (Group, Obj)))
         points = [p for p in found if p]
