@@ -3031,4 +3031,39 @@ size: x=10, y=10, z=0""",
 b.center_x = 9; b.center_y = 0; b.width = 10; b.height = 10""",
         ((-5, -5, 5, 5), (4, -5, 14, 5)),
     ),
+    Paste(
+        "plot of x and y",
+        """plt.plot([0, 4, 4, 0, 0], [0, 0, 4, 4, 0], 'r-'); plt.fill([5, 9, 9, 5], [0, 0, 4, 0], 'b-')""",
+        ((0, 0, 4, 4), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "Ellipse of PIXI",
+        """new PIXI.Ellipse(20, 5, 5, 5); new PIXI.Circle(12, 5, 5);""",
+        ((15, 0, 25, 10), (7, 0, 17, 10)),
+        as_="radius",
+    ),
+    Paste(
+        "drawRect",
+        """g.drawRect(0, 0, 10, 10); g.drawCircle(20, 5, 5);""",
+        ((0, 0, 10, 10), (15, 0, 25, 10)),
+        as_="corner-size",
+    ),
+    Paste(
+        "DrawRectanglePro of raylib",
+        """DrawRectanglePro((Rectangle){100, 100, 50, 20}, (Vector2){25, 10}, 45.0f, RED);
+DrawCircle(140, 100, 5.0f, RED);""",
+        ((135, 95, 145, 105),),
+        says="DrawRectanglePro: satviz takes",
+    ),
+    Paste(
+        "newRect of Solar2D",
+        """display.newRect(0, 0, 10, 10); display.newCircle(9, 0, 5)""",
+        ((-5, -5, 5, 5), (4, -5, 14, 5)),
+    ),
+    Paste(
+        "square of OpenSCAD",
+        """square([10, 10]); circle(r = 5);""",
+        ((0, 0, 10, 10), (-5, -5, 5, 5)),
+        as_="corner-size",
+    ),
 )

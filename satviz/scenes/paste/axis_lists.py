@@ -7,6 +7,7 @@ from .tree import Group, Name, Num
 
 OTHER_AXIS = {"x": "y", "X": "Y", "lon": "lat", "lng": "lat", "Lon": "Lat", "Lng": "Lat"}
 MAX_NAME = 40  # letters: longer names are no x and y
+TAKE_AXES = ("polyshape", "plot", "fill", "patch", "fillpolygon", "drawpolygon")  # calls with x and y in two lists
 LEAST = 3  # corners of an outline
 
 
@@ -60,4 +61,4 @@ def are_axes(given: Sequence[Any], values: Sequence[Any], name: str) -> bool:
     size = len(numbers_of(values[0]))
     named = all(isinstance(v, Name) for v in given[:2]) and given[1].text in set(other_names(given[0].text))
     counted = len(values) == 3 and isinstance(values[2], Num) and values[2].value == size
-    return size % 2 == 1 or size < 2 * LEAST or named or counted or name.lower() == "polyshape"
+    return size % 2 == 1 or size < 2 * LEAST or named or counted or name.lower().split(".")[-1] in TAKE_AXES

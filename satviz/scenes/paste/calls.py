@@ -12,6 +12,7 @@ from .boxes import (
     BOX_FORM,
     CHOICES,
     DIAMETER,
+    RADIUS,
     ROUND,
     Read,
     moved,
@@ -207,9 +208,10 @@ class Calls(Keyed):
         flat = self.numbers(group.items) or []
         if len(flat) not in (3, 4) or flat[2] != flat[-1]:
             raise Unreadable("an ellipse: satviz takes polygons and circles")
-        said = "a circle by its center and diameter"
-        used = places(*flat)
-        radius = flat[2] / 2
+        said, used, radius = "a circle by its center and diameter", places(*flat), flat[2] / 2
+        sure = DIAMETER if self.sketch or row.form else ""
+        if len(flat) == 4 and self._choose(ROUND, (DIAMETER, RADIUS), sure=sure) == RADIUS:
+            said, radius = "a circle by its center and radius", flat[2]
         x, y = (flat[0] + radius, flat[1] + radius) if row.form == CORNER_SIZE else (flat[0], flat[1])
         return [Read(((x, y),), radius, said, group.start, group.end, label, used=used)]
 
@@ -237,8 +239,8 @@ class Calls(Keyed):
         if row.form == CENTER_HALF and len(flat) >= 4 and parts[0] is None:
             flat = [*flat[2:4], *flat[:2], *flat[4:]]  # b2 and planck: half sizes, then the center
         if len(flat) == 2:  # a size alone: its center is where its body is
-            form = row.form or CENTER_SIZE
-            form = form if form in (CENTER_SIZE, CENTER_HALF) or row.alone else CENTER_SIZE
+            form = self._choose(BOX_FORM, row.ask) if row.ask == CORNER_OR_CENTER else row.form or CENTER_SIZE
+            form = form if form in (CENTER_SIZE, CENTER_HALF) or row.alone or row.ask else CENTER_SIZE
             flat = [*(place or ZERO), *flat]
             made = self._made_box(flat, form, group, label, angle, row.unit)
             return [made if place else replace(made, said=f"{made.said}{AT_ORIGIN}")]

@@ -48,6 +48,7 @@ NOTATIONS = (
         "svg.path svg.polyline "
         "clipper.makepath makepath path64 pathd paths64 pathsd addface polyshape triangle quad addpolygon "
         "simplepolygon2d collisionpolygon2d convexpolygonshape2d convexpolygon2d graphics.polygon p2.convex "
+        "plt.plot ax.plot plt.fill ax.fill patch fillpolygon drawpolygon "
         "zip column_stack rbind newpolygonshape "
         "edgecollider polygoncollider2d addpoly "
         "seq set z zm double[][] float32array float64array makepolygon fromvertices create_polygon convex newpolygon",
@@ -55,7 +56,7 @@ NOTATIONS = (
     ),
     Notation(
         "circle circle2d ball disc disk createcircle circleshape boundingcircle addcircle drawcircle bodies.circle "
-        "c2circle",
+        "newcirclecollider c2circle",
         CIRCLE,
     ),
     Notation(
@@ -66,7 +67,7 @@ NOTATIONS = (
     # boxes
     Notation(
         "bodies.rectangle add.rectangle bodies.rect boxshape2d centered_rect rotatedrect p2.box p2.rectangle "
-        "create_box rect::from_center_size "
+        "create_box rect::from_center_size display.newrect "
         "newrectangleshape poly.create_box bounds rect.fromcenter rectangleshape2d boxcollider2d",
         BOX,
         CENTER_SIZE,
@@ -77,7 +78,7 @@ NOTATIONS = (
         "sf::intrect pygame.rect "
         "ccrectmake ccrect "
         "svg.rect rect.fromltwh makerect rectmake qrect.new fillrect strokerect rect2.new rectangle.new "
-        "graphics.rectangle drawrectangle "
+        "graphics.rectangle drawrectangle newrectanglecollider "
         "sdl_rect setrect sdl_frect domrect rectangle2d.double rectangle2d.float geom.rectangle recti",
         BOX,
         CORNER_SIZE,
@@ -103,17 +104,15 @@ NOTATIONS = (
     Notation("rectangleshape", BOX, CORNER_SIZE, alone=True),
     Notation("sf::circleshape", CIRCLE, alone=True),
     Notation("ellipse svg.ellipse", ELLIPSE),
-    Notation(
-        "ellipse2d.double ellipse2d.float fillellipse drawellipse filloval drawoval tiled.ellipse", ELLIPSE, CORNER_SIZE
-    ),
+    Notation("ellipse2d.double ellipse2d.float filloval drawoval tiled.ellipse", ELLIPSE, CORNER_SIZE),
     Notation(
         "capsule b2capsule capsule2d capsuleshape2d segment b2segment linesegment line ray edge roundedrect roundedbox "
         "b2makeroundedbox makeroundedbox stadium matrix roundrectangle2d.double roundrectangle2d.float roundrect rrect "
-        "box3 box3d aabb3d cube sphere bodies.polygon bodies.trapezoid "
+        "drawrectanglepro drawpoly box3 box3d aabb3d cube sphere bodies.polygon bodies.trapezoid "
         "create_oval oval rhombus star wedge ring arcshape regularpolygon konva.regularpolygon konva.star",
         OTHER_SHAPE,
     ),
-    Notation("setbounds", BOX, ask=(CORNER_SIZE, CORNER_CORNER)),
+    Notation("setbounds drawrect", BOX, ask=(CORNER_SIZE, CORNER_CORNER)),
     Notation("unknown.table", TABLE),
     Notation("turf.circle l.circle maps.circle", ON_THE_GLOBE),
     Notation("square", BOX, ask=(CORNER_SIZE, CENTER_SIZE)),
