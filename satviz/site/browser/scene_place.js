@@ -59,8 +59,9 @@ export class ScenePlace {
     const [name] = fragment.split("&");
     if (!name || name === this.root.dataset.hash) return;
     const known = [...(this.sceneList?.querySelectorAll("a") ?? [])].some(({ hash }) => hash === `#${name}`);
-    const picture = element("img", { src: `pictures/${name}.svg`, alt: "", class: "picture" });
-    this.root.firstElementChild?.replaceChildren(...(known ? [picture] : []));
+    // an element asks for its picture as soon as it is made
+    const shown = known ? [element("img", { src: `pictures/${name}.svg`, alt: "", class: "picture" })] : [];
+    this.root.firstElementChild?.replaceChildren(...shown);
   }
 
   /** @param {Start} start */
