@@ -163,14 +163,14 @@ def _worksheet(trace: Trace, name: str) -> tuple[str, str]:
     except ValueError as error:
         raise InvalidScene(str(error)) from None
     corners = "".join(
-        f"<p><b>{escape(name)}</b>: {_coordinates(shape)}</p>"
+        f"<p><b>{escape(name)}</b>: {_coordinates(shape, name)}</p>"
         for name, shape in zip(true.names, (true.a, true.b), strict=True)
     )
     claim = f"<p>Somebody says: “{escape(case.claim)}” Is this right for these shapes?</p>" if case else ""
     ask = (
         "<ol><li>Calculate the range of each shape on each axis. Draw both ranges on the number line, and write them "
-        "into the table.</li><li>Write down the gap. It is positive where the ranges are apart, and negative where "
-        "they overlap.</li><li>Which axes separate the shapes? Do the shapes collide? How do you know?</li></ol>"
+        "into the table.</li><li>Write down the gap where the ranges are apart. Where they overlap, write “overlap” and "
+        "how long the overlap is.</li><li>Which axes separate the shapes? Do the shapes collide? How do you know?</li></ol>"
     )
     asked = f"{claim}{_figure(shapes)}{corners}{ask}"
     asked += f"{_table(whole, filled=False)}{_figure(number_lines(whole, filled=False), 'axes')}{_lines(2)}"
@@ -180,12 +180,15 @@ def _worksheet(trace: Trace, name: str) -> tuple[str, str]:
     return asked, solved
 
 
-def _coordinates(shape: Shape) -> str:
-    """Return the numbers of a shape in words."""
+def _coordinates(shape: Shape, name: str) -> str:
+    """Return the numbers of a shape in words, each vertex with its name."""
     if isinstance(shape, Circle):
         center = number_format.vector(shape.center)
         return escape(f"circle, center {center}, radius {shape.radius:g}")
-    shown = ", ".join(f"({_number(x)}, {_number(y)})" for x, y in shape.vertices[:MAX_CORNERS])
+    shown = ", ".join(
+        f"{describe.vertex_name(shape, name, i)} ({_number(x)}, {_number(y)})"
+        for i, (x, y) in enumerate(shape.vertices[:MAX_CORNERS])
+    )
     return escape(
         shown + (f" and {len(shape.vertices) - MAX_CORNERS} more" if len(shape.vertices) > MAX_CORNERS else "")
     )
