@@ -169,8 +169,9 @@ def _worksheet(trace: Trace, name: str) -> tuple[str, str]:
     claim = f"<p>Somebody says: “{escape(case.claim)}” Is this right for these shapes?</p>" if case else ""
     ask = (
         "<ol><li>Calculate the range of each shape on each axis. Draw both ranges on the number line, and write them "
-        "into the table.</li><li>Write down the gap where the ranges are apart. Where they overlap, write “overlap” and "
-        "how long the overlap is.</li><li>Which axes separate the shapes? Do the shapes collide? How do you know?</li></ol>"
+        "into the table.</li><li>Write down the gap where the ranges are apart. Where they overlap, write “overlap” "
+        "and how long the overlap is.</li><li>Which axes separate the shapes? Do the shapes collide? How do you know?"
+        "</li></ol>"
     )
     asked = f"{claim}{_figure(shapes)}{corners}{ask}"
     asked += f"{_table(whole, filled=False)}{_figure(number_lines(whole, filled=False), 'axes')}{_lines(2)}"
