@@ -277,8 +277,8 @@ class _Parser:
                 return Group(start, end, values, " ")  # (0, 0)-(10, 10), as Go prints a box
             if (
                 set(operators) == {"<"}
-                and isinstance(values[0], Name)
                 and len(values) > LEAST
+                and isinstance(values[0], Name)
                 and _are_points(values[1:])
             ):
                 return Pair(
