@@ -388,6 +388,8 @@ class _Parser:
                 if isinstance(index, Num) and index.value is not None and index.value.denominator == 1:
                     parts.append(int(index.value))
                     self.indices.add(index.end)
+                elif isinstance(index, Name) and self.text[index.start] in "'\"":  # b["x"] = 20
+                    parts.append(index.text)
         return tuple(parts)
 
 
