@@ -67,6 +67,31 @@ def test_a_scene_is_asked_without_its_results(name):
     assert whole.sentence not in words(asked) and 'class="solved"' not in asked
 
 
+def test_the_solution_of_a_shortcut_of_ones_own_is_its_true_run():
+    known = sv.scene("no-nearest-vertex")
+    mine = sv.Scene("mine", known.a, known.b, axes="no-nearest-vertex")
+    solved = words(sv.handout(mine, solutions=True))
+    assert mine.record().truth.sentence in solved and "shortcut" not in solved
+
+
+@pytest.mark.parametrize("name", ["aabb-rotated", "concave-outline"])
+def test_no_title_tells_that_the_axes_cannot_show_the_gap(name):
+    assert sv.scene(name).record().false_hit
+    assert sv.scene(name).title not in words(sv.handout(name)) and "Do they collide?" in words(sv.handout(name))
+
+
+@pytest.mark.parametrize("what", ["1", "3"])
+def test_no_title_in_a_chapters_handout_tells_it_either(what):
+    assert "cannot tell apart" not in sv.handout(what)
+
+
+def test_far_from_the_origin_coordinates_have_all_figures_that_are_needed():
+    a, b = sv.Polygon([(1e6, 0), (1e6 + 1, 0), (1e6 + 0.5, 1)]), sv.Circle((1e6 - 2.25, 0.5), 1.5)
+    asked = words(sv.handout(sv.Scene("far", a, b)))
+    assert "a1 (1000000, 0), a2 (1000001, 0), a3 (1000000.5, 1)" in asked
+    assert "circle, center (999997.75, 0.5), radius 1.5" in asked
+
+
 @pytest.mark.parametrize("name", ["triangles", "concave", "circles", "far-centers"])
 def test_empty_lines_have_the_same_ticks_as_those_with_ranges_and_nothing_on_them(name):
     trace = sv.scene(name).record()
