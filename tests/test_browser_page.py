@@ -42,6 +42,19 @@ def pages(tmp_path_factory):
     return folder
 
 
+@pytest.mark.parametrize("size", [(1366, 650), (1440, 760), (900, 800)])
+def test_picture_sentence_and_buttons_fit_into_one_window(browser, errors, tmp_path, size):
+    a, b = sv.Polygon([(0, 0), (4, 0), (4, 3), (0, 3)]), sv.Polygon([(3, 2), (6, 2), (5, 5)])
+    (tmp_path / "page.html").write_text(sv.page(a, b, predict=True), encoding="utf-8")
+    page = opened(browser, errors, tmp_path / "page.html", viewport=dict(zip(("width", "height"), size, strict=True)))
+    bar = page.get_by_role("button", name="reset").bounding_box()
+    assert bar["y"] + bar["height"] <= size[1]
+    picture = page.locator(".sv-board > .sv-picture")
+    scale = picture.evaluate("svg => svg.getScreenCTM().a")
+    assert scale >= 0.999 and picture.bounding_box()["height"] <= size[1]
+    page.close()
+
+
 READ = """() => [...document.querySelectorAll('[data-id]')].map(e => {
   const look = getComputedStyle(e);
   const {fill, fillOpacity, stroke, strokeOpacity, strokeWidth, strokeDasharray, fontSize, fontWeight} = look;

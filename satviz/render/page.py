@@ -33,6 +33,8 @@ STYLE = """
 body.satviz { margin: 0; border-radius: 0; }
 main { max-width: 1200px; margin: 0 auto; padding: 8px 0; min-height: 100vh; }
 h1 { font-size: 20px; margin: 8px; }
+/* the picture, its sentence and the buttons fit into one window, if this makes no letter smaller than it is */
+#satviz-player:not(.sv-wide) .sv-picture { max-height: max(var(--sv-height) * 1px, 100vh - 240px); }
 .sv-static svg { display: block; width: 100%; max-width: 620px; height: auto; background: #fff; }
 .sv-light svg, .sv-dark svg { max-width: 420px; background: none; }
 .sv-dark { display: none; }

@@ -139,10 +139,11 @@ export class Player {
       if ("reason" in row && i) this.knownAt[i] = this.knownAt[i - 1];
     });
     this.scrub.max = String(this.last);
-    const [width] = this.show.size;
+    const [width, height] = this.show.size;
     this.code.hidden = !this.show.code.length;
     this.table.element.hidden = !rows.length;
     this.svg.style.minWidth = `${width}px`; // no letter is shown smaller than it is
+    this.svg.style.setProperty("--sv-height", String(height));
     this.root.classList.toggle("sv-wide", width > MAX_WIDTH_BESIDE_TABLE);
     this.predictLabel.hidden = !this.show.asks;
     this.table.setNames(this.show.names);
