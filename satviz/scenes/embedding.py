@@ -51,7 +51,9 @@ def query(options: EmbedOptions) -> str:
     if options.show:
         words.append(f"show={','.join(options.show)}")
     made = "&".join(words)
-    parse_query(made)
+    steps = options.steps and tuple(options.steps)
+    if parse_query(made) != options._replace(steps=steps):
+        raise InvalidScene(f"the options cannot be written in an address: {short_repr(made)}")
     return made
 
 
