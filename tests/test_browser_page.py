@@ -914,6 +914,21 @@ def test_arrow_keys_move_a_shape_without_focus_and_are_never_taken_from_a_text(b
         assert page.locator(".sv-text").input_value() == "axb" and hand.scene.b == place
 
 
+def test_what_was_said_of_snapping_goes_with_the_next_change(browser, errors):
+    corner = sv.Polygon([(3.07, 1), (5, 0.5), (5, 2)])
+    hand = ExplorerModel(sv.Scene("snap", sv.Polygon([(0, 0), (3, 0), (3, 3), (0, 3)]), corner))
+    with explored(browser, hand, errors) as page:
+        page.get_by_label("free axis").check()
+        page.get_by_label("snap").check()
+        for follows in (lambda: page.locator(".sv-dial svg").click(), lambda: page.keyboard.press("Shift+ArrowRight")):
+            box = page.locator("[data-handle=B-move]").bounding_box()
+            page.mouse.click(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+            page.get_by_text("Snapped: they touch exactly.").wait_for()
+            follows()
+            page.get_by_text("Snapped: they touch exactly.").wait_for(state="detached")
+            page.keyboard.press("Shift+ArrowRight")
+
+
 def test_the_axis_turns_by_itself_on_request_and_never_under_reduced_motion(browser, errors):
     hand = ExplorerModel(sv.scene("triangles"))
     with explored(browser, hand, errors) as page:

@@ -74,6 +74,12 @@ def test_a_challenge_that_is_not_named_fits_the_scene_and_is_not_met_yet(name):
     assert goal["goal"] == ("break" if sv.scene(name).record().shortcut else "touch") and not goal["met"]
 
 
+def test_a_frame_whose_challenge_the_scene_cannot_have_is_not_made():
+    with pytest.raises(InvalidScene, match="no shortcut"):
+        embed("triangles", site=SITE, challenge="break")
+    assert opened(embed("far-centers", site=SITE, challenge="break"))["first"]["goal"]["goal"] == "break"
+
+
 def test_who_reads_without_scripts_gets_the_picture_and_its_sentence():
     html = embed("triangles", site=SITE)
     (still,) = re.findall(r"<noscript>(.*)</noscript>", html)

@@ -131,6 +131,14 @@ def test_the_range_of_b_minus_a_is_the_range_of_b_minus_that_of_a(far):
     assert "that is the overlap" in last.sentence
 
 
+@pytest.mark.parametrize("y", [0.45913173191066836, 0.926506623785866])
+def test_shapes_that_are_moved_next_to_the_origin_keep_their_relation(y):
+    """A move along y would round, and the circle would no longer only touch the notch of the L."""
+    notch = sv.Polygon([(1000, -3.7), (1003, -3.7), (1003, 0), (1001, 0), (1001, 2), (1000, 2)])
+    steps = sv.difference_steps(notch, sv.Circle((1002, y), y))
+    assert "next to the origin" in steps[0].sentence and "so A and B touch." in steps[-1].sentence
+
+
 def test_the_drawing_of_b_minus_a_is_a_choice_of_the_command_line_and_of_a_page(tmp_path, capsys):
     from satviz.cli import main
 

@@ -2,6 +2,9 @@
 
 import json
 import re
+import shutil
+import subprocess
+from importlib.resources import files
 from pathlib import Path
 
 import pytest
@@ -164,3 +167,27 @@ def test_a_page_that_asks_folds_the_answer_where_no_script_runs_and_on_paper():
     assert folded and rest.rstrip().endswith("</details>") and open_part.count("<svg") == 1 == rest.count("<svg")
     assert "1.213" not in open_part and "1.213" in rest
     assert "<details><summary>The answer" not in sv.page("triangles")
+
+
+@pytest.mark.skipif(shutil.which("node") is None, reason="no node is installed")
+def test_a_widget_that_has_left_the_page_is_not_kept_for_its_arrow_keys(tmp_path):
+    """The site makes a new widget for each link that is opened in one page."""
+    source = files("satviz").joinpath("render/browser/arrows.js").read_text()
+    script = """
+    globalThis.document = { body: {}, addEventListener: (_, listener) => { globalThis.press = listener; } };
+    globalThis.innerHeight = 100;
+    const asked = [];
+    const widget = (name) => ({ keyPressed: () => asked.push(`key to ${name}`), root: {
+      isConnected: true, addEventListener: () => {}, checkVisibility: () => true,
+      getBoundingClientRect: () => (asked.push(name), { top: 0, bottom: 50 }) } });
+    const [first, second] = ["first", "second"].map(widget);
+    arrowKeys(first);
+    first.root.isConnected = false;
+    arrowKeys(second);
+    press({ target: document.body, key: "ArrowLeft" });
+    console.log(JSON.stringify([...new Set(asked)]));
+    """
+    program = tmp_path / "arrows.mjs"
+    program.write_text(source + script)
+    done = subprocess.run(["node", program], capture_output=True, text=True, check=True)
+    assert json.loads(done.stdout) == ["second", "key to second"]

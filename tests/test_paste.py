@@ -617,7 +617,7 @@ def test_a_cut_off_text_is_told():
 # -- a fuzz of the reader
 
 ALPHABET = "()[]{},;:=.-+*/ \n'\"`0123456789eExXfnaN_#<>!&|\\\u2212\u0663"
-NUMERAL = re.compile(r"(?:[0-9][0-9_]*(?:'[0-9]{3})*\.?[0-9_]*|\.[0-9][0-9_]*)(?:[eE][+-]?[0-9]{1,4})?")
+NUMERAL = re.compile(r"(?:[0-9][0-9_]*(?:'[0-9]{3})*\.?[0-9_]*|\.[0-9][0-9_]*)(?:[eEdD][+-]?[0-9]{1,4})?")
 
 
 TEXTS = (*REPORTS, *PASTES)
@@ -647,7 +647,7 @@ def numerals(text):
     values = []
     for match in NUMERAL.finditer(text.replace("\u2212", "-")):
         try:
-            value = Fraction(Decimal(match[0].replace("_", "").replace("'", "")))
+            value = Fraction(Decimal(re.sub("[dD]", "e", match[0].replace("_", "").replace("'", ""))))
         except InvalidOperation:
             continue
         values.append(value)

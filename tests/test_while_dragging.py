@@ -288,6 +288,11 @@ def test_let_go_close_by_shapes_snap_and_that_is_said(x, key):
     assert again["relation"] == "touching" and "snapped" not in again
 
 
+def test_what_was_said_of_snapping_is_not_said_of_the_next_scene():
+    state, model = let_go(sv.Polygon([(3.07, 1), (5, 0.5), (5, 2)]))
+    assert "snapped" in state and "snapped" not in model.answer({"kind": "preset", "name": "triangles"})
+
+
 def test_where_no_place_is_found_that_is_said_and_nothing_moves():
     third = 1 / 3
     state, model = let_go(sv.Circle((3.4 + third, 3.4 + third), 1.013))  # off a corner, at no angle with floats

@@ -2,14 +2,16 @@
 
 from html import escape
 from importlib.resources import files
+from math import ceil, log10
 from pathlib import Path
 from typing import Literal, NamedTuple, get_args
 
-from ..engine import describe, number_format
+from ..engine import describe
 from ..engine.geometry import InvalidScene
 from ..engine.shapes import Circle, Shape
 from ..engine.trace import Trace
 from ..pictures import Picture, picture
+from ..pictures.float_geometry import bounding_box
 from ..pictures.number_lines import number_lines
 from ..pictures.playback import table_rows
 from ..pictures.sheet import MAX_ROWS
@@ -32,6 +34,7 @@ WORKSHEETS = {  # the scenes that are computed by hand in the handout of a chapt
 }
 COLLIDE, SOLUTIONS = "Do they collide?", ": solutions"  # the title of a scene without one; the end of a title
 MAX_CORNERS = 12  # of a shape whose corners are listed
+FIGURES = 6  # of a coordinate near the origin, at most
 COLOURS = ("A", "B", "gap", "ink", "move"), ("overlap", "guide", "wrong")  # black, and grey
 
 
@@ -127,9 +130,11 @@ def _sheet(title: str, body: str) -> Sheet:
 
 
 def _title_of(scene: Scene) -> str:
-    """Return the title of a worksheet's scene; that of a failing case would be its claim."""
-    named = scene.title and scene.title != scene.name
-    return "Is the claim right?" if scene.name in NAMED else describe.printable(scene.title) if named else COLLIDE
+    """Return the title of a worksheet's scene; one that would tell the answer is replaced."""
+    if scene.name in NAMED:
+        return "Is the claim right?"
+    named = scene.title and scene.title != scene.name and not scene.record().false_hit
+    return describe.printable(scene.title) if named else COLLIDE
 
 
 def _asked(number: int, question: Question) -> str:
@@ -162,38 +167,42 @@ def _worksheet(trace: Trace, name: str) -> tuple[str, str]:
         shapes, verdict = picture(true, 0, by_itself=True), picture(true, -1)
     except ValueError as error:
         raise InvalidScene(str(error)) from None
+    x0, y0, x1, y1 = bounding_box([true.a, true.b])
+    figures = FIGURES + max(0, ceil(log10(max(-x0, -y0, x1, y1) / max(x1 - x0, y1 - y0))))  # more far from the origin
     corners = "".join(
-        f"<p><b>{escape(name)}</b>: {_coordinates(shape)}</p>"
+        f"<p><b>{escape(name)}</b>: {_coordinates(shape, name, figures)}</p>"
         for name, shape in zip(true.names, (true.a, true.b), strict=True)
     )
     claim = f"<p>Somebody says: “{escape(case.claim)}” Is this right for these shapes?</p>" if case else ""
     ask = (
         "<ol><li>Calculate the range of each shape on each axis. Draw both ranges on the number line, and write them "
-        "into the table.</li><li>Write down the gap. It is positive where the ranges are apart, and negative where "
-        "they overlap.</li><li>Which axes separate the shapes? Do the shapes collide? How do you know?</li></ol>"
+        "into the table.</li><li>Write down the gap where the ranges are apart. Where they overlap, write “overlap” "
+        "and how long the overlap is.</li><li>Which axes separate the shapes? Do the shapes collide? How do you know?"
+        "</li></ol>"
     )
     asked = f"{claim}{_figure(shapes)}{corners}{ask}"
     asked += f"{_table(whole, filled=False)}{_figure(number_lines(whole, filled=False), 'axes')}{_lines(2)}"
     how = f"<p>{escape(case.how)}</p>" if case else ""
-    solved = f"<p>{escape(describe.printable(trace.truth.sentence if case else trace.sentence))}</p>{how}"
+    solved = f"<p>{escape(describe.printable(true.sentence))}</p>{how}"
     solved += f"{_table(whole, filled=True)}{_figure(number_lines(whole, filled=True), 'axes')}{_figure(verdict)}"
     return asked, solved
 
 
-def _coordinates(shape: Shape) -> str:
-    """Return the numbers of a shape in words."""
+def _coordinates(shape: Shape, name: str, figures: int) -> str:
+    """Return the numbers of a shape in words, each with so many significant figures at most; vertices have names."""
+    corners = (shape.vertices or shape.core)[:MAX_CORNERS]
+    points = [f"({_number(x, figures)}, {_number(y, figures)})" for x, y in corners]
     if isinstance(shape, Circle):
-        center = number_format.vector(shape.center)
-        return escape(f"circle, center {center}, radius {shape.radius:g}")
-    shown = ", ".join(f"({_number(x)}, {_number(y)})" for x, y in shape.vertices[:MAX_CORNERS])
+        return escape(f"circle, center {points[0]}, radius {_number(shape.radius, figures)}")
+    shown = ", ".join(f"{describe.vertex_name(shape, name, i)} {point}" for i, point in enumerate(points))
     return escape(
         shown + (f" and {len(shape.vertices) - MAX_CORNERS} more" if len(shape.vertices) > MAX_CORNERS else "")
     )
 
 
-def _number(value: float) -> str:
+def _number(value: float, figures: int) -> str:
     """Return a coordinate as text, with a real minus sign."""
-    return f"{value:g}".replace("-", "−")
+    return f"{value:.{figures}g}".replace("-", "−")
 
 
 def _table(trace: Trace, *, filled: bool) -> str:

@@ -68,9 +68,10 @@ def difference_steps(what: SceneLike | Shape, b: Shape | None = None, *, title: 
 def _scene(truth: Trace) -> _Scene:
     """Return what the steps of an exact run share; both shapes are moved next to the origin if they lie far from it."""
     x0, y0, x1, y1 = bounding_box([truth.a, truth.b])
-    far = max(map(abs, (x0, y0, x1, y1))) > MAX_FAR_SIZES * max(x1 - x0, y1 - y0)
-    move = Vec(-(x0 + x1) / 2, -(y0 + y1) / 2) if far else ORIGIN
-    a, b = (translated(shape, move) if far else shape for shape in (truth.a, truth.b))
+    far = MAX_FAR_SIZES * max(x1 - x0, y1 - y0)
+    # along an axis on which they lie near it, a move could round: then the moved shapes might have another relation
+    move = Vec(*(-(lo + hi) / 2 if max(-lo, hi) > far else 0.0 for lo, hi in ((x0, x1), (y0, y1))))
+    a, b = (translated(shape, move) if any(move) else shape for shape in (truth.a, truth.b))
     # `minkowski_difference` gives A - B, and B - A is A - B turned by 180 degrees
     rings = [tuple(Vec(-p.x, -p.y) for p in ring) for ring in minkowski_difference(truth.a, truth.b)]
     tests = truth.without_early_exit().tests

@@ -12,7 +12,7 @@ from ..engine.trace import Trace
 from ..pictures import THEMES, picture
 from ..pictures import steps as steps_of
 from ..scenes.embedding import TABLE, TOOLS, EmbedOptions, query
-from ..scenes.link import PAGE, link
+from ..scenes.link import BREAK, PAGE, link
 from ..scenes.resolve import SceneLike, resolve
 from .files import encode
 
@@ -55,10 +55,11 @@ def embed(
     folder, _, fragment = link(what, b, site=site, **more).partition(f"{PAGE}#")
     address = f"{folder}{PAGE}?{query(options)}#{fragment}"
     trace = resolve(what, b).trace
-    asks = predict or bool(more.get("predict"))
-    if asks and trace.shortcut:
+    if challenge == BREAK and not trace.shortcut:
+        raise InvalidScene("the scene has no shortcut that could be broken: choose another challenge")
+    if predict and trace.shortcut:
         trace = trace.truth
-    drawn = picture(trace, 0 if asks else _last_step(trace, options, more.get("step")))
+    drawn = picture(trace, 0 if predict else _last_step(trace, options, more.get("step")))
     sentence = escape(describe.printable(drawn.sentence))
     data = b64encode(encode(drawn, "svg", THEMES[theme or "light"], stem="satviz")).decode()
     width, height = drawn.size

@@ -76,7 +76,6 @@ class ExplorerModel(PlayerModel):
         self._degree: float | None = None
         self._largest = canvas_size(None)
         self._show_mtv = self._show_difference = self._won = False
-        self._snap_words = ""
         self._start(shown, goal)
         self._redraw()
 
@@ -181,6 +180,7 @@ class ExplorerModel(PlayerModel):
         self._won = False
         self._set_run(shown, trace, SHORTCUT if trace.shortcut else None, met)
         self._pinned: int | None = None
+        self._snap_words = ""
         self._last_out: Vec | None = None  # the way the axis lay before, so that it stays on its side
         self._memory = LabelMemory()  # how the labels stood, so that they do not jump
 

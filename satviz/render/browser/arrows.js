@@ -3,14 +3,14 @@
 /** @typedef {{ root: HTMLElement, keyPressed: (event: KeyboardEvent) => void, everyArrow?: boolean }} Keyed A player or an explorer. */
 
 /** @type {Keyed[]} The players and explorers of the page. */
-const widgets = [];
+let widgets = [];
 /** @type {Keyed | null} The last one that the reader clicked or focused. */
 let lastUsed = null;
 
 /** @param {Keyed} widget */
 export function arrowKeys(widget) {
-  if (!widgets.length) document.addEventListener("keydown", arrowPressed);
-  widgets.push(widget);
+  document.addEventListener("keydown", arrowPressed); // it is added once
+  widgets = [...widgets.filter(({ root }) => root.isConnected), widget]; // one that left the page takes no memory
   for (const kind of ["pointerdown", "focusin"]) {
     widget.root.addEventListener(kind, () => {
       lastUsed = widget;

@@ -40,6 +40,7 @@ export class AxisDial {
     this.stop();
     this.turning = true;
     this.svg.setPointerCapture(event.pointerId);
+    this.explorer.forgetMessages();
     this.explorer.remember(this.explorer.pose);
     this.turnTo(event);
   }
@@ -70,6 +71,7 @@ export class AxisDial {
     const { explorer } = this;
     const from = explorer.pose.degree ?? 0;
     const begin = performance.now();
+    explorer.forgetMessages();
     explorer.remember(explorer.pose);
     this.play.setAttribute("aria-pressed", "true");
     /** @param {number} now */

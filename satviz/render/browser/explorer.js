@@ -277,8 +277,7 @@ export class Explorer {
     if (!handle) return;
     clearTimeout(this.announcing);
     this.used();
-    this.forgetRefused();
-    this.controls.status.textContent = "";
+    this.forgetMessages();
     this.lastHandle = handle.spec.id;
     handle.element.focus({ preventScroll: true });
     this.board.setPointerCapture(event.pointerId);
@@ -324,7 +323,9 @@ export class Explorer {
     this.editor.showRefused(pose);
   }
 
-  forgetRefused() {
+  // What was said of the last change is not true of the next one.
+  forgetMessages() {
+    this.controls.status.textContent = "";
     if (!this.keepsRefusal) return;
     this.keepsRefusal = false;
     this.refusal.hidden = true;
@@ -406,7 +407,7 @@ export class Explorer {
 
   /** @param {Partial<Pose>} changes */
   change(changes) {
-    this.forgetRefused();
+    this.forgetMessages();
     this.remember(this.pose);
     this.send({ ...this.pose, ...changes }, true);
     this.controls.follow(this);
@@ -428,7 +429,7 @@ export class Explorer {
   /** @param {Pose | undefined} pose */
   restore(pose) {
     if (!pose) return;
-    this.forgetRefused();
+    this.forgetMessages();
     this.send(pose, true);
     this.controls.follow(this);
   }
@@ -452,7 +453,7 @@ export class Explorer {
 
   /** @param {Record<string, unknown>} request */
   choose(request) {
-    this.forgetRefused();
+    this.forgetMessages();
     this.used();
     this.sender.discard(); // a pose that still waits is of the scene that leaves
     this.drag = null;
