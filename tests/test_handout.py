@@ -2,6 +2,7 @@
 
 import re
 from html import unescape
+from itertools import pairwise
 from typing import get_args
 
 import pytest
@@ -11,6 +12,7 @@ from satviz.cli import PAPERS, main
 from satviz.engine.geometry import InvalidScene
 from satviz.lessons import handout as lessons
 from satviz.lessons.chapter_text import chapters
+from satviz.pictures.letters import text_size
 from satviz.pictures.number_lines import number_lines
 from satviz.pictures.playback import table_rows
 from satviz.scenes.failing import FAILURE_CASES, REFUSED
@@ -86,7 +88,7 @@ def test_no_title_in_a_chapters_handout_tells_it_either(what):
 def test_far_from_the_origin_coordinates_have_all_figures_that_are_needed():
     a, b = sv.Polygon([(1e6, 0), (1e6 + 1, 0), (1e6 + 0.5, 1)]), sv.Circle((1e6 - 2.25, 0.5), 1.5)
     asked = words(sv.handout(sv.Scene("far", a, b)))
-    assert "(1000000, 0), (1000001, 0), (1000000.5, 1)" in asked
+    assert "a1 (1000000, 0), a2 (1000001, 0), a3 (1000000.5, 1)" in asked
     assert "circle, center (999997.75, 0.5), radius 1.5" in asked
 
 
@@ -116,6 +118,22 @@ def test_ticks_fit_any_scale(axes):
     a, b = sv.Circle((0, 0), axes), sv.Circle((3 * axes, axes), axes)
     drawn = number_lines(sv.record(a, b), filled=True)
     assert 6 <= sum(mark.kind == "segment" for mark in drawn.marks) <= 20
+
+
+@pytest.mark.parametrize("width", [4, 30, 400])
+def test_the_numbers_of_two_ticks_have_a_space_between_them(width):
+    a = sv.Polygon([(0, 0), (width, 0), (width, 3), (0, 3)])
+    b = sv.Polygon([(3, 2), (6, 2), (5, 5)])
+    drawn = number_lines(sv.record(a, b), filled=False)
+    named = [m for m in drawn.marks if m.part.endswith("-name") and m.number == 1]
+    assert len(named) >= 5
+    for left, right in pairwise(named):
+        assert right.points[0].x - left.points[0].x > (text_size(left.text)[0] + text_size(right.text)[0]) / 2 + 4
+
+
+def test_the_vertices_of_the_table_are_named_beside_their_coordinates():
+    asked = words(sv.handout("triangles"))
+    assert "a1 (0, 1), a2 (3, 2), a3 (1, 5)" in asked and "v1 (5, 5), v2 (8, 3), v3 (4, 1)" in asked
 
 
 def test_of_many_axes_the_first_twelve_are_asked():

@@ -14,6 +14,7 @@ WIDTH_PT, ROW_PT, MARGIN_PT = 480.0, 68.0, 18.0
 NAME_PT, NUMBER_PT, TICK_PT = 31.0, 16.0, 5.0  # a name above its line, the numbers below it, half a tick
 TRACK_PT = 9.0  # from a line to A's bar above it and to B's bar above that
 MAX_TICKS = 16
+TICK_GAP_PT = 6.0  # between the numbers of two ticks, at least
 
 
 def number_lines(trace: Trace, *, filled: bool) -> Picture:
@@ -31,7 +32,7 @@ def number_lines(trace: Trace, *, filled: bool) -> Picture:
     marks: list[Mark] = []
     for n, row in enumerate(rows, 1):
         y = height - ROW_PT * n + NUMBER_PT
-        marks += _line(row, n, y, [k * step for k in range(first, last + 1)], scale)
+        marks += _line(row, n, y, range(first, last + 1), step, scale)
         if filled:
             marks += _ranges(row, n, y, first * step, scale)
     kind = "with the ranges" if filled else "to draw the ranges on"
@@ -45,20 +46,23 @@ def _tick_step(length: float) -> float:
     return next(factor * power for factor in (1, 2, 5, 10, 20) if length / (factor * power) <= MAX_TICKS)
 
 
-def _line(row: Row, number: int, y: float, ticks: list[float], scale: float) -> list[Mark]:
-    """Return a named line with ticks and their numbers."""
+def _line(row: Row, number: int, y: float, ticks: range, step: float, scale: float) -> list[Mark]:
+    """Return a named line with a tick at each multiple of the step, and numbers where they have space."""
     pair = "" if row.run.names == ("A", "B") else f"{row.run.names.a} and {row.run.names.b}: "
     name = f"{pair}axis {row.number}, {describe.axis_name(row.test.axis, (row.run.a, row.run.b), row.run.names)}"
     marks = [
         text_from("name", truncate(name, WIDTH_PT - 2 * MARGIN_PT), "ink", MARGIN_PT, y + NAME_PT, number),
         Mark("line", "arrow", "ink", (Vec(4, y), Vec(WIDTH_PT - 4, y)), number=number),
     ]
-    for value in ticks:
-        x = MARGIN_PT + (value - ticks[0]) * scale
-        part = f"tick-{value:g}"
+    texts = {k: f"{round(k * step, 12) + 0.0:g}".replace("-", "−") for k in ticks}
+    widest = max(text_size(text)[0] for text in texts.values()) + TICK_GAP_PT
+    every = next(count for count in (1, 2, 4, 8) if count == 8 or count * step * scale >= widest)
+    for k, text in texts.items():
+        x = MARGIN_PT + (k - ticks[0]) * step * scale
+        part = f"tick-{k * step:g}"
         marks.append(Mark(part, "segment", "ink", (Vec(x, y - TICK_PT), Vec(x, y + TICK_PT)), number=number))
-        text = f"{round(value, 12) + 0.0:g}".replace("-", "−")
-        marks.append(Mark(f"{part}-name", "label", "guide", (Vec(x, y - NUMBER_PT),), number=number, text=text))
+        if k % every == 0:
+            marks.append(Mark(f"{part}-name", "label", "guide", (Vec(x, y - NUMBER_PT),), number=number, text=text))
     return marks
 
 
