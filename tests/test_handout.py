@@ -2,6 +2,7 @@
 
 import re
 from html import unescape
+from itertools import pairwise
 from typing import get_args
 
 import pytest
@@ -11,6 +12,7 @@ from satviz.cli import PAPERS, main
 from satviz.engine.geometry import InvalidScene
 from satviz.lessons import handout as lessons
 from satviz.lessons.chapter_text import chapters
+from satviz.pictures.letters import text_size
 from satviz.pictures.number_lines import number_lines
 from satviz.pictures.playback import table_rows
 from satviz.scenes.failing import FAILURE_CASES, REFUSED
@@ -116,6 +118,20 @@ def test_ticks_fit_any_scale(axes):
     a, b = sv.Circle((0, 0), axes), sv.Circle((3 * axes, axes), axes)
     drawn = number_lines(sv.record(a, b), filled=True)
     assert 6 <= sum(mark.kind == "segment" for mark in drawn.marks) <= 20
+
+
+@pytest.mark.parametrize(("start", "size"), [(0, 1), (0, 1e-12), (0, 1e5), (1e6, 1), (1e15, 1), (-1e6, 0.125)])
+def test_each_tick_has_its_own_number_and_there_is_space_for_it(start, size):
+    def square(x):
+        return sv.Polygon([(x, start), (x + size, start), (x + size, start + size), (x, start + size)])
+
+    drawn = number_lines(sv.record(square(start), square(start + 2 * size)), filled=True)
+    names = [mark for mark in drawn.marks if mark.part.endswith("-name") and "tick" in mark.part and mark.number == 1]
+    values = [float(mark.text.replace("−", "-")) for mark in names]
+    assert values == sorted(set(values)) and values[0] < start < start + size < values[-1]
+    assert len({round((q - p) / size, 6) for p, q in pairwise(values)}) == 1
+    for p, q in pairwise(names):
+        assert p.points[0].x + text_size(p.text)[0] / 2 < q.points[0].x - text_size(q.text)[0] / 2
 
 
 def test_of_many_axes_the_first_twelve_are_asked():
