@@ -3081,4 +3081,12 @@ const a = circle(0, 0, 5); const b = circle(9, 0, 5);""",
         as_="radius",
         says="x is a name",
     ),
+    Paste(
+        "a key in brackets",
+        """a = {}; a['x'] = 0; a['y'] = 0; a['r'] = 5
+b = {'x': 9, 'y': 0, 'r': 5}
+b['x'] = 20""",
+        ((-5, -5, 5, 5), (4, -5, 14, 5)),
+        says="Not applied to a shape: b.x 20",
+    ),
 )

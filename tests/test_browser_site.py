@@ -764,6 +764,25 @@ def test_a_built_in_scene_has_its_own_picture_until_python_has_come(visit):
     assert page.locator(".live .still img").get_attribute("src") == "pictures/circles.svg"
 
 
+def test_a_copy_without_python_shows_no_other_scene_than_that_of_the_link(visit):
+    """The scene of the page itself is no answer to a link to shapes of one's own."""
+    page = visit("scene.html", live=False, service_workers="block")
+
+    def without_python(route):
+        html = re.sub(r' data-python="[^"]*"', "", route.fetch().text())
+        route.fulfill(body=html, content_type="text/html")
+
+    page.context.route("**/scene.html*", without_python)
+    own = sv.link(sv.Scene("coins", sv.Circle((0, 0), 1), sv.Circle((1.5, 0), 1))).partition("#")[2]
+    page.evaluate("hash => { location.hash = hash; }", own)
+    page.reload()
+    assert page.locator(".live .still .picture").count() == 0
+    assert "cannot show the scene of this link" in page.locator("main").inner_text()
+    page.evaluate("location.hash = 'circles'")
+    page.locator('.live .still img[src="pictures/circles.svg"]').wait_for()
+    assert "so the picture stays still" in page.locator("main").inner_text()
+
+
 def test_what_was_solved_is_kept_in_this_browser_until_it_is_forgotten(visit):
     page = visit("challenges.html", live=False)
     progress, forget = page.locator(".progress"), page.get_by_role("button", name="Forget")

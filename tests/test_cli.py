@@ -20,6 +20,7 @@ from satviz.cli import DRAW_FORMATS, main
 from satviz.engine import text_table
 from satviz.pictures.figures import FIGURES
 from satviz.scenes.article import SCENES
+from satviz.scenes.scenefile import load
 from satviz.study.harness.cells import Cell
 
 GOOD = {"satviz": "scene 1", "a": {"polygon": [[0, 0], [4, 0], [0, 4]]}, "b": {"circle": [5, 5], "radius": 1}}
@@ -66,6 +67,16 @@ def test_draw_writes_every_step(tmp_path, capsys):
     count = len(sv.steps(sv.Scene.from_json(json.dumps(GOOD)).record()))
     names = sorted(p.name for p in out.iterdir())
     assert names == sorted(["scene.html", *(f"scene-{i:0{len(str(count - 1))}}.svg" for i in range(count))])
+
+
+@pytest.mark.parametrize(
+    ("file", "name"), [("My Desk_2.json", "my-desk-2"), ("été.json", "t"), ("-.json", "scene"), ("a" * 70, "a" * 60)]
+)
+def test_a_scene_without_a_name_has_that_of_its_file(file, name, tmp_path):
+    (tmp_path / file).write_text(json.dumps(GOOD | {"name": "given"}))
+    assert load(tmp_path / file).name == "given"
+    (tmp_path / file).write_text(json.dumps({key: GOOD[key] for key in GOOD if key != "name"}))
+    assert load(tmp_path / file).name == name
 
 
 def test_draw_writes_one_step_or_some(tmp_path, capsys):

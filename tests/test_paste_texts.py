@@ -52,6 +52,58 @@ def test_a_missing_corner_and_lists_of_two_lengths_are_named():
             sv.paste(text)
 
 
+@pytest.mark.parametrize(
+    "line, said",
+    [
+        ("circle(-w, 0, 1)", "-w is not evaluated"),
+        ("c = {x: -w, y: 0, r: 1}", "-w is not evaluated"),
+        ("[(-w, -w), (w, -w), (w, w)]", "-w is not evaluated"),
+        ("Circle(-Vec2(1, 2), 1)", r"-Vec2\(1, 2\) is not evaluated"),
+        ("c = -np.array([(0, 0), (4, 0), (0, 3)])", "not evaluated"),
+        ("circle(sqrt(4), 3, 1)", r"sqrt\(4\) is not evaluated"),
+        ("circle(3, sqrt(4), 2, 1)", r"sqrt\(4\) is not evaluated"),
+        ("Circle(Vec2(sqrt(4), 0), 1)", r"sqrt\(4\) is not evaluated"),
+        ("Circle(Vec2(0, 0), sqrt(4), 1)", r"sqrt\(4\) is not evaluated"),
+        ("for i in range(3): circle(i, 5, 1)", "i is a name"),
+    ],
+)
+def test_a_sign_or_a_call_around_a_number_is_not_dropped(line, said):
+    with pytest.raises(sv.InvalidScene, match=said):
+        sv.paste(f"w = 3\n{line}")
+
+
+def test_a_line_may_begin_with_a_bullet_without_a_space():
+    assert [each.read.points for each in sv.paste("-circle((1, 2), 3)\n-circle((3, 2), 1)").readings] == [
+        ((1, 2),),
+        ((3, 2),),
+    ]
+
+
+def test_a_color_before_the_center_of_a_circle_is_no_expression():
+    (shape,) = sv.paste("draw.circle(screen, Color(255, 0, 0), (1, 2), 3)").readings
+    assert (shape.read.points, shape.read.radius) == (((1, 2),), 3)
+
+
+def test_a_hole_is_no_shape_of_its_own():
+    for text in (
+        "Polygon(shell=[(0, 0), (4, 0), (0, 3)], holes=[[(1, 1), (2, 1), (1, 2)]])",
+        "{outer: [[0, 0], [4, 0], [0, 3]], holes: [[[1, 1], [2, 1], [1, 2]]]}",
+    ):
+        pasted = sv.paste(text)
+        assert [each.vertices for each in pasted.readings] == [((0, 0), (4, 0), (0, 3))]
+        assert "holes 1, 1, 2, 1, 1, 2" in str(pasted)
+
+
+def test_a_variable_that_is_counted_up_is_named():
+    for step in ("x++", "x--", "++x", "--x"):
+        assert f"{step} is not evaluated" in str(sv.paste(f"x = 5; {step}; circle((x, 0), 1); circle((0, 0), 1)"))
+
+
+def test_a_name_has_the_value_of_the_last_line_before():
+    pasted = sv.paste("x = 2\ncircle((x, 0), 1)\nx = 5\ncircle((x, 0), 1)\nx = 9")
+    assert [each.read.points[0][0] for each in pasted.readings] == [2, 5]
+
+
 def test_what_is_not_read_is_said_once():
     pasted = sv.paste("this.add.circle(9, 9, 4)\nthis.add.rectangle(15, 10, 4, 2).setOrigin(0, 0)")
     assert [finding.kind for finding in pasted.findings] == ["not-read"]
@@ -76,8 +128,16 @@ def test_several_refused_shapes_are_listed_in_words():
         "x" * 100_000 + " = [1, 2, 3]",
         '<path d="M' + "1 2 " * 15_000 + 'z"/>',
         "lineTo(1, 2)\n" * 16_000,
+        "a: " * 2_000,
+        "a = " * 2_000,
+        "a." * 500_000,
+        '"\\' * 400_000,
+        "<!--" * 250_000,
+        "radius of the center and " * 6_000,
+        '<g transform="translate(1,2)">' * 4_000,
+        "".join(f"rect(1 + 2, 3, 4, {i})\n" for i in range(3_000)),
     ],
-    ids=range(10),
+    ids=range(18),
 )
 def test_a_long_text_in_these_notations_is_refused(text):
     with pytest.raises(sv.InvalidScene):

@@ -170,14 +170,15 @@ def _worksheet(trace: Trace, name: str) -> tuple[str, str]:
     x0, y0, x1, y1 = bounding_box([true.a, true.b])
     figures = FIGURES + max(0, ceil(log10(max(-x0, -y0, x1, y1) / max(x1 - x0, y1 - y0))))  # more far from the origin
     corners = "".join(
-        f"<p><b>{escape(name)}</b>: {_coordinates(shape, figures)}</p>"
+        f"<p><b>{escape(name)}</b>: {_coordinates(shape, name, figures)}</p>"
         for name, shape in zip(true.names, (true.a, true.b), strict=True)
     )
     claim = f"<p>Somebody says: “{escape(case.claim)}” Is this right for these shapes?</p>" if case else ""
     ask = (
         "<ol><li>Calculate the range of each shape on each axis. Draw both ranges on the number line, and write them "
-        "into the table.</li><li>Write down the gap. It is positive where the ranges are apart, and negative where "
-        "they overlap.</li><li>Which axes separate the shapes? Do the shapes collide? How do you know?</li></ol>"
+        "into the table.</li><li>Write down the gap where the ranges are apart. Where they overlap, write “overlap” "
+        "and how long the overlap is.</li><li>Which axes separate the shapes? Do the shapes collide? How do you know?"
+        "</li></ol>"
     )
     asked = f"{claim}{_figure(shapes)}{corners}{ask}"
     asked += f"{_table(whole, filled=False)}{_figure(number_lines(whole, filled=False), 'axes')}{_lines(2)}"
@@ -187,13 +188,13 @@ def _worksheet(trace: Trace, name: str) -> tuple[str, str]:
     return asked, solved
 
 
-def _coordinates(shape: Shape, figures: int) -> str:
-    """Return the numbers of a shape in words, each with so many significant figures at most."""
-    shown = ", ".join(
-        f"({_number(x, figures)}, {_number(y, figures)})" for x, y in (shape.vertices or shape.core)[:MAX_CORNERS]
-    )
+def _coordinates(shape: Shape, name: str, figures: int) -> str:
+    """Return the numbers of a shape in words, each with so many significant figures at most; vertices have names."""
+    corners = (shape.vertices or shape.core)[:MAX_CORNERS]
+    points = [f"({_number(x, figures)}, {_number(y, figures)})" for x, y in corners]
     if isinstance(shape, Circle):
-        return escape(f"circle, center {shown}, radius {_number(shape.radius, figures)}")
+        return escape(f"circle, center {points[0]}, radius {_number(shape.radius, figures)}")
+    shown = ", ".join(f"{describe.vertex_name(shape, name, i)} {point}" for i, point in enumerate(points))
     return escape(
         shown + (f" and {len(shape.vertices) - MAX_CORNERS} more" if len(shape.vertices) > MAX_CORNERS else "")
     )

@@ -1,6 +1,5 @@
 """Number lines for paper: a line for each axis of a run, empty to draw the ranges on, or with the ranges."""
 
-from itertools import count
 from math import ceil, floor, log10
 
 from ..engine import describe
@@ -15,8 +14,8 @@ WIDTH_PT, ROW_PT, MARGIN_PT = 480.0, 68.0, 18.0
 NAME_PT, NUMBER_PT, TICK_PT = 31.0, 16.0, 5.0  # a name above its line, the numbers below it, half a tick
 TRACK_PT = 9.0  # from a line to A's bar above it and to B's bar above that
 MAX_TICKS = 16
-TEXT_GAP_PT = 4.0  # between the numbers of two ticks, at least
-MIN_FIGURES = 6  # of a tick
+TICK_GAP_PT = 6.0  # between the numbers of two ticks, at least
+MIN_FIGURES = 6  # of a tick's number
 
 
 def number_lines(trace: Trace, *, filled: bool) -> Picture:
@@ -26,53 +25,47 @@ def number_lines(trace: Trace, *, filled: bool) -> Picture:
     """
     rows = all_rows(trace)[:MAX_ROWS]
     ends = [covered_range(row.test) for row in rows]
-    ticks = _ticks(min((lo for lo, _ in ends), default=0.0), max((hi for _, hi in ends), default=1.0))
-    start, scale = ticks[0][0], (WIDTH_PT - 2 * MARGIN_PT) / (ticks[-1][0] - ticks[0][0])
+    step = _tick_step(max((hi for _, hi in ends), default=1.0) - min((lo for lo, _ in ends), default=0.0))
+    first = floor(min((lo for lo, _ in ends), default=0.0) / step) - 1
+    last = ceil(max((hi for _, hi in ends), default=1.0) / step) + 1
+    scale = (WIDTH_PT - 2 * MARGIN_PT) / ((last - first) * step)
     height = ROW_PT * len(rows) + MARGIN_PT
     marks: list[Mark] = []
     for n, row in enumerate(rows, 1):
         y = height - ROW_PT * n + NUMBER_PT
-        marks += _line(row, n, y, ticks, scale)
+        marks += _line(row, n, y, range(first, last + 1), step, scale)
         if filled:
-            marks += _ranges(row, n, y, start, scale)
+            marks += _ranges(row, n, y, first * step, scale)
     kind = "with the ranges" if filled else "to draw the ranges on"
     said = f"{len(rows)} number {'line' if len(rows) == 1 else 'lines'} {kind} of {' and '.join(trace.names)}."
     return Picture(tuple(marks), (0.0, 0.0, WIDTH_PT, height), (WIDTH_PT, height), "", said)
 
 
-def _ticks(lo: float, hi: float) -> list[tuple[float, str]]:
-    """Return (number, its text) of the ticks of a line that reaches from below `lo` to above `hi`.
-
-    They are 1, 2 or 5 times a power of ten apart: at most 16 cover the range, and their texts have space.
-    """
-    length = (hi - lo) or 1.0
-    power = floor(log10(length / MAX_TICKS))
-    for step in (float(f"{factor}e{k}") for k in count(power) for factor in (1, 2, 5)):
-        if length / step > MAX_TICKS:
-            continue
-        first, last = floor(lo / step) - 1, ceil(hi / step) + 1
-        figures = max(MIN_FIGURES, len(str(10 * max(-first, last))))  # all of a tick's, and none of its rounding
-        texts = [f"{k * step + 0.0:.{figures}g}" for k in range(first, last + 1)]
-        widest = max(text_size(text)[0] for text in texts)
-        if widest + TEXT_GAP_PT <= (WIDTH_PT - 2 * MARGIN_PT) / (last - first):
-            break
-    return [(float(text), text) for text in texts]
+def _tick_step(length: float) -> float:
+    """Return 1, 2 or 5 times a power of ten, so that at most 16 ticks cover the length."""
+    power = 10.0 ** floor(log10((length or 1.0) / MAX_TICKS))
+    return next(factor * power for factor in (1, 2, 5, 10, 20) if length / (factor * power) <= MAX_TICKS)
 
 
-def _line(row: Row, number: int, y: float, ticks: list[tuple[float, str]], scale: float) -> list[Mark]:
-    """Return a named line with ticks and their numbers."""
+def _line(row: Row, number: int, y: float, ticks: range, step: float, scale: float) -> list[Mark]:
+    """Return a named line with a tick at each multiple of the step, and numbers where they have space."""
     pair = "" if row.run.names == ("A", "B") else f"{row.run.names.a} and {row.run.names.b}: "
     name = f"{pair}axis {row.number}, {describe.axis_name(row.test.axis, (row.run.a, row.run.b), row.run.names)}"
     marks = [
         text_from("name", truncate(name, WIDTH_PT - 2 * MARGIN_PT), "ink", MARGIN_PT, y + NAME_PT, number),
         Mark("line", "arrow", "ink", (Vec(4, y), Vec(WIDTH_PT - 4, y)), number=number),
     ]
-    for value, text in ticks:
-        x = MARGIN_PT + (value - ticks[0][0]) * scale
+    figures = max(MIN_FIGURES, len(str(10 * max(map(abs, ticks)))))  # all of a tick's number, and none of its rounding
+    texts = {k: f"{k * step:.{figures}g}" for k in ticks}
+    widest = max(text_size(text)[0] for text in texts.values()) + TICK_GAP_PT
+    every = next(count for count in (1, 2, 4, 8) if count == 8 or count * step * scale >= widest)
+    for k, text in texts.items():
+        x = MARGIN_PT + (k - ticks[0]) * step * scale
         part = f"tick-{text}"
         marks.append(Mark(part, "segment", "ink", (Vec(x, y - TICK_PT), Vec(x, y + TICK_PT)), number=number))
-        spot = Vec(x, y - NUMBER_PT)
-        marks.append(Mark(f"{part}-name", "label", "guide", (spot,), number=number, text=text.replace("-", "−")))
+        if k % every == 0:
+            spot, text = Vec(x, y - NUMBER_PT), text.replace("-", "−")
+            marks.append(Mark(f"{part}-name", "label", "guide", (spot,), number=number, text=text))
     return marks
 
 

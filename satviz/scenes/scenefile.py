@@ -67,15 +67,18 @@ class Scene:
         return json.dumps(data, ensure_ascii=False)
 
     @staticmethod
-    def from_json(text: str) -> "Scene":
-        """Return the scene of a scene file's text; InvalidScene names the field that is wrong."""
+    def from_json(text: str, unnamed: str = "scene") -> "Scene":
+        """Return the scene of a scene file's text; InvalidScene names the field that is wrong.
+
+        A scene without a name is called `unnamed`.
+        """
         data = require_keys(
             parse(text, MAX_CHARS), "the scene", {"satviz", "a", "b"}, {"name", "title", "axes", "every_axis"}
         )
         if data["satviz"] != "scene 1":
             raise InvalidScene('"satviz" must be "scene 1", the name of the format')
         return Scene(
-            name=require_type(data.get("name", "scene"), "name", str),
+            name=require_type(data.get("name", unnamed), "name", str),
             a=shape_from(data["a"], "a"),
             b=shape_from(data["b"], "b"),
             axes=require_type(data.get("axes", "needed"), "axes", str),
@@ -112,7 +115,10 @@ def with_axes(found: Scene, axes: str | Chooser | Shortcut) -> Scene:
 
 
 def load(path: str | Path) -> Scene:
-    """Return the Scene in the file at `path`; InvalidScene if it cannot be read or holds none."""
+    """Return the Scene in the file at `path`; InvalidScene if it cannot be read or holds none.
+
+    A scene without a name has that of its file, so two such scenes are not drawn into the same files.
+    """
     path = Path(path)
     try:
         if not S_ISREG(path.stat().st_mode):  # a pipe would wait for its writer, a device may never end
@@ -125,7 +131,7 @@ def load(path: str | Path) -> Scene:
     except UnicodeDecodeError:
         raise InvalidScene(f"{path}: not UTF-8 text") from None
     try:
-        return Scene.from_json(text)
+        return Scene.from_json(text, re.sub("[^a-z0-9]+", "-", path.stem.lower())[:60].strip("-") or "scene")
     except InvalidScene as error:
         raise InvalidScene(f"{path}: {error}") from None
 

@@ -166,6 +166,9 @@ class Calls(Keyed):
         flat = self.numbers([a for a in arguments if not isinstance(self.resolve(a), (Group, Obj))]) or []
         if not points and len(flat) >= 3:
             points, flat = [(flat[0], flat[1])], flat[2:]
+        self._refuse_expressions(arguments)
+        if not points and not place and len(flat) == 2 < len(group.items):  # circle(i, 5, 1)
+            self.numbers(group.items)
         if not flat and named.get("radius") is not None:
             flat = [self.number(named.get("radius"))]
         if not flat:
@@ -184,6 +187,15 @@ class Calls(Keyed):
             flat[0], said = flat[0] / 2, "a circle by its center and diameter"
         x, y = (x + place[0], y + place[1]) if place else (x, y)
         return [Read(((x, y),), flat[0], said, group.start, group.end, label, used=used)]
+
+    def _refuse_expressions(self, arguments: Sequence[Any]) -> None:
+        """Raise Unreadable for a call before a number that is no point and no color: Circle(sqrt(4), 0, 1)."""
+        last_number = max((i for i, a in enumerate(arguments) if self._is_number(a)), default=0)
+        last_point = max((i for i, a in enumerate(arguments) if self.point(a)), default=0)
+        for argument in arguments[last_point:last_number]:
+            value = self.resolve(argument)
+            if isinstance(value, Group) and value.name and not notation(value.name) and not self.point(value):
+                self.number(argument)
 
     def _refuse_names(self, arguments: Sequence[Any]) -> None:
         """Raise Unreadable for a name among numbers: Circle(x, y, 10)."""

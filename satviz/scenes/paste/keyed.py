@@ -120,7 +120,8 @@ class Keyed(Boxes):
             return [self._turned(s, angle, unit, self.pivot(s, place)) if angle is not None else s for s in found]
         inner = [s for v in obj.rest if not isinstance(v, Name) for s in self.shapes(v, label)]
         for name, value in obj.fields.items():
-            if not (isinstance(kind, Name) and name in ("bbox", "properties")):
+            hole = inner and str(name).lower() in ("holes", "interiors")
+            if not hole and not (isinstance(kind, Name) and name in ("bbox", "properties")):
                 wrapper = isinstance(name, int) or name in ("geometry", "features", "geometries", "shape")
                 held = str(name).lower() in BODY_SHAPES
                 found = self.shapes(value, label if wrapper or held else str(name).split(" (")[0])

@@ -1,6 +1,7 @@
 """What a text gives a name: lines as assignments, names as values, groups of pairs as objects."""
 
 import re
+from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
@@ -23,12 +24,15 @@ class Obj(Value):
     fields: dict[str | int, Any] = field(default_factory=dict)
     rest: list[Any] = field(default_factory=list)
     twice: str = ""  # a key that is given twice
+    earlier: dict[str | int, list[Any]] = field(default_factory=dict)  # the values that a name had before
 
     def before(self, name: str, place: int) -> Any:
         """Return the value that a name had at a place in the text, or None: the last one that was assigned before."""
-        found = [v for k, v in self.fields.items() if k == name or str(k).startswith(f"{name} (")]
-        earlier = [v for v in found if v.start <= place and not _holds(v, place)]
-        return max(earlier, key=lambda v: v.start, default=None)
+        last, earlier = self.fields.get(name), self.earlier.get(name, [])
+        if last is not None and last.start <= place and not _holds(last, place):
+            return last
+        begun = bisect_right(earlier, place, key=lambda v: v.start)
+        return next((v for v in reversed(earlier[:begun]) if not _holds(v, place)), None)
 
     def get(self, *meanings: str) -> Any:
         """Return the value of the first key with one of these meanings, or None."""
@@ -68,6 +72,7 @@ class Names:
         if last in node.fields:
             old = node.fields.pop(last)
             node.fields[f"{last} ({len(node.fields)})"] = old
+            node.earlier.setdefault(last, []).append(old)
         value = pair.value
         declared = notation(pair.before) if pair.before and isinstance(value, Group) and not value.name else None
         if declared and declared.kind in (BOX, CIRCLE, OTHER_SHAPE) and value.bracket in "({":  # Rect r = {0, 0, 1, 1}

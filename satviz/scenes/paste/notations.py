@@ -128,6 +128,7 @@ NOTATIONS = (
     Notation("multipolygon geometrycollection featurecollection multipolygon! scene world", MANY),
 )
 NAMES = {name: row for row in NOTATIONS for name in row.names.split()}
+MAX_WORDS = max(len(re.split(r"\.|::|->", name)) for name in NAMES)
 
 # Calls with the numbers of two shapes: the notation of each, and how many numbers it has.
 TWO_SHAPES = {
@@ -261,7 +262,7 @@ def notation(name: str) -> Notation | None:
     plain = name.lower().split("<")[0].rstrip("!") if "<" in name else name.lower()
     for ending in ("::new", "::from", ".new"):
         plain = plain.removesuffix(ending) if plain not in NAMES else plain
-    words = plain.replace("::", ".").replace("->", ".").split(".")
+    words = plain.replace("::", ".").replace("->", ".").split(".")[-MAX_WORDS:]
     for candidate in (plain, *(".".join(words[i:]) for i in range(len(words))), words[-1].rstrip("!")):
         if candidate in NAMES:
             return NAMES[candidate]

@@ -30,6 +30,7 @@ from .tokens import CLOSE, FIELD, LINE, MARK, NAME, NUMBER, OPEN, OTHER, TEXT, T
 from .tree import Bad, Group, Name, Num, Pair
 
 MAX_DEPTH = 24
+MAX_WORDS_BETWEEN = 60  # between a shape and the word that separates it from the next one
 LEAST = 3  # corners of an outline
 PAIRS = {"(": ")", "[": "]", "{": "}"}
 SEPARATORS = frozenset(["vs", "versus", "and", "against", "intersects", "overlaps", "touches", "collides"])
@@ -160,7 +161,8 @@ class _Parser:
         arrow = token.kind == MARK and token.text in ARROWS
         if not arrow and not (token.kind == NAME and token.text.lower() in SEPARATORS):
             return False
-        said = any(isinstance(a, Group) or (isinstance(a, Token) and a.kind in (NUMBER, TEXT)) for a in atoms)
+        near = atoms[-MAX_WORDS_BETWEEN:]
+        said = any(isinstance(a, Group) or (isinstance(a, Token) and a.kind in (NUMBER, TEXT)) for a in near)
         if said and self.at < len(self.tokens) and self.tokens[self.at].text == ".":
             self.at += 1  # vs.
         return (said or bool(row)) and not (atoms and is_mark(atoms[-1], ("=", ":", ":=")))
@@ -198,10 +200,12 @@ class _Parser:
 
     # -- one item
 
-    def value(self, atoms: list[Any], bracket: str) -> Any:
-        """Return the value of the atoms between two separators; None where there is none."""
+    def value(self, atoms: list[Any], bracket: str, keys: int = 0) -> Any:
+        """Return the value of the atoms between two separators, after so many keys; None where there is none."""
         if not atoms:
             return None
+        if keys > MAX_DEPTH:
+            return Bad(start_of(atoms[0]), end_of(atoms[-1]), "too many keys for one value")
         if pairs := self.run_of_pairs(atoms, bracket):
             return pairs
         mark = next((i for i, a in enumerate(atoms) if is_mark(a, ("=", ":=", "=>", ":"))), None)
@@ -219,7 +223,7 @@ class _Parser:
             if second and isinstance(after[0], Token) and after[0].kind == NUMBER:
                 rest: Any = Bad(start_of(after[0]), end_of(after[-1]), "two values for one key")
             else:
-                rest = self.value(after, bracket)
+                rest = self.value(after, bracket, keys + 1)
             if rest is None:  # nothing follows the sign: a heading such as `body:`, or a slip among numbers
                 groups = [a for a in atoms[:mark] if isinstance(a, Group)]
                 slips = groups or any(isinstance(a, Token) and a.kind == NUMBER for a in atoms[:mark])
@@ -238,7 +242,7 @@ class _Parser:
             found = self.joined(atoms[:mark])[0]
             before = [a for a in found if isinstance(a, Group) and a.bracket in "({" and a.items]
             return Group(pair.start, pair.end, [*before, pair], "+") if before else pair  # {x: 1, y: 2} radius: 5
-        return self.plain(atoms)
+        return self.plain(atoms, is_line=not bracket and not keys)
 
     def run_of_pairs(self, atoms: list[Any], bracket: str) -> Group | None:
         """Return the pairs of `x: 0 y: 0 width: 4`, where no comma stands between them; None for anything else."""
@@ -259,11 +263,16 @@ class _Parser:
             pairs.append(found)
         return Group(pairs[0].start, pairs[-1].end, pairs, "+")
 
-    def plain(self, atoms: list[Any]) -> Any:
-        """Return the value of atoms that contain no `=` and no `:`."""
+    def plain(self, atoms: list[Any], *, is_line: bool) -> Any:
+        """Return the value of atoms that contain no `=` and no `:`; a line can begin with a bullet."""
         first = next((i for i, a in enumerate(atoms) if not says_nothing(a)), len(atoms))
         atoms = atoms[first:]
         if len(atoms) > 1 and is_operator(atoms[0]) and not (isinstance(atoms[1], Token) and atoms[1].kind == NUMBER):
+            touches = atoms[0].text in "+-\u2212" and end_of(atoms[0]) == start_of(atoms[1])
+            signed = atoms[0].text != "+" and not (is_line and len(atoms) > 2)
+            if touches and (signed or is_operator(atoms[1])):  # -x, -Vec2(1, 2), ++x
+                hides = any(map(is_long, self.joined(atoms[1:])[0]))
+                return Bad(start_of(atoms[0]), end_of(atoms[-1]), "an expression, which is not evaluated", hides=hides)
             atoms = atoms[1:]  # a bullet before a line
         if not atoms:
             return None
@@ -379,6 +388,8 @@ class _Parser:
                 if isinstance(index, Num) and index.value is not None and index.value.denominator == 1:
                     parts.append(int(index.value))
                     self.indices.add(index.end)
+                elif isinstance(index, Name) and self.text[index.start] in "'\"":  # b["x"] = 20
+                    parts.append(index.text)
         return tuple(parts)
 
 

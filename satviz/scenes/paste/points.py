@@ -90,7 +90,7 @@ class Points(Statements):
             return ZERO
         if len(items) == 2 and any(isinstance(v, Num) for v in items) and (not row or row.kind == POINT):
             call = next((v for v in items if isinstance(v, Group) and v.name and not notation(v.name)), None)
-            if call is not None and not value.name and self.point(call) is None:
+            if call is not None and (not value.name or row) and self.point(call) is None:
                 self.number(call)  # says that it is not evaluated
         if len(items) not in (2, 3) or any(isinstance(self.resolve(v), (Group, Obj)) for v in items):
             return None

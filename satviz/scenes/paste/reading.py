@@ -43,6 +43,8 @@ from .points import ZERO, Pt, angle_of, places
 from .statements import ATTACHERS
 from .tree import Bad, Group, Name, Num, Pair, Value
 
+MAX_PROBLEMS = 50  # of what is not read; fewer are shown
+
 
 class Reader(Calls):
     """Reads a tree once, with the readings that were chosen; `problems` says what could not be read."""
@@ -106,7 +108,8 @@ class Reader(Calls):
             part = short(self.text[value.start : value.end]) if isinstance(value, Value) else ""
             if isinstance(value, Value) and not part.endswith("..."):
                 self.named.append((value.start, value.end))
-            if (text := f"{where}{error} (in {part})") not in self.problems:
+            text = f"{where}{error} (in {part})"
+            if len(self.problems) < MAX_PROBLEMS and text not in self.problems:
                 self.problems.append(text)
         return []
 

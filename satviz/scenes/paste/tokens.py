@@ -46,7 +46,7 @@ _TOKEN = re.compile(
   | (?P<open>[(\[{])
   | (?P<close>[)\]}])
   | (?P<mark><-(?=[ ])|<?->|[\u2192\u2194\u21d2]|=>|==|:=|<=|>=|!=|[,;:=])
-  | (?P<other>.)
+  | (?P<other>\\.|.)
     """,
     re.VERBOSE | re.DOTALL,
 )
@@ -94,11 +94,19 @@ def tokens(text: str) -> list[Token]:
     if comma := _DECIMAL_COMMA.search(text):
         raise InvalidScene(f"{_short(comma[0])} has decimal commas: write the numbers with points, such as 0.5")
     found: list[Token] = []
-    for token in _scan(_PREFIX.sub(_blank, _PROMPT.sub(_blank, text))):
+    for token in _scan(_without_open_comments(_PREFIX.sub(_blank, _PROMPT.sub(_blank, text)))):
         found.append(token)
         if len(found) > MAX_TOKENS:
             raise InvalidScene(TOO_MANY)
     return found
+
+
+def _without_open_comments(text: str) -> str:
+    """Return the text without the signs of comments that are never closed; each would be searched to the end."""
+    for sign, end in (("/*", "*/"), ("<!--", "-->")):
+        last = text.rfind(end) + 1
+        text = text[:last] + text[last:].replace(sign, sign[0].ljust(len(sign)))
+    return text
 
 
 def _blank(match: re.Match[str]) -> str:

@@ -1,10 +1,11 @@
 """What became of each number of a text: one that stands in no shape is named, with the key or the call before it."""
 
 import re
-from bisect import bisect_left
+from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from itertools import groupby, takewhile
+from itertools import accumulate, groupby, takewhile
+from operator import itemgetter
 from typing import Any, NamedTuple
 
 from .boxes import Read
@@ -52,7 +53,9 @@ def unused(tree: Tree, reads: Sequence[Read], text: str, named: Sequence[tuple[i
     for token in tree.numbers:
         known.setdefault(token.end, Left(token.start, token.end, "", token.value))
     unread = dict(_unread(tree, tree.root, used))
-    unnamed = (left for left in known.values() if not any(start <= left.start < end for start, end in named))
+    spans = sorted(named)
+    reach = list(accumulate((end for _, end in spans), max, initial=0))  # how far the first k parts reach
+    unnamed = (v for v in known.values() if v.start >= reach[bisect_right(spans, v.start, key=itemgetter(0))])
     rest = sorted((left for left in unnamed if left.end not in used), key=lambda left: left.start)
     not_read = [left._replace(key=unread[left.end]) for left in rest if left.end in unread]
     read = [left for left in rest if left.end not in unread]

@@ -13,6 +13,22 @@ import { keepSolved } from "./solved.js";
 export const SITE = new URL(".", location.href).href;
 const ADDRESS_MS = 300; // the address follows the scene when it has rested so long
 
+/**
+ * Without Python a built-in scene has its picture, and any other one has none.
+ * @param {HTMLElement} root
+ * @param {string} fragment It names the scene.
+ * @returns {boolean} Is there a picture of the scene?
+ */
+export function showStill(root, fragment) {
+  const [name] = fragment.split("&");
+  if (!name || name === root.dataset.hash) return true;
+  const known = [...document.querySelectorAll(/** @type {"a"} */ (".offer a"))].some(({ hash }) => hash === `#${name}`);
+  // an element asks for its picture as soon as it is made
+  const shown = known ? [element("img", { src: `pictures/${name}.svg`, alt: "", class: "picture" })] : [];
+  root.firstElementChild?.replaceChildren(...shown);
+  return known;
+}
+
 export class ScenePlace {
   /**
    * @param {HTMLElement} root It is followed by its status, and by a paragraph with a link to the explorer.
@@ -46,22 +62,9 @@ export class ScenePlace {
     const withinPage = document.getElementById(fragment) !== null;
     if (this.widget && withinPage) return;
     this.opening = true;
-    if (this.linked && !this.widget && !withinPage) this.showStill(fragment);
+    if (this.linked && !this.widget && !withinPage) showStill(this.root, fragment);
     const query = this.linked ? location.search.slice(1) : "";
     this.python.send(this.name, { kind: "open", hash: fragment && !withinPage ? fragment : this.root.dataset.hash, query });
-  }
-
-  /**
-   * Until Python has started, a built-in scene has its picture, and any other one has none.
-   * @param {string} fragment
-   */
-  showStill(fragment) {
-    const [name] = fragment.split("&");
-    if (!name || name === this.root.dataset.hash) return;
-    const known = [...(this.sceneList?.querySelectorAll("a") ?? [])].some(({ hash }) => hash === `#${name}`);
-    // an element asks for its picture as soon as it is made
-    const shown = known ? [element("img", { src: `pictures/${name}.svg`, alt: "", class: "picture" })] : [];
-    this.root.firstElementChild?.replaceChildren(...shown);
   }
 
   /** @param {Start} start */
@@ -145,7 +148,7 @@ export function statusOf(root) {
 }
 
 /** @param {string} text */
-function decoded(text) {
+export function decoded(text) {
   try {
     return decodeURIComponent(text);
   } catch {

@@ -9,7 +9,7 @@ import { playFirstMinute } from "./first_minute.js";
 import { fitFrame } from "./fit_frame.js";
 import { slidingFrames } from "./frames.js";
 import { PythonWorker } from "./python_worker.js";
-import { SITE, ScenePlace, statusOf } from "./scene_place.js";
+import { decoded, SITE, ScenePlace, showStill, statusOf } from "./scene_place.js";
 import { showSolved } from "./solved.js";
 
 /**
@@ -56,7 +56,15 @@ const workerScript = document.body.dataset.python;
 
 /** @param {string} why */
 function stayStill(why) {
-  for (const root of scenes) statusOf(root).textContent = `${why}, so the picture stays still.`;
+  const linked = document.body.classList.contains("explorer");
+  const show = () => {
+    for (const root of scenes) {
+      const shown = !linked || showStill(root, decoded(location.hash.slice(1)));
+      statusOf(root).textContent = `${why}, so ${shown ? "the picture stays still" : "it cannot show the scene of this link"}.`;
+    }
+  };
+  show();
+  if (linked) addEventListener("hashchange", show);
 }
 
 if (!workerScript) stayStill("This copy of the site has no Python in it");
