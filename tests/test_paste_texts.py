@@ -94,6 +94,14 @@ def test_a_table_of_two_corners_is_one_of_boxes_and_of_three_one_of_triangles(ma
     assert all(len(each.vertices) == 3 for each in triangles.shapes)
 
 
+def test_a_table_with_sizes_is_none_of_corners():
+    boxes = sv.paste("x,y,half_width,half_height\n0,0,2,1\n9,9,1,1")
+    assert [each.bounds for each in boxes.shapes] == [(-2, -1, 2, 1), (8, 8, 10, 10)]
+    for names in ("x,y,rx,ry", "x,y,size,id"):
+        with pytest.raises(sv.InvalidScene, match="columns are of no one shape"):
+            sv.paste(names + "\n0,0,2,1\n9,0,1,1\n9,9,1,1")
+
+
 def test_a_hole_is_no_shape_of_its_own():
     for text in (
         "Polygon(shell=[(0, 0), (4, 0), (0, 3)], holes=[[(1, 1), (2, 1), (1, 2)]])",

@@ -101,9 +101,12 @@ def _tokens(table: Table) -> Iterator[Token]:
     columns.update({name: i for i, name in enumerate(names) if name in CORNERS})
     numeric = all(len(_numbers(row[i])) == 1 for row in table.rows for i in columns.values())
     boxed = any(all(name in columns for name in wanted) for wanted in _OBJECTS)
+    sized = not _SIZES.isdisjoint({*columns, *names})
     if boxed and numeric:
         for row in table.rows:
             yield from _object(table.names, row)
+    elif sized and numeric:
+        yield from _unknown(table)
     elif {"x", "y"} <= set(columns) and numeric:
         yield from _outlines(table, columns["x"], columns["y"])
     elif all(_POINT.fullmatch(cell.text) and len(_numbers(cell)) == 2 for row in table.rows for cell in row):
@@ -117,10 +120,12 @@ _OBJECTS = (
     ("x", "y", "radius"),
     ("x", "y", "diameter"),
     ("x", "y", "width", "height"),
+    ("x", "y", "halfwidth", "halfheight"),
     ("x0", "y0", "x1", "y1"),
     CORNERS,
     ("x0", "y0", "width", "height"),
 )
+_SIZES = frozenset(["size", "half", "halfwidth", "halfheight", "radius", "width", "height", "rx", "ry"])
 
 
 def _object(names: Sequence[str], row: Sequence[Cell]) -> Iterator[Token]:
