@@ -84,6 +84,16 @@ def test_a_color_before_the_center_of_a_circle_is_no_expression():
     assert (shape.read.points, shape.read.radius) == (((1, 2),), 3)
 
 
+@pytest.mark.parametrize("mark", [",", ";", "\t", " "])
+def test_a_table_of_two_corners_is_one_of_boxes_and_of_three_one_of_triangles(mark):
+    boxes = sv.paste(mark.join(("x1", "y1", "x2", "y2")) + "".join(f"\n{mark.join(row)}" for row in ("0044", "1155")))
+    assert [each.bounds for each in boxes.shapes] == [(0, 0, 4, 4), (1, 1, 5, 5)] and not boxes.questions
+    names = ("x1", "y1", "x2", "y2", "x3", "y3")
+    triangles = sv.paste(",".join(names) + "\n0,0,4,0,4,4\n1,1,5,1,5,5")
+    assert [each.bounds for each in triangles.shapes] == [(0, 0, 4, 4), (1, 1, 5, 5)]
+    assert all(len(each.vertices) == 3 for each in triangles.shapes)
+
+
 def test_a_hole_is_no_shape_of_its_own():
     for text in (
         "Polygon(shell=[(0, 0), (4, 0), (0, 3)], holes=[[(1, 1), (2, 1), (1, 2)]])",
