@@ -60,6 +60,8 @@ def test_a_missing_corner_and_lists_of_two_lengths_are_named():
         ("[(-w, -w), (w, -w), (w, w)]", "-w is not evaluated"),
         ("Circle(-Vec2(1, 2), 1)", r"-Vec2\(1, 2\) is not evaluated"),
         ("c = -np.array([(0, 0), (4, 0), (0, 3)])", "not evaluated"),
+        ("c = np.array([(0, 0), (4, 0), (0, 3)]) @ turn", "not evaluated"),
+        ("c = list(map(half, [(0, 0), (4, 0), (0, 3)]))", r"map\(\.\.\.\) is not evaluated"),
         ("circle(sqrt(4), 3, 1)", r"sqrt\(4\) is not evaluated"),
         ("circle(3, sqrt(4), 2, 1)", r"sqrt\(4\) is not evaluated"),
         ("Circle(Vec2(sqrt(4), 0), 1)", r"sqrt\(4\) is not evaluated"),
