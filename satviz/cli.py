@@ -360,6 +360,8 @@ def _speed(text: str) -> float:
 def _step_range(text: str) -> tuple[int, int]:
     """Return the first and the last step of "5" or "3-8"; ArgumentTypeError for anything else."""
     first, dash, last = text.partition("-")
+    if not first or (dash and not last):
+        raise argparse.ArgumentTypeError(f"{text!r} is not a step: give a number such as 5, or two such as 3-8")
     number = _whole_number(0, 10**6 - 1)
     found = number(first), number(last if dash else first)
     if found[0] > found[1]:
@@ -390,7 +392,7 @@ def _clash_of_draw(args: argparse.Namespace) -> str | None:
     if not files and (given := _first_given(args, *of_files)):
         printed = "a line" if "link" in formats else "a frame"
         return f"--format {min(formats)} prints {printed}: {given} is for files, so add the format of a file"
-    if files == {"html"} and args.theme:
+    if files == {"html"} and args.theme and "embed" not in formats:
         return "a page has both themes, and shows its reader's: leave out --theme, or add the format of a picture"
     return None
 

@@ -27,8 +27,6 @@ if TYPE_CHECKING:
     Job = tuple[Path, Callable[[], bytes]]  # a file, and what makes its content
 
 MAX_STEP_FILES = 120  # a longer run is drawn as one sheet unless --steps asks for a file of each step
-
-
 MAX_STEM = 80  # letters of a handout's file name
 
 

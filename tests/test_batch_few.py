@@ -820,3 +820,40 @@ def test_what_the_caller_changes_later_changes_no_batch(made_by):
                 assert made.bounds.tolist() == before and made.rings.x.max() < 100
                 assert not np.shares_memory(made.rings.x, given)
                 given[:] = saved
+
+
+@pytest.mark.parametrize(
+    ("function", "use"),
+    [
+        ("part_count", lambda shapes: shapes.part_count),
+        ("_closed_columns", lambda shapes: batch.colliding_pairs(shapes, engine="numpy").tolist()),
+    ],
+)
+def test_blocks_that_another_thread_joins_at_any_line_are_read_all_the_same(function, use):
+    boxes = batch.Polygons(np.array([[(0.0, 0), (2, 0), (2, 1), (0, 1)], [(1, 0), (3, 0), (3, 1), (1, 1)]]))
+    circles = batch.Circles(np.array([[2.0, 2], [9, 9]]), 1.0)
+    want, lines = use(batch.concat([boxes, circles])), 0
+
+    def joined_before(line):
+        """What `use` returns where the blocks are joined just before that line of the function."""
+        shapes, count = batch.concat([boxes, circles]), 0
+
+        def trace(frame, event, _):
+            nonlocal count, lines
+            if frame.f_code.co_name != function:
+                return None
+            if event == "line":
+                count += 1
+                lines = max(lines, count)
+                if count == line:
+                    shapes._joined()
+            return trace
+
+        before = sys.gettrace()
+        sys.settrace(trace)
+        try:
+            return use(shapes)
+        finally:
+            sys.settrace(before)
+
+    assert all(joined_before(line) == want for line in range(1, 10)) and lines >= 2

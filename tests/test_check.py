@@ -148,12 +148,24 @@ def leaves(a, b):
     raise SystemExit
 
 
+class Speechless(Exception):
+    def __str__(self):
+        raise RuntimeError
+
+
+def raises_without_words(a, b):
+    raise Speechless
+
+
 @pytest.mark.parametrize(
     ("fn", "finding", "line"),
     [
         (raising, "error", "raises ZeroDivisionError in line"),
         (forgets_to_return, "unreadable", "returns None: every way through the function must end in a return"),
         (returns_text, "unreadable", "returns 'yes': expected True or False"),
+        (lambda a, b: float("nan"), "unreadable", "returns nan: expected True or False"),
+        (lambda a, b: object(), "unreadable", "returns <object object at"),
+        (raises_without_words, "error", "raises Speechless in line"),
         (writes, "wrote", "changes its argument A"),
         (make_unsteady(), "unsteady", "changes its answer about the same shapes"),
         (without_end, "error", "calls itself without end (RecursionError)"),

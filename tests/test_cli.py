@@ -92,12 +92,21 @@ def test_draw_writes_one_step_or_some(tmp_path, capsys):
 
 def test_a_page_a_link_and_a_frame_ask_what_they_are_told_to(tmp_path, capsys):
     made = ["draw", "far-centers", "--predict", "--format", "html", "--out", str(tmp_path), "--format", "link"]
-    assert main([*made, "--format", "embed", "--site", "https://example.org/s"]) == 0
+    assert main([*made, "--format", "embed", "--site", "https://example.org/s", "--theme", "dark"]) == 0
     page, told = (tmp_path / "far-centers.html").read_text(), capsys.readouterr().out
     assert page == sv.page("far-centers", predict=True, title=sv.scene("far-centers").title)
     link, *frame = told.splitlines()[:-1]
     assert link == sv.link("far-centers", site="https://example.org/s", predict=True)
-    assert "\n".join(frame) == sv.embed("far-centers", site="https://example.org/s", predict=True).rstrip()
+    assert (
+        "\n".join(frame) == sv.embed("far-centers", site="https://example.org/s", predict=True, theme="dark").rstrip()
+    )
+
+
+@pytest.mark.parametrize("text", ["3-", "-", "-3"])
+def test_half_a_range_of_steps_is_refused_as_it_is_written(text, capsys):
+    with pytest.raises(SystemExit) as stop:
+        main(["draw", "triangles", f"--step={text}"])
+    assert stop.value.code == 2 and f"argument --step: {text!r} is not a step" in capsys.readouterr().err
 
 
 def test_a_caption_says_the_sentence_under_the_picture(tmp_path):

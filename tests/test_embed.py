@@ -52,6 +52,12 @@ def test_a_query_of_a_stranger_is_refused_and_the_page_says_why(text):
     assert reply["kind"] == "refused" and reply["why"]
 
 
+@pytest.mark.parametrize("options", [EmbedOptions(theme="dark&play"), EmbedOptions(show=("tools,table",))])
+def test_options_that_would_be_read_as_others_are_refused(options):
+    with pytest.raises(InvalidScene, match="cannot be written"):
+        query(options)
+
+
 def test_what_other_programs_add_to_an_address_changes_nothing():
     assert parse_query("embed&utm_source=x&fbclid=%3Cb%3E&") == EmbedOptions()
 

@@ -120,6 +120,20 @@ def test_ticks_fit_any_scale(axes):
     assert 6 <= sum(mark.kind == "segment" for mark in drawn.marks) <= 20
 
 
+@pytest.mark.parametrize(("start", "size"), [(0, 1), (0, 1e-12), (0, 1e5), (1e6, 1), (1e15, 1), (-1e6, 0.125)])
+def test_each_tick_has_its_own_number_and_there_is_space_for_it(start, size):
+    def square(x):
+        return sv.Polygon([(x, start), (x + size, start), (x + size, start + size), (x, start + size)])
+
+    drawn = number_lines(sv.record(square(start), square(start + 2 * size)), filled=True)
+    names = [mark for mark in drawn.marks if mark.part.endswith("-name") and "tick" in mark.part and mark.number == 1]
+    values = [float(mark.text.replace("−", "-")) for mark in names]
+    assert len(values) >= 2 and values == sorted(set(values))
+    assert len({round((q - p) / size, 6) for p, q in pairwise(values)}) == 1
+    for p, q in pairwise(names):
+        assert p.points[0].x + text_size(p.text)[0] / 2 < q.points[0].x - text_size(q.text)[0] / 2
+
+
 @pytest.mark.parametrize("width", [4, 30, 400])
 def test_the_numbers_of_two_ticks_have_a_space_between_them(width):
     a = sv.Polygon([(0, 0), (width, 0), (width, 3), (0, 3)])

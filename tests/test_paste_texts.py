@@ -60,6 +60,8 @@ def test_a_missing_corner_and_lists_of_two_lengths_are_named():
         ("[(-w, -w), (w, -w), (w, w)]", "-w is not evaluated"),
         ("Circle(-Vec2(1, 2), 1)", r"-Vec2\(1, 2\) is not evaluated"),
         ("c = -np.array([(0, 0), (4, 0), (0, 3)])", "not evaluated"),
+        ("c = np.array([(0, 0), (4, 0), (0, 3)]) @ turn", "not evaluated"),
+        ("c = list(map(half, [(0, 0), (4, 0), (0, 3)]))", r"map\(\.\.\.\) is not evaluated"),
         ("circle(sqrt(4), 3, 1)", r"sqrt\(4\) is not evaluated"),
         ("circle(3, sqrt(4), 2, 1)", r"sqrt\(4\) is not evaluated"),
         ("Circle(Vec2(sqrt(4), 0), 1)", r"sqrt\(4\) is not evaluated"),
@@ -82,6 +84,24 @@ def test_a_line_may_begin_with_a_bullet_without_a_space():
 def test_a_color_before_the_center_of_a_circle_is_no_expression():
     (shape,) = sv.paste("draw.circle(screen, Color(255, 0, 0), (1, 2), 3)").readings
     assert (shape.read.points, shape.read.radius) == (((1, 2),), 3)
+
+
+@pytest.mark.parametrize("mark", [",", ";", "\t", " "])
+def test_a_table_of_two_corners_is_one_of_boxes_and_of_three_one_of_triangles(mark):
+    boxes = sv.paste(mark.join(("x1", "y1", "x2", "y2")) + "".join(f"\n{mark.join(row)}" for row in ("0044", "1155")))
+    assert [each.bounds for each in boxes.shapes] == [(0, 0, 4, 4), (1, 1, 5, 5)] and not boxes.questions
+    names = ("x1", "y1", "x2", "y2", "x3", "y3")
+    triangles = sv.paste(",".join(names) + "\n0,0,4,0,4,4\n1,1,5,1,5,5")
+    assert [each.bounds for each in triangles.shapes] == [(0, 0, 4, 4), (1, 1, 5, 5)]
+    assert all(len(each.vertices) == 3 for each in triangles.shapes)
+
+
+def test_a_table_with_sizes_is_none_of_corners():
+    boxes = sv.paste("x,y,half_width,half_height\n0,0,2,1\n9,9,1,1")
+    assert [each.bounds for each in boxes.shapes] == [(-2, -1, 2, 1), (8, 8, 10, 10)]
+    for names in ("x,y,rx,ry", "x,y,size,id"):
+        with pytest.raises(sv.InvalidScene, match="columns are of no one shape"):
+            sv.paste(names + "\n0,0,2,1\n9,0,1,1\n9,9,1,1")
 
 
 def test_a_hole_is_no_shape_of_its_own():

@@ -19,7 +19,7 @@ from refresh_charts import charts as guide_charts
 from satviz import Polygon
 from satviz.cli import main
 from satviz.pictures import THEMES
-from satviz.study import bench_chart, run, truth
+from satviz.study import bench_chart, frames_chart, run, truth
 from satviz.study.bench import CHECKED_BY, TimingRow
 from satviz.study.harness.cells import Cell, Failure, Settings, run_cells
 from satviz.study.harness.chart import Chart, add_axes, theme_suffix, wilson_interval
@@ -223,6 +223,7 @@ def test_the_command_does_every_section_and_says_where_to_begin(tmp_path, capsys
 GUIDES = "".join(path.read_text(encoding="utf-8") for path in FIGURES.parent.glob("satviz/guides/*.md"))
 IN_GUIDES, STORED = guide_charts(), stored_run()
 SPEED, BENCH = STORED["rows"]["speed-against-accuracy"], load(FIGURES / "bench.json")
+FRAMES = load(FIGURES / "frames.json")
 
 
 @pytest.mark.parametrize("stem", IN_GUIDES)
@@ -261,6 +262,37 @@ def test_the_guide_tells_where_satviz_is_slower_than_shapely():
     assert not slower["satviz numba"] and {key[0] for key in slower["satviz numpy"]} == {"corners"}
     corners = min(key[2] for key in slower["satviz numpy"])
     assert f"slower than shapely only with the NumPy engine, for polygons from {corners} corners on." in GUIDES
+    frames = {(r["work"], r["size"], r["method"]): r["time"] for r in FRAMES["rows"] if r["section"] == "frames"}
+    behind = {engine: [size for (work, size, method), time in frames.items() if method.endswith("STRtree")
+                       and frames[work, size, engine] > time] for engine in ENGINES}  # fmt: skip
+    said = f"STRtree only with the NumPy engine, in scenes of up to {max(behind['satviz numpy']):,} shapes."
+    assert not behind["satviz numba"] and said in GUIDES
+
+
+def test_the_guide_tells_where_short_programs_in_floats_are_the_fastest():
+    fastest = {}
+    for row in FRAMES["rows"]:
+        if row["section"] == "frames":
+            key = row["work"], row["size"]
+            fastest[key] = min(fastest.get(key, (row["time"], row["method"])), (row["time"], row["method"]))
+    programs = {key for key, (_, method) in fastest.items() if method in frames_chart.SHORT_PROGRAMS}
+    few = min(size for _, size in fastest.keys() - programs)
+    last = max(size for _, size in fastest if size < few)
+    assert f"For up to {last:,} shapes, a short program that answers in floats is the fastest" in GUIDES
+    assert {key for key in fastest if key[0] == "boxes"} <= programs and "for boxes it is at every size" in GUIDES
+
+
+def test_the_guide_tells_how_many_pairs_repay_the_start_of_numba():
+    times = {(r["section"], r["work"], r["method"]): r["time"] for r in BENCH["rows"]}
+    numpy, numba = (times["starts", "the first answer of a new process", engine] for engine in
+                    ("satviz numpy", "satviz numba"))  # fmt: skip
+    triangles, mixed = (
+        (numba - numpy) / (times["pairs", work, "satviz numpy"] - times["pairs", work, "satviz numba"])
+        for work in ("triangles", "mixed, 3 to 8 corners")
+    )
+    said = f"with up to {triangles:.0f} million pairs of triangles, or "
+    said += f"{mixed:.0f} million pairs of polygons with 3 to 8 corners"
+    assert said in GUIDES
 
 
 def test_the_bench_in_the_readme_was_measured_on_a_quiet_machine_and_none_was_wrong():

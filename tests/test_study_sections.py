@@ -640,3 +640,11 @@ def test_every_method_says_what_it_is():
         found = all_methods(circles=circles_too)
         assert len({(m.language, m.name) for m in found}) == len(found) > 5 - 2 * circles_too
     assert {m.language for m in all_methods()} >= {COMPILED, PYTHON}
+
+
+def test_the_title_of_the_stack_says_whether_float64_rests_as_still_as_exact_tests():
+    stored = CHARTS["resting-stack"]
+    assert "rests as still with float64" in stored.title
+    moved = [row | {"jitter": 0.3} if row["test"] == "float64" else row for row in stored.rows]
+    title = resting_stack.chart(moved, Settings(quick=False, seed=1)).title
+    assert "rests less still with float64 (jitter 300 mm) than with exact tests" in title

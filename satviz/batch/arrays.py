@@ -134,9 +134,8 @@ class Shapes:
         """Return the number of convex parts: more than `len` where concave polygons were split."""
         if "groups" in vars(self):
             return sum(group.x.shape[1] for group in self.groups.values())
-        if "blocks" in vars(self):
-            return sum(block.shape[2] for block in self.blocks)
-        return len(self.count)
+        blocks = vars(self).get("blocks")  # asked once, since another thread may join them
+        return len(self.count) if blocks is None else sum(block.shape[2] for block in blocks)
 
     def __repr__(self) -> str:
         kinds = zip(*np.unique(self.count, return_counts=True), strict=True)

@@ -61,7 +61,10 @@ class CalledHere:
 
 def error_line(error: BaseException, fn: Callable[..., Any] | None = None) -> str:
     """Return one line on an exception: its type, its words, and the line of the function's own file."""
-    words = short_repr(str(error))[1:-1]
+    try:
+        words = short_repr(str(error))[1:-1]
+    except Exception:  # of its own __str__
+        words = ""
     file = getattr(fn, "file", None) or getattr(getattr(fn, "__code__", None), "co_filename", None)
     lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if file and frame.filename == file]
     place = f" in line {lines[-1]}" if lines else ""

@@ -15,6 +15,7 @@ NAME_PT, NUMBER_PT, TICK_PT = 31.0, 16.0, 5.0  # a name above its line, the numb
 TRACK_PT = 9.0  # from a line to A's bar above it and to B's bar above that
 MAX_TICKS = 16
 TICK_GAP_PT = 6.0  # between the numbers of two ticks, at least
+MIN_FIGURES = 6  # of a tick's number
 
 
 def number_lines(trace: Trace, *, filled: bool) -> Picture:
@@ -54,15 +55,17 @@ def _line(row: Row, number: int, y: float, ticks: range, step: float, scale: flo
         text_from("name", truncate(name, WIDTH_PT - 2 * MARGIN_PT), "ink", MARGIN_PT, y + NAME_PT, number),
         Mark("line", "arrow", "ink", (Vec(4, y), Vec(WIDTH_PT - 4, y)), number=number),
     ]
-    texts = {k: f"{round(k * step, 12) + 0.0:g}".replace("-", "−") for k in ticks}
+    figures = max(MIN_FIGURES, len(str(10 * max(map(abs, ticks)))))  # all of a tick's number, and none of its rounding
+    texts = {k: f"{k * step:.{figures}g}" for k in ticks}
     widest = max(text_size(text)[0] for text in texts.values()) + TICK_GAP_PT
     every = next(count for count in (1, 2, 4, 8) if count == 8 or count * step * scale >= widest)
     for k, text in texts.items():
         x = MARGIN_PT + (k - ticks[0]) * step * scale
-        part = f"tick-{k * step:g}"
+        part = f"tick-{text}"
         marks.append(Mark(part, "segment", "ink", (Vec(x, y - TICK_PT), Vec(x, y + TICK_PT)), number=number))
         if k % every == 0:
-            marks.append(Mark(f"{part}-name", "label", "guide", (Vec(x, y - NUMBER_PT),), number=number, text=text))
+            spot, text = Vec(x, y - NUMBER_PT), text.replace("-", "−")
+            marks.append(Mark(f"{part}-name", "label", "guide", (spot,), number=number, text=text))
     return marks
 
 

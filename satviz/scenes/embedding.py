@@ -51,7 +51,8 @@ def query(options: EmbedOptions) -> str:
     if options.show:
         words.append(f"show={','.join(options.show)}")
     made = "&".join(words)
-    parse_query(made)
+    if parse_query(made)._replace(steps=None) != options._replace(steps=None):
+        raise InvalidScene(f"the options cannot be written in an address: {short_repr(made)}")
     return made
 
 

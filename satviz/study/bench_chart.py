@@ -48,7 +48,12 @@ def bench_chart(rows: Sequence[TimingRow], warning: str) -> Chart:
 
     summary = [_summary(method, charted, corners) for method in _methods_in(charted) if method in ENGINES]
 
-    title = "Speed of satviz's batch beside shapely's"
+    title = "; ".join(
+        f"{method} is {_range_in_words([ratio.times for ratio in ratios if ratio.method == method])} as fast as "
+        "shapely unprepared"
+        for method in _methods_in(charted)
+        if method in ENGINES
+    )
     works = list(dict.fromkeys(ratio.work for ratio in charted))
     lines = [SUBTITLE, *summary]
     head = head_height(title, lines)
@@ -77,7 +82,7 @@ def _summary(method: str, charted: Sequence[SpeedRatio], corners: Sequence[Timin
     """Return in one line a method's largest ratio, to shapely unprepared and prepared, and where it is slower."""
     most = max((r for r in charted if r.method == method), key=lambda r: r.times)
     prepared = next((r for r in charted if (r.work, r.method) == (most.work, PREPARED)), None)
-    text = f"{method}: up to {_times_in_words(most.times)} as fast"
+    text = f"{method}: in the first chart up to {_times_in_words(most.times)} as fast"
     text += f", {_times_in_words(most.times / prepared.times)} as fast as prepared" if prepared else ""
     works = sum(r.method == method and r.times < 1 for r in charted)
     many = []
@@ -136,6 +141,11 @@ def _methods_in(ratios: Sequence[SpeedRatio]) -> list[str]:
 def _times_in_words(times: float) -> str:
     """Return a speed ratio in words: "12 times", or "3.4 times" with one decimal below 10."""
     return f"{times:.0f} times" if times >= 10 else f"{times:.1f} times"
+
+
+def _range_in_words(times: Sequence[float]) -> str:
+    """Return the smallest and the largest of these speed ratios in words: "0.5 to 46 times"."""
+    return " to ".join(dict.fromkeys((_times_in_words(min(times)).removesuffix(" times"), _times_in_words(max(times)))))
 
 
 def _draw_ratios(fig: Figure, theme: Theme, ratios: Sequence[SpeedRatio], head: float) -> None:

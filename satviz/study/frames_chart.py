@@ -51,7 +51,7 @@ def frames_chart(rows: Sequence[TimingRow], warning: str) -> Chart:
     fastest = {work: fastest_by_size(times) for work, times in works.items()}
     below = {work: [crossings(times, m) for m in sorted(ENGINES) if m in times] for work, times in works.items()}
     differences = [words for method, words in DIFFERENCES.items() if any(method in times for times in works.values())]
-    notes = [*_notes_of_arrays(rows), " ".join(differences)]
+    notes = [*_notes_of_arrays(rows), " ".join([*differences, *_stopped_early(works)])]
     reading = " ".join(f"{work.capitalize()}. {fastest[work]} {' '.join(said)}" for work, said in below.items())
     counted = (
         f"Wrong answers {whose}: {wrong}."
@@ -154,6 +154,15 @@ def crossings(times: Times, engine: str) -> str:
         than = [f"than {' and '.join(rivals)} {where}" for where, rivals in found.items()]
         parts += [f"{word} {', '.join(than)}"] if than else []
     return f"{engine}: {'; '.join(parts)}." if parts else f"{engine}: timed alone."
+
+
+def _stopped_early(works: Mapping[str, Times]) -> Iterator[str]:
+    """Yield a sentence for the methods that were not timed up to the largest size: where each of them ends."""
+    ends: dict[str, int] = {}
+    for times in works.values():
+        ends |= {method: max(own) for method, own in times.items()}
+    for last in sorted({*ends.values()} - {max(ends.values())}):
+        yield f"Timed up to {last:,} shapes only: {', '.join(m for m, end in ends.items() if end == last)}."
 
 
 def _from_to(sizes: Sequence[int]) -> str:

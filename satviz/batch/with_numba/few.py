@@ -36,8 +36,8 @@ def colliding_pairs(shapes: Shapes) -> Pairs | None:
     if "groups" in vars(shapes) and len(shapes.groups) == 1:
         (group,) = shapes.groups.values()
         pairs, decided = _collide_columns(group.x, group.y, NO_RADII if group.r is None else group.r)
-    elif "blocks" in vars(shapes) and len(shapes.blocks) <= MAX_BLOCKS:
-        pairs, decided = _collide_blocks(*shapes.blocks, *[NO_BLOCK] * (MAX_BLOCKS - len(shapes.blocks)))
+    elif (blocks := vars(shapes).get("blocks")) is not None and len(blocks) <= MAX_BLOCKS:
+        pairs, decided = _collide_blocks(*blocks, *[NO_BLOCK] * (MAX_BLOCKS - len(blocks)))
     else:
         pairs, decided = _collide(*shapes.rings, shapes.radius)
     return pairs if decided else None

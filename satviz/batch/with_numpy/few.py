@@ -223,8 +223,8 @@ def _closed_columns(shapes: Shapes) -> tuple[Array | None, Array | None]:
         return xy.take(CLOSING[corners, : corners + 1], axis=1), group.r
     if not 1 < shapes.part_count <= MAX_SHAPES:
         return None, None
-    if "blocks" in vars(shapes):
-        return _closed_blocks(shapes.blocks)
+    if (blocks := vars(shapes).get("blocks")) is not None:  # asked once, since another thread may join them
+        return _closed_blocks(blocks)
     if shapes.max_corners > MAX_CORNERS:
         return None, None
     x, y, start = shapes.rings

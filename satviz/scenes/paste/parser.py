@@ -293,8 +293,9 @@ class _Parser:
                 return Pair(
                     start, end, (values[0].text,), Group(values[1].start, end, values[1:], "[")
                 )  # poly << P(0, 0)
-            if any(o in OPERATORS for o in operators):
-                return Bad(start, end, "an expression, which is not evaluated", hides=any(map(is_long, values)))
+            hides = any(map(is_long, values))
+            if any(o in OPERATORS for o in operators) or (hides and "@" in operators):  # a matrix product of Python
+                return Bad(start, end, "an expression, which is not evaluated", hides=hides)
             return Bad(start, end, "not a number", [v for v in values if isinstance(v, Group)])
         if len(values) == 1:
             return values[0]

@@ -130,6 +130,8 @@ class Reader(Calls):
         if kind in (POINT, MOVE):
             self._refuse_methods(group)  # Point(0, 0).buffer(1)
             return []
+        if group.name == "map" and self._has_numbers(group):
+            raise Unreadable("map(...) is not evaluated: write the result")
         if group.name == "LINESTRING":
             raise Unreadable("a line is not a polygon: satviz takes outlines with an area")
         if kind == ARC:

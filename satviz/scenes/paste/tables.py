@@ -14,6 +14,7 @@ _IDENTIFIER = re.compile(r"[^\W\d]\w*")
 _POINT = re.compile(r"[(\[{].*[)\]}]")
 _COLUMNS = {mark: re.compile(rf"[^{mark}]+") for mark in "|,;	"}
 _SPACED = re.compile(r"\S+")
+CORNERS = ("x1", "y1", "x2", "y2")
 MAX_LINE = 400  # characters of a line of a table
 
 
@@ -67,7 +68,9 @@ def _table(lines: Sequence[Cell], number: int) -> tuple[Table | None, int]:
     after = number + 1
     if len(names) < 2 or not all(_WORD.fullmatch(name) for name in names):
         return None, after
-    known = {key(name) for name in names} - {""}
+    lower = {name.lower() for name in names}
+    corners = lower & set(CORNERS) if "x3" not in lower else set()  # of a box, and not of a triangle
+    known = {key(name) for name in names} - {""} | corners
     owned = sum(bool(key(re.split(r"[_ .]", name)[-1])) for name in names)  # player_x, player_y
     if len(known) < 2 and owned < 2 and mark != "|":
         return None, after
@@ -95,12 +98,15 @@ def _tokens(table: Table) -> Iterator[Token]:
     """Yield the tokens of a table of shapes or points; none for a table of other things."""
     columns = {key(name): i for i, name in enumerate(table.names) if key(name)}
     names = [name.lower() for name in table.names]
-    columns.update({name: i for i, name in enumerate(names) if name in ("x1", "y1", "x2", "y2")})
+    columns.update({name: i for i, name in enumerate(names) if name in CORNERS})
     numeric = all(len(_numbers(row[i])) == 1 for row in table.rows for i in columns.values())
     boxed = any(all(name in columns for name in wanted) for wanted in _OBJECTS)
+    sized = not _SIZES.isdisjoint({*columns, *names})
     if boxed and numeric:
         for row in table.rows:
             yield from _object(table.names, row)
+    elif sized and numeric:
+        yield from _unknown(table)
     elif {"x", "y"} <= set(columns) and numeric:
         yield from _outlines(table, columns["x"], columns["y"])
     elif all(_POINT.fullmatch(cell.text) and len(_numbers(cell)) == 2 for row in table.rows for cell in row):
@@ -114,10 +120,12 @@ _OBJECTS = (
     ("x", "y", "radius"),
     ("x", "y", "diameter"),
     ("x", "y", "width", "height"),
+    ("x", "y", "halfwidth", "halfheight"),
     ("x0", "y0", "x1", "y1"),
-    ("x1", "y1", "x2", "y2"),
+    CORNERS,
     ("x0", "y0", "width", "height"),
 )
+_SIZES = frozenset(["size", "half", "halfwidth", "halfheight", "radius", "width", "height", "rx", "ry"])
 
 
 def _object(names: Sequence[str], row: Sequence[Cell]) -> Iterator[Token]:

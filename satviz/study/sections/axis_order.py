@@ -110,8 +110,10 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     by_order = {row["order"]: row for row in rows}
     tested = {name: f"{row['tested']:.1f}" for name, row in by_order.items()}
     paths, apart = rows[0]["paths"], rows[0]["apart"]
-    title = f"Axes tested until one separates: shuffled {tested[SHUFFLED]}, last one first {tested[LAST_FIRST]}, "
-    title += f"along the centers {tested[ALONG_CENTERS]}"
+    title = (
+        f"Axes tested until one separates: {tested[SHUFFLED]} shuffled, {tested[LAST_FIRST]} with the last separating "
+    )
+    title += f"one first, {tested[ALONG_CENTERS]} along the centers"
 
     lines = (
         f"8-gons pass each other on {paths} paths and are apart in {apart:,} frames. They have 16 axes. "

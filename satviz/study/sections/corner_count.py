@@ -124,8 +124,9 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     factors = {name: (ns[name, CORNER_COUNTS[-1]] / ns[name, 64]) ** 0.5 for name in names}  # two doublings after 64
     title = "Time against corners"
     if "GJK" in factors:
-        title = f"With twice the corners, SAT on every corner takes {factors['SAT, every corner']:.1f} times as long, "
-        title += f"GJK {factors['GJK']:.1f} and calipers {factors['rotating calipers']:.1f}"
+        title = "From 64 corners on, twice the corners take SAT on every corner "
+        title += f"{factors['SAT, every corner']:.1f} times as long, GJK {factors['GJK']:.1f} "
+        title += f"and calipers {factors['rotating calipers']:.1f}"
 
     lines = ("Time for a pair of regular polygons, half of them apart. Bars: the spread of the processes.",)
     head = head_height(title, lines)

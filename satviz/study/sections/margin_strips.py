@@ -207,11 +207,13 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
                 ax.add_patch(Rectangle((xs[0], y - 0.36), xs[-1] + 1 - xs[0], 0.72, fc=shade, alpha=alpha, lw=0))
             if row["worst"] > 2.0**MARGIN_OCTAVES.start:
                 worst = min(log2(row["worst"]), MARGIN_OCTAVES.stop - 0.3)
-                ax.plot([worst], [y], "^", color=theme.roles["ink"], mec=theme.paper, ms=8)
+                ax.plot([worst], [y], "^", color=theme.roles["ink"], mec=theme.paper, ms=8, clip_on=False)
             if row["proven"]:
                 ax.plot([log2(row["proven"])], [y], "|", color=theme.roles["ink"], ms=15, mew=2)
+                ax.text(log2(row["proven"]) + 1, y, f"found {row['worst']:.1f}, proven {row['proven']}", va="center",
+                        color=theme.roles["ink"], fontsize=TEXT_POINTS)  # fmt: skip
         ax.set(xlim=(TOUCH_AT - 0.4, MARGIN_OCTAVES.stop), ylim=(places[-1] + 0.6, -0.6))
-        ax.set_xticks([TOUCH_AT + 0.5, 0, 10, 20, 30], ["touch", "1", "2¹⁰", "2²⁰", "2³⁰"])
+        ax.set_xticks([TOUCH_AT - 0.2, 0, 10, 20, 30], ["touch", "1", "2¹⁰", "2²⁰", "2³⁰"])
         ax.set_yticks(
             places, [row["method"] if row["what"] == SHAPES else f"circles: {row['method']}" for row in strips]
         )

@@ -30,6 +30,7 @@ METHODS = {  # by test: (name, colour role)
 }  # fmt: skip
 TENTH = 6  # steps of a tenth of a second
 PLACES = {0.0: "origin", FAR: "1,000 km"}
+VISIBLE = 1e-3  # metres of jitter that are seen
 LIMITS = -20.0, 60.0  # mm, of the panels
 MOST_ENERGY, LINEAR_ENERGY = 1e4, 1e-6  # joules: the highest that is drawn, and below which the scale is linear
 
@@ -96,9 +97,10 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     by = {(row["test"], row["away"]): row for row in rows}
     seconds = rows[0]["seconds"]
     exact, fine, coarse = (by[test, FAR] for test in ("exact", "float64", "float32"))
+    how, than = ("less still", "than") if fine["jitter"] - exact["jitter"] > VISIBLE else ("as still", "as")
     title = (
-        f"A stack {FAR / 1e3:,.0f} km out rests as still with float64 (jitter {in_metres(fine['jitter'])}) as with "
-        f"exact tests ({in_metres(exact['jitter'])}); float32 moves it by {in_metres(coarse['jitter'])}"
+        f"A stack {FAR / 1e3:,.0f} km out rests {how} with float64 (jitter {in_metres(fine['jitter'])}) {than} with "
+        f"exact tests ({in_metres(exact['jitter'])}); with float32 its jitter is {in_metres(coarse['jitter'])}"
     )
     lines = (
         f"{BOXES} boxes over {seconds} s. Left: how far the top one is below its place, in mm. Right: kinetic energy "
@@ -142,13 +144,13 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
                     words = f"{row['largest_energy']:.0e} J"
                 ax.set_xticks([])
                 ax.set_xlabel(words, labelpad=3)
-        note = f"Depths beyond {LIMITS[0]:g} mm and {LIMITS[1]:g} mm are cut off."
+        note = f"Cut off: depths beyond {LIMITS[0]:g} and {LIMITS[1]:g} mm, energies beyond {MOST_ENERGY:,.0f} J."
         fig.text(6 / WIDTH, 10 / size[1], note, fontsize=TEXT_POINTS, color=theme.roles["guide"])
 
     text = f"{title}. "
     for row in rows:
         where = f"{row['away'] / 1e3:,.0f} km away" if row["away"] else "at the origin"
-        text += f"{row['test']}, {where}: sunk by {row['sunk_at_end'] * 1e3:.3g} mm at the end, jitter "
+        text += f"{row['test']}, {where}: sunk by {row['sunk_at_end'] * 1e3:,.1f} mm at the end, jitter "
         text += f"{in_metres(row['jitter'])}, largest energy in the second half {row['largest_energy']:.1e} J. "
     text += (
         f"The solver leaves {SLOP * 1e3:g} mm of depth to each of {BOXES} contacts, so a stack may rest anywhere down "

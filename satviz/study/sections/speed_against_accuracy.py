@@ -172,7 +172,7 @@ def main_chart(rows: list[JsonRow], settings: Settings) -> Chart:
     ratio, low, high = ratio_interval(exact["ns_runs"], sat["ns_runs"])
     title = (
         f"SAT in float64 can be wrong only about gaps below {in_metres(SAT_MARGIN * 2.0**-53 * METRES_WIDE)} in 1 km "
-        f"(proven); exact answers take {ratio:.1f} times as long"
+        f"(proven); exact answers take {ratio:.1f} times as long ({low:.1f} to {high:.1f})"
     )
     lines = (
         "Left is faster, down is more accurate. Dot: the largest gap with a wrong answer that a search found. Dash: "
@@ -187,12 +187,12 @@ def main_chart(rows: list[JsonRow], settings: Settings) -> Chart:
         """Draw a dot for each method, in metres and in steps of float64."""
         draw_headline(fig, theme, title, *lines)
         guide = theme.roles["guide"]
-        ax = add_axes(fig, (66 / WIDTH, 56 / size[1], (WIDTH - 126) / WIDTH, 324 / size[1]), theme)
-        ax.set(xscale="log", xlim=limits, ylim=(NONE - 1, 2))
+        ax = add_axes(fig, (70 / WIDTH, 56 / size[1], (WIDTH - 130) / WIDTH, 324 / size[1]), theme)
+        ax.set(xscale="log", xlim=limits, ylim=(NONE - 1.8, 2))
         set_time_ticks(ax.xaxis, limits)
         ax.set_xlabel("time for a pair: answer only, one core")
         ax.set_yticks([*TICKS.values(), NONE], [*TICKS, "none\nfound"])
-        ax.set_ylabel("largest gap with a wrong answer in 1 km", labelpad=0)
+        ax.set_ylabel("largest gap with a wrong answer in 1 km", labelpad=3)
         ax.axhline(log10(ATOM_METRES), color=guide, lw=0.8, ls=(0, (1, 2.2)))
         style: dict[str, Any] = {"fontsize": TEXT_POINTS, "color": guide, "parse_math": False}
         ax.text(0.99, log10(ATOM_METRES) + 0.1, "an atom", transform=ax.get_yaxis_transform(), ha="right", **style)
@@ -221,7 +221,7 @@ def main_chart(rows: list[JsonRow], settings: Settings) -> Chart:
                 color=family_colour(theme, "float SAT"), lw=1, ls=":")  # fmt: skip
         label_points(ax, labels, theme, taken)
 
-    text = f"{title} ({low:.2f} to {high:.2f}, 95 % interval over {len(sat['ns_runs'])} processes). "
+    text = f"{title}. {low:.2f} to {high:.2f} is the 95 % interval over {len(sat['ns_runs'])} processes. "
     text += "The shapes have sizes of 1 m to 14 m. A gap is measured on the edge normal where it is largest; of an "
     text += "overlap it is the depth. "
     for name in shown:
@@ -240,7 +240,10 @@ def all_methods_chart(rows: list[JsonRow], settings: Settings) -> Chart:
     by_name = {row["method"]: row for row in rows}
     exact, sat = by_name["satviz"], by_name["SAT, raw normals"]
     ratio, low, high = ratio_interval(exact["whole_runs"], sat["whole_runs"])
-    title = f"From arrays to answers, exact satviz takes {ratio:.1f} times as long as plain SAT: it checks the shapes"
+    title = (
+        f"From arrays to answers, exact satviz takes {ratio:.1f} times as long as plain SAT ({low:.1f} to {high:.1f}): "
+        "it checks the shapes"
+    )
     lines = (
         "Full dot: the answer alone. Open dot: from the arrays to the answer, once. Bars: the spread of the processes. "
         f"Worst gap: in 1 km. Wrong: of {exact['touching_pairs']:,} exact touches, and of {exact['extreme_pairs']:,} "
@@ -276,7 +279,7 @@ def all_methods_chart(rows: list[JsonRow], settings: Settings) -> Chart:
         ax.tick_params(axis="y", length=0)
         ax.spines["left"].set_visible(False)
 
-    text = f"{title} ({low:.2f} to {high:.2f}, 95 % interval over {len(sat['ns_runs'])} processes). "
+    text = f"{title}. {low:.2f} to {high:.2f} is the 95 % interval over {len(sat['ns_runs'])} processes. "
     for row in rows:
         text += (
             f"{row['method']}: {format_time(row['ns'])} for the answer, {format_time(row['whole'])} from the arrays; "
