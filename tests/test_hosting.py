@@ -46,6 +46,7 @@ def meta(page, key):
     return unescape(re.search(rf'<meta (?:name|property)="{key}" content="([^"]*)">', page)[1])
 
 
+@pytest.mark.slow
 def test_every_page_has_a_description_and_a_picture(files, pages):
     of_page = {}
     for path, page in pages.items():
@@ -84,6 +85,7 @@ def test_what_a_social_network_shows_is_whole(name):
     assert card.size == hosting.CARD_PT and all_marks_fit(card)
 
 
+@pytest.mark.slow
 def test_the_sitemap_lists_every_page_and_robots_txt_names_the_sitemap(files, pages):
     places = [each.text for each in ElementTree.fromstring(files["sitemap.xml"]).iter(f"{{{hosting.SITEMAPS}}}loc")]
     listed = {place.removeprefix(URL) or "index.html" for place in places}
@@ -91,6 +93,7 @@ def test_the_sitemap_lists_every_page_and_robots_txt_names_the_sitemap(files, pa
     assert files["robots.txt"].decode().endswith(f"Sitemap: {URL}sitemap.xml\n")
 
 
+@pytest.mark.slow
 def test_the_page_of_a_missing_address_finds_the_site_from_any_depth(files, pages):
     links = re.findall(r'(?:href|src)="([^"]+)"', pages[hosting.NOT_FOUND])
     assert len(links) > 8 and all(to.startswith(("/a/satviz/", "#")) for to in links)
@@ -98,6 +101,7 @@ def test_the_page_of_a_missing_address_finds_the_site_from_any_depth(files, page
         assert to.startswith("#") or re.sub("[?#].*", "", to).removeprefix("/a/satviz/") in files, to
 
 
+@pytest.mark.slow
 def test_the_server_sends_the_sites_own_page_with_the_status_404(files, tmp_path):
     (tmp_path / hosting.NOT_FOUND).write_bytes(files[hosting.NOT_FOUND])
     with server(tmp_path) as serving:
@@ -110,6 +114,7 @@ def test_the_server_sends_the_sites_own_page_with_the_status_404(files, tmp_path
         thread.join()
 
 
+@pytest.mark.slow
 def test_the_archive_is_a_package_whose_items_and_files_are_there(files):
     made = hosting.archive(files, chapters.chapters())
     with ZipFile(io.BytesIO(made)) as found:
@@ -125,6 +130,7 @@ def test_the_archive_is_a_package_whose_items_and_files_are_there(files):
     assert all("asset" in each.attrib.values() for each in resources.values())
 
 
+@pytest.mark.slow
 def test_zip_writes_one_archive_over_its_own_and_over_nothing_else(tmp_path, capsys, files, monkeypatch):
     monkeypatch.setattr("satviz.site.build.site", lambda **_: (iter(files.items()), []))
     for _ in range(2):

@@ -575,13 +575,15 @@ def test_the_words_of_ogc_agree_with_shapely():
         "\u05de\u05e8\u05d5\u05d1\u05e2 \u202e abc",
         "[" * 5000 + "1" + "]" * 5000,
         "(" * 300_000,
-        "'a " * 200_000,
+        pytest.param("'a " * 200_000, marks=pytest.mark.slow),
         "[1,2]," * 150_000,
         "[1,2]," * (MAX_CHARS // 4),
         "1" * 900_000,
-        "a<" * 300_000,
+        pytest.param("a<" * 300_000, marks=pytest.mark.slow),
         "/*" * 300_000,
-        str([(cos(2 * pi * i / 10_000), sin(2 * pi * i / 10_000)) for i in range(10_000)]),
+        pytest.param(
+            str([(cos(2 * pi * i / 10_000), sin(2 * pi * i / 10_000)) for i in range(10_000)]), marks=pytest.mark.slow
+        ),
         "\n".join(f"circle(({i}, 0), 1)" for i in range(100)),
         "[(0, 0), (NaN, 0), (0, 1)]",
     ],
