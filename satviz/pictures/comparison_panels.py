@@ -52,17 +52,16 @@ MOVE = Vec(*map(float, FLIGHT))  # how far A flies in one frame
 def draw_pieces_panel(trace: Trace, layout: Layout) -> Sketch:
     """Draw A as the pieces that the shortcut takes one by one, and each piece's push of B."""
     sketch = Sketch(trace, layout)
-    draw_pieces(sketch)
+    draw_pieces(sketch, arrow_times([hypot(*pair.mtv) for pair in trace.pairs if pair.mtv], layout))
     return sketch
 
 
-def draw_pieces(sketch: Sketch) -> None:
-    """Draw, on a given sketch, A as the shortcut's pieces, and each piece's push of B."""
+def draw_pieces(sketch: Sketch, times: int = 1) -> None:
+    """Draw, on a given sketch, A as the shortcut's pieces, and each piece's push of B, `times` times as long."""
     trace = sketch.trace
     for pair in trace.pairs:
         sketch.shape("A", pair.names.a, pair.a)
     sketch.shape("B", trace.names.b, trace.b)
-    times = arrow_times([hypot(*pair.mtv) for pair in trace.pairs if pair.mtv], sketch.layout)
     for i, pair in enumerate(trace.pairs):
         if pair.mtv:
             start = centroid(trace.b)
