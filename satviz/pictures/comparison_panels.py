@@ -152,7 +152,8 @@ def _draw_neighbouring_floats(sketch: Sketch, landings: Sequence[tuple[str, floa
     sketch.add("floats", "segment", "ink", at(-1.5), at(3.5))
     sketch.add("float", "segment", "ink", *ticks)
     below = Vec(at(1).x, start.y - units(18.0))
-    sketch.label("floats-name", "ticks: float64 numbers,\none after the other", "ink", below, inside=True, first=0)
+    text = "ticks: float64 numbers,\none after the other"
+    sketch.label("floats-name", text, "ink", below, inside=True, optional=True, first=0)
     for i, t in enumerate(dict.fromkeys(t for _, t in landings)):
         names = ", ".join(name for name, other in landings if other == t)
         spot = at((t - least) / step)

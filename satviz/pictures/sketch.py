@@ -19,7 +19,8 @@ from .float_geometry import gap_or_overlap, midpoint, point_along
 from .insets import BRACKET_PT
 from .label_placer import LabelOptions, Segment
 from .labels import short_name
-from .layout import MAX_LINE_LETTERS, Layout, range_label
+from .layout import MAX_LINE_LETTERS, NARROW_PAD_PT, Layout, range_label
+from .letters import text_size, wrap_text
 from .marks import MarkOptions
 from .shape_sketch import ShapeSketch
 from .theme import BAR_PT
@@ -142,7 +143,9 @@ class Sketch(ShapeSketch):
         ends = " and ".join(short_name(polygon, name, i) for i in test.source.ids)
         v = polygon.vertices[test.source.ids[0]]
         self.add("one-place", "disc", "wrong", v, owner=name, radius=self.layout.units(RING_PT))
-        text = f"{ends} lie in one place: no normal but (0, 0),\non which every point lands at 0.  0 < 0: no gap"
+        lines = f"{ends} lie in one place: no normal but (0, 0),", "on which every point lands at 0.  0 < 0: no gap"
+        space = self.layout.size[0] - 2 * NARROW_PAD_PT
+        text = "\n".join(line if text_size(line)[0] <= space else wrap_text(line, space) for line in lines)
         low = Vec((self.layout.limits[0] + self.layout.limits[2]) / 2, self.layout.limits[1])
         self.label("no-axis", text, "ink", low, first=1, far=True)
 

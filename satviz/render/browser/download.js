@@ -27,7 +27,7 @@ export function download({ name, mime }, [data]) {
  * @param {string} form One of PAGE_FORMATS.
  */
 export async function savePictures(pens, form) {
-  const shown = pens.filter(({ svg }) => !svg.hasAttribute("hidden"));
+  const shown = pens.filter(({ svg }) => !svg.matches("[hidden], .sv-empty"));
   for (const pen of shown) pen.arrive();
   const drawn = stacked(shown.map(({ svg }) => svg));
   const text = new XMLSerializer().serializeToString(drawn);

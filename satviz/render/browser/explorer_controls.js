@@ -32,7 +32,7 @@ export class ExplorerControls {
     /** @type {import("./save_menu.js").Kernel | null} */
     const kernel = model.get("alone") ? null : { formats: model.get("formats"), request: (form) => model.send({ kind: "save", form }) };
     const copies = { "copy JSON": () => explorer.state.json, "copy link": () => sceneLink(model.get("site"), explorer.state.link) };
-    const { menu, status } = saveMenu([explorer.pen, explorer.curvePen, explorer.differencePen], kernel, copies);
+    const { menu, status } = saveMenu([explorer.pen, explorer.linePen, explorer.curvePen, explorer.differencePen], kernel, copies);
     /** @type {(label: string, ...children: Node[]) => HTMLElement} */
     const group = (label, ...children) => element("div", { class: "sv-group", role: "group", "aria-label": label }, ...children);
     this.scenes = element("div", { class: "sv-controls sv-scenes", role: "group", "aria-label": "scene" }, this.presets, this.goals);
