@@ -447,7 +447,8 @@ def test_the_picture_is_saved_as_it_is_shown(visit, theme):
     says(page, "1.11")
     svg = saved(page, "svg").decode()
     root = ElementTree.fromstring(svg)
-    assert root.find("{*}title").text == said(page) and "var(" not in svg and "style=" not in svg
+    line = page.locator(".live .sv-line").get_attribute("aria-label")
+    assert root.find("{*}title").text == f"{said(page)} {line}" and "var(" not in svg and "style=" not in svg
     assert root.find("{*}rect").get("fill") == theme.paper
     blue = f"rgb({', '.join(str(c) for c in bytes.fromhex(theme.roles['A'][1:]))})"
     assert blue in {path.get("stroke") for path in root.findall(".//{*}path")}
