@@ -70,7 +70,7 @@ mistake it behaves like. The test in the editor has such a mistake: it looks at 
 <label><input type="radio" name="language" value="python" checked> Python</label>
 <label><input type="radio" name="language" value="javascript"> JavaScript</label></fieldset>
 <p class="choices"><label>Program <select name="program"><option value="">your own</option>
-<optgroup label="with a mistake, to mend">{opened}</optgroup></select></label></p>
+<optgroup label="with a mistake, to fix">{opened}</optgroup></select></label></p>
 <label class="editor">Your function <textarea rows="13" spellcheck="false" autocapitalize="off" autocomplete="off"
 autocorrect="off" wrap="off" aria-describedby="editor-keys"></textarea></label>
 <p class="keys" id="editor-keys">Ctrl+Enter runs it. Tab indents; press Escape before Tab to leave the editor.</p>
