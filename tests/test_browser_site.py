@@ -1019,7 +1019,7 @@ WIDE, PHONE = {}, {"viewport": {"width": 390, "height": 844}, "has_touch": True,
 
 @pytest.mark.parametrize(("screen", "by"), [(WIDE, "mouse"), (WIDE, "keyboard"), (PHONE, "touch"), (PHONE, "keyboard")])
 def test_code_is_written_and_run_with_mouse_touch_and_keyboard(visit, screen, by):
-    """The keyboard indents by itself; nothing is wider than the screen."""
+    """The keyboard indents by itself; nothing is wider than the screen; the counterexample answers to each pose."""
     page = visit("yours.html", live=False, **screen)
     page.wait_for_function("() => !document.querySelector('.run').disabled", timeout=LIVE)
     editor, run = page.locator("textarea"), page.locator(".run")
@@ -1034,6 +1034,37 @@ def test_code_is_written_and_run_with_mouse_touch_and_keyboard(visit, screen, by
         (run.tap if by == "touch" else run.click)()
     page.locator(".yours.wrong").wait_for(timeout=LIVE)
     assert page.evaluate("document.documentElement.scrollWidth") <= page.viewport_size["width"]
+    moved, sentence = page.locator('.found [data-handle="B-move"]'), page.locator(".found .sv-sentence").inner_text()
+    moved.scroll_into_view_if_needed()
+    if by == "keyboard":
+        moved.focus()
+        for _ in range(40):
+            page.keyboard.press("Shift+ArrowRight")
+            page.keyboard.press("Shift+ArrowUp")
+    else:
+        box = moved.bounding_box()
+        x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+        drag(page, by, (x, y), (x - 60, y - 60))
+    page.wait_for_function("was => document.querySelector('.found .sv-sentence').innerText !== was", arg=sentence)
+    page.wait_for_function(
+        "() => /^[✓✗] Your function says: (no )?hit/.test(document.querySelector('.yours').textContent)"
+    )
+
+
+def drag(page, by, start, end):
+    """Drag with the mouse or with a finger, in eight steps."""
+    steps = [tuple(p + (q - p) * i / 8 for p, q in zip(start, end, strict=True)) for i in range(9)]
+    if by == "mouse":
+        page.mouse.move(*steps[0])
+        page.mouse.down()
+        for step in steps[1:]:
+            page.mouse.move(*step)
+        page.mouse.up()
+        return
+    finger = page.context.new_cdp_session(page)
+    for kind, at in [("touchStart", steps[0]), *(("touchMove", step) for step in steps[1:]), ("touchEnd", None)]:
+        points = [{"x": at[0], "y": at[1]}] if at else []
+        finger.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
 
 
 def test_the_check_page_shuts_nobody_out(check_page, axe_core):
