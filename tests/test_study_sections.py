@@ -646,5 +646,5 @@ def test_the_title_of_the_stack_says_whether_float64_rests_as_still_as_exact_tes
     stored = CHARTS["resting-stack"]
     assert "rests as still with float64" in stored.title
     moved = [row | {"jitter": 0.3} if row["test"] == "float64" else row for row in stored.rows]
-    title = resting_stack.chart(moved, Settings(quick=False, seed=1)).title
+    title = resting_stack.chart(moved, Settings(quick=False, seed=1)).title.replace("\xa0", " ")
     assert "rests less still with float64 (jitter 300 mm) than with exact tests" in title
