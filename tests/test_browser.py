@@ -82,7 +82,7 @@ class Hand:
 
     def file(self, name, widget=0):
         """The name and the bytes of the file that a button hands over."""
-        self.widgets.nth(widget).locator(".sv-menu summary").click()
+        self.widgets.nth(widget).locator(".sv-menu summary:has-text('save')").click()
         with self.page.expect_download() as found:
             self.press(name, widget)
         return found.value.suggested_filename, found.value.path().read_bytes()
@@ -349,13 +349,13 @@ def test_files_come_from_the_matplotlib_pen(hand):
 def test_why_the_player_gives_no_file_is_said(hand):
     hand.page.evaluate(ASK, "from satviz.pictures import playback; playback.MAX_STEPS = 1")
     player = hand.widgets.nth(2)
-    player.locator(".sv-menu summary").click()
+    player.locator(".sv-menu summary:has-text('save')").click()
     hand.press("save GIF", 2)
     player.locator(".sv-done", has_text="too many to step through").wait_for()
     hand.page.evaluate(ASK, f"playback.MAX_STEPS = {playback.MAX_STEPS}")
-    player.locator(".sv-menu summary").click()  # forgotten when the menu opens again
+    player.locator(".sv-menu summary:has-text('save')").click()  # forgotten when the menu opens again
     player.locator(".sv-done", has_text="too many").wait_for(state="detached")
-    player.locator(".sv-menu summary").click()
+    player.locator(".sv-menu summary:has-text('save')").click()
 
 
 def test_the_explorer_saves_what_it_shows(hand):
@@ -368,7 +368,7 @@ def test_the_explorer_saves_what_it_shows(hand):
         name, data = hand.file(f"save {form.upper()}")
         assert name == f"satviz.{form}" and data.startswith(magic)
     hand.page.context.grant_permissions(["clipboard-read", "clipboard-write"])
-    hand.widgets.first.locator(".sv-menu summary").click()
+    hand.widgets.first.locator(".sv-menu summary:has-text('save')").click()
     hand.press("copy JSON")
     copied = hand.page.evaluate("() => navigator.clipboard.readText()")
     assert copied == hand.kernel("w.scene.to_json()")

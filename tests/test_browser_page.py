@@ -373,7 +373,7 @@ def test_nothing_shuts_anyone_out(browser, errors, pages, axe_core, theme, scree
             page.get_by_label("free axis").check()
             page.get_by_role("checkbox", name="B − A").check()
             page.locator(".sv-difference").wait_for()
-            page.locator(".sv-menu summary").click()
+            page.locator(".sv-menu summary:has-text('save')").click()
             assert [f for f in shut_out(axe_core, page) if "<h1" not in f[1]] == []
     for name in "triangles", "tile-seam":
         context = browser.new_context(color_scheme=theme, **screen)
@@ -409,7 +409,7 @@ def test_as_shown_letters_can_be_read_targets_be_hit_and_nothing_is_cut(browser,
     with explored(browser, ExplorerModel(sv.scene(name)), errors, **screen) as page:
         page.get_by_label("free axis").check()
         page.locator(".sv-curve").wait_for()
-        page.locator(".sv-menu summary").click()
+        page.locator(".sv-menu summary:has-text('save')").click()
         page.wait_for_timeout(200)  # the picture for this width
         letters, targets, cut, beyond = page.evaluate(SMALL)
         assert letters >= 10.99 and targets >= 24 and cut == [] and beyond <= 0
@@ -598,7 +598,7 @@ def test_what_is_copied_is_copied_without_a_clipboard_too_and_either_way_a_line_
         )
 
         def copy(name):
-            page.locator(".sv-menu summary").click()
+            page.locator(".sv-menu summary:has-text('save')").click()
             page.wait_for_function("() => document.querySelector('.sv-done').textContent === ''")
             page.get_by_role("button", name=name).click()
             page.locator(".sv-done", has_text=".").wait_for()
@@ -713,7 +713,7 @@ def test_a_page_to_share_saves_the_step_that_it_shows(browser, errors, pages):
     page = opened(browser, errors, pages / "triangles.html")
     page.get_by_role("slider", name="step").fill("7")
     for form, begins in ("svg", b"<svg"), ("png", b"\x89PNG"):
-        page.locator(".sv-menu summary").click()
+        page.locator(".sv-menu summary:has-text('save')").click()
         with page.expect_download() as found:
             page.get_by_role("button", name=f"save {form.upper()}").click()
         data = found.value.path().read_bytes()
@@ -734,7 +734,7 @@ def test_a_picture_that_the_browser_cannot_draw_is_no_file_and_the_page_says_so(
     files = []
     page.on("download", lambda file: files.append(file))
     page.evaluate("HTMLCanvasElement.prototype.toBlob = (made) => made(null); 0")  # as a browser out of memory does
-    page.locator(".sv-menu summary").click()
+    page.locator(".sv-menu summary:has-text('save')").click()
     page.get_by_role("button", name="save PNG").click()
     page.get_by_text("This browser cannot draw the file.").wait_for()
     assert not files
@@ -925,6 +925,42 @@ def test_arrow_keys_move_a_shape_without_focus_and_are_never_taken_from_a_text(b
         page.keyboard.press("ArrowLeft")
         page.wait_for_timeout(300)
         assert page.locator(".sv-text").input_value() == "axb" and hand.scene.b == place
+
+
+def test_a_dragged_shape_stays_where_it_touches_until_it_is_pulled_away(browser, errors):
+    corner = sv.Polygon([(3.6, 1), (5, 0.5), (5, 2)])
+    hand = ExplorerModel(sv.Scene("snap", sv.Polygon([(0, 0), (3, 0), (3, 3), (0, 3)]), corner))
+    with explored(browser, hand, errors) as page:
+        page.get_by_label("snap").check()
+        box = page.locator("[data-handle=B-move]").bounding_box()
+        x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+        page.mouse.move(x, y)
+        page.mouse.down()
+        unit = (
+            hand.picture().scale * page.locator(".sv-board svg").first.bounding_box()["width"] / hand.picture().size[0]
+        )
+        for beside in (0.55, 0.65):  # in scene units to the left: a little apart, a little into A
+            page.mouse.move(x - beside * unit, y)
+            page.wait_for_timeout(300)
+            assert hand.state()["relation"] == "touching"
+        page.mouse.move(x - 1.2 * unit, y)
+        page.wait_for_timeout(300)
+        assert hand.state()["relation"] == "overlapping"
+        page.mouse.move(x - 0.55 * unit, y)
+        page.mouse.up()
+        page.get_by_text("Snapped: they touch exactly.").wait_for()
+
+
+def test_the_toolbar_is_one_row_and_each_tool_has_an_icon_and_a_word(browser, errors):
+    hand = ExplorerModel(sv.scene("aabb-turned"))  # with the two views of a shortcut
+    with explored(browser, hand, errors, viewport={"width": 1280, "height": 800}) as page:
+        tools = page.locator(".sv-bar .sv-tool:visible, .sv-scenes select").all()
+        tops = {round(tool.bounding_box()["y"]) for tool in tools}
+        assert len(tools) == 13 and len(tops) == 1
+        for tool in page.locator(".sv-bar .sv-tool").all():
+            assert tool.locator("svg[aria-hidden=true]").count() == 1 and tool.inner_text() is not None
+        lines = "e => e.getClientRects().length && getComputedStyle(e).whiteSpace"
+        assert page.locator(".sv-table td.sv-A").first.evaluate(lines) == "nowrap"
 
 
 def test_what_was_said_of_snapping_goes_with_the_next_change(browser, errors):

@@ -13,6 +13,9 @@ WIDTHS = pytest.mark.parametrize("width", [1300, 390])
 BY_THREAD = {report.thread: report for report in REPORTS}
 
 
+BY_HAND = "draw polygon", "draw circle", "add corner", "remove corner"
+
+
 class Desk:
     """A page with the explorer, and what a person does with it."""
 
@@ -26,6 +29,8 @@ class Desk:
         self.press("explain")
 
     def press(self, name):
+        if name in BY_HAND:
+            self.page.get_by_text("draw", exact=True).click()
         self.page.get_by_role("button", name=name, exact=True).click()
         self.page.wait_for_timeout(250)
 
@@ -176,8 +181,9 @@ def test_the_scene_above_can_be_taken_after_a_drag(desk, width):
 
 @WIDTHS
 def test_a_circle_is_made_and_corners_come_and_go(desk, width):
+    desk.page.get_by_text("draw", exact=True).click()
     desk.page.get_by_label("which shape").select_option("b")
-    desk.press("draw circle")
+    desk.page.get_by_role("button", name="draw circle").click()
     desk.click((0.6, 0.3), (0.7, 0.3))
     assert isinstance(desk.model.scene.b, sv.Circle)
     count = len(desk.model.scene.a.vertices)
@@ -197,6 +203,8 @@ def test_everything_by_hand_can_be_done_with_keys(browser):
     errors = []
     model = ExplorerModel(sv.scene("triangles"))
     with explored(browser, model, errors, viewport={"width": 1300, "height": 1000}) as page:
+        page.locator("summary", has_text="draw").focus()
+        page.keyboard.press("Enter")
         page.get_by_role("button", name="draw polygon").focus()
         page.keyboard.press("Enter")
         for moves in ("ArrowUp",) * 6, ("ArrowRight",) * 9, ("ArrowDown",) * 9:
@@ -207,6 +215,8 @@ def test_everything_by_hand_can_be_done_with_keys(browser):
         page.keyboard.press("Enter")
         page.wait_for_timeout(250)
         assert len(model.scene.a.vertices) == 3 and model.scene.a != sv.scene("triangles").a
+        page.locator("summary", has_text="draw").focus()
+        page.keyboard.press("Enter")
         page.get_by_role("button", name="draw circle").focus()
         page.keyboard.press("Enter")
         page.keyboard.press("Enter")
@@ -215,6 +225,8 @@ def test_everything_by_hand_can_be_done_with_keys(browser):
         page.keyboard.press("Enter")
         page.wait_for_timeout(250)
         assert isinstance(model.scene.a, sv.Circle)
+        page.locator("summary", has_text="draw").focus()
+        page.keyboard.press("Enter")
         page.get_by_role("button", name="add corner").focus()
         page.keyboard.press("Enter")
         page.keyboard.press("Escape")

@@ -259,13 +259,13 @@ def test_a_link_to_a_step_opens_the_player(visit):
 def test_the_link_that_is_copied_opens_the_same(visit):
     page = visit("scene.html#far-centers&view=truth")
     page.context.grant_permissions(["clipboard-read", "clipboard-write"])
-    page.locator(".sv-menu summary").click()
+    page.locator(".sv-menu summary:has-text('save')").click()
     page.get_by_role("button", name="copy link").click()
     assert page.evaluate("navigator.clipboard.readText()") == page.url
     page = visit("2-sat.html")
     page.context.grant_permissions(["clipboard-read", "clipboard-write"])
     player = page.locator(".player")
-    player.locator(".sv-menu summary").click()
+    player.locator(".sv-menu summary:has-text('save')").click()
     player.get_by_role("button", name="copy link").click()
     page.goto(page.evaluate("navigator.clipboard.readText()"))
     page.locator(".live.ready").wait_for(timeout=LIVE)
@@ -278,7 +278,7 @@ def test_the_link_to_a_step_of_the_rest_opens_that_step(visit):
     page.get_by_role("button", name="test the rest").click()
     page.get_by_role("slider", name="step").fill("30")
     before = said(page), page.locator(".sv-count").inner_text()
-    page.locator(".sv-menu summary").click()
+    page.locator(".sv-menu summary:has-text('save')").click()
     page.get_by_role("button", name="copy link").click()
     page.get_by_text("Copied.").wait_for()
     page = visit(page.evaluate("navigator.clipboard.readText()").rpartition("/")[2])
@@ -433,7 +433,7 @@ def test_no_label_of_a_link_makes_the_page_wider(visit):
 
 def saved(page, form, inside=".live"):
     """The file that the save menu hands over."""
-    page.locator(f"{inside} .sv-menu summary").click()
+    page.locator(f"{inside} .sv-menu summary:has-text('save')").click()
     with page.expect_download() as found:
         page.locator(inside).get_by_role("button", name=f"save {form.upper()}").click()
     assert found.value.suggested_filename == f"satviz.{form}"

@@ -319,6 +319,17 @@ def test_far_away_or_touching_already_nothing_snaps(b):
     assert "snapped" not in state and model.scene.b == b
 
 
+def test_an_arrow_key_snaps_on_the_way_to_a_touch_and_leaves_it_again():
+    _, model = let_go(sv.Polygon([(3.25, 1), (5, 0.5), (5, 2)]), None)
+    relations = []
+    for step in (-0.1, -0.1, -0.1, 0.1, 0.1, 0.01, 0.1):  # to the touch, into A, back to the touch, and away
+        state = model.state()
+        b = {"polygon": [[x + step, y] for x, y in state["b"]["polygon"]]}
+        sent = {"kind": "pose", "n": 1, "a": state["a"], "b": b, "snap": "b", "byKey": True}
+        relations.append(model.answer(sent)["relation"])
+    assert relations == ["touching", "overlapping", "overlapping", "touching", "apart", "apart", "apart"]
+
+
 # -- challenges, the dial
 
 

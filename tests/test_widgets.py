@@ -16,8 +16,10 @@ from satviz.pictures.caption import add_captions
 from satviz.render.notebook import bundle
 from satviz.scenes.failing import FAILURE_CASES, REFUSED
 from satviz.scenes.link import parse_fragment
+from satviz.scenes.named import names
 from satviz.scenes.scenefile import shape_data
 from satviz.scenes.shape_tools import box, translated
+from satviz.site import live
 from satviz.widgets.explorer_model import ExplorerModel
 from satviz.widgets.player_model import PlayerModel
 
@@ -125,6 +127,16 @@ def test_a_challenge_is_set_in_the_widget_judged_at_every_pose_and_given_up():
 @pytest.mark.parametrize("goal", ["touch", "one-axis"])
 def test_no_challenge_of_the_widget_is_won_when_it_begins(name, goal):
     assert not heard(explorer(name), kind="challenge", goal=goal)["goal"]["met"]
+
+
+@pytest.mark.parametrize("goal", ["touch", "one-axis", "break"])
+def test_no_challenge_of_a_link_is_won_before_the_reader_did_anything(goal):
+    opened = set()
+    for name in names():
+        reply = json.loads(live.answer("p", json.dumps({"kind": "open", "hash": f"{name}&goal={goal}&way-out=1"})))
+        assert reply["kind"] == "refused" or not reply["first"]["goal"]["met"], name
+        opened |= {name} if reply["kind"] == "opened" else set()
+    assert "aabb-turned" in opened
 
 
 def test_a_shortcut_that_is_wrong_here_is_first_brought_where_it_is_right():

@@ -11,10 +11,10 @@ from ..scenes.article import SCENES
 from ..scenes.embedding import EmbedOptions, parse_query
 from ..scenes.failing import FAILURE_CASES, REFUSED
 from ..scenes.link import BREAK, DEFAULT_VIEW, TOUCH, ViewOptions, fragment, parse_fragment
-from ..scenes.scenefile import Scene, shape_data
+from ..scenes.scenefile import Scene
 from ..scenes.strictjson import require_type
 from ..widgets.explorer_model import ExplorerModel
-from ..widgets.goals import GOAL_NAMES, challenge_start
+from ..widgets.goals import GOAL_NAMES
 
 _models: dict[str, ExplorerModel] = {}  # by the place on the page
 _check, _reader = PageCheck(), ReaderPython()  # the latter is used in the worker of the reader's code alone
@@ -48,7 +48,7 @@ def _open(place: str, content: dict[str, Any]) -> dict[str, Any]:
             return _player_data(scene, shown, options)
         if options.challenge is not None:
             goal = options.challenge or (BREAK if scene.record().shortcut else TOUCH)
-            scene, shown = challenge_start(goal, scene), DEFAULT_VIEW._replace(goal=goal)
+            shown = DEFAULT_VIEW._replace(goal=goal)
         model = ExplorerModel(scene, shown.goal)
         pose: dict[str, Any] = {
             "degree": shown.free,
@@ -58,7 +58,8 @@ def _open(place: str, content: dict[str, Any]) -> dict[str, Any]:
         }
         pose |= {"view": shown.view} if shown.view else {}
         if shown._replace(goal=None) != DEFAULT_VIEW:
-            reply = model.answer({"kind": "pose", "a": shape_data(scene.a), "b": shape_data(scene.b), **pose})
+            first = model.state()
+            reply = model.answer({"kind": "pose", "a": first["a"], "b": first["b"], **pose})
             if reply and reply["kind"] == "refused":
                 raise InvalidScene(reply["why"])
     except ValueError as error:

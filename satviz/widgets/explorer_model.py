@@ -67,7 +67,7 @@ class ExplorerModel(PlayerModel):
     """Two shapes to drag, turn and reshape, and one axis: the decisive one, a chosen one or a free one.
 
     A scene whose axes are a shortcut's has two views: the shortcut's run, and the truth.
-    A goal is a challenge: what the scene is to become.
+    A goal is a challenge: what the scene is to become.  A scene that meets it already is replaced by another one.
     ValueError for a scene that cannot be drawn, or cannot have the goal.
     """
 
@@ -76,7 +76,7 @@ class ExplorerModel(PlayerModel):
         self._degree: float | None = None
         self._largest = canvas_size(None)
         self._show_mtv = self._show_difference = self._won = False
-        self._start(shown, goal)
+        self._start(challenge_start(goal, shown) if goal else shown, goal)
         self._redraw()
 
     def picture(self) -> Picture:
@@ -193,7 +193,7 @@ class ExplorerModel(PlayerModel):
             raise InvalidScene("pinned must be the number of a row in the table of axes, or null")
         text = content.get("scene")
         begun = self.scene if text in (None, self._start_json) else self._scene_of(text)
-        a, b, snap_words = self._snapped(a, b, content.get("snap"))
+        a, b, snap_words = self._snapped(a, b, content.get("snap"), by_key=content.get("byKey") is True)
         changed = replace(begun, a=a, b=b)
         trace = _trace(changed)
         view = (content.get("view") or self._view or SHORTCUT) if trace.shortcut else None
@@ -220,15 +220,22 @@ class ExplorerModel(PlayerModel):
         self._show_difference = bool(content.get("against"))
         self._set_run(changed, trace, view, met)
 
-    def _snapped(self, a: Shape, b: Shape, key: object) -> tuple[Shape, Shape, str]:
-        """Return both shapes, the one named by `key` moved to where they touch if that is near, and words on it."""
+    def _snapped(self, a: Shape, b: Shape, key: object, *, by_key: bool = False) -> tuple[Shape, Shape, str]:
+        """Return both shapes, the one named by `key` moved to where they touch if that is near, and words on it.
+
+        An arrow key (`by_key`) snaps only on the way to a touch: snapped back, a shape could never leave it.
+        """
         if key not in ("a", "b"):
             return a, b, ""
         reach = self._layout.units(SNAP_PT)
-        tests = record(a, b, every_axis=True)
-        gaps = [max((t.gap for t in run.tests), default=0.0) for run in tests.pairs or (tests,)]
-        distance = min(gaps) if tests.relation is Relation.APART else max(gaps)
-        if tests.relation is Relation.TOUCHING or abs(distance) > reach:
+        distance = _distance(a, b)
+        if distance == 0 or abs(distance) > reach:
+            return a, b, ""
+        if (
+            by_key
+            and not abs(distance) < abs(before := _distance(self.scene.a, self.scene.b))
+            and before * distance >= 0
+        ):
             return a, b, ""
         found = snapped(a, b, SNAP_FACTOR * reach) if key == "a" else snapped(b, a, SNAP_FACTOR * reach)
         if found is None:
@@ -296,6 +303,15 @@ class ExplorerModel(PlayerModel):
                 if begin <= self._pinned < begin + len(run.tests):
                     return ShownTest(pair if self.trace.pairs else None, self._pinned - begin)
         return decisive_test(self.trace)
+
+
+def _distance(a: Shape, b: Shape) -> float:
+    """Return about how far apart two shapes are, negative where they overlap; 0 exactly where they touch."""
+    tests = record(a, b, every_axis=True)
+    if tests.relation is Relation.TOUCHING:
+        return 0.0
+    gaps = [max((t.gap for t in run.tests), default=0.0) for run in tests.pairs or (tests,)]
+    return min(gaps) if tests.relation is Relation.APART else max(gaps)
 
 
 def _number(value: Any, what: str) -> float | None:

@@ -40,13 +40,21 @@ const ICONS = {
   way: "M2 8h8.5M7 4.5 10.5 8 7 11.5M13.8 3v10",
   difference: "M2.5 2.5h7v7h-7zM6.5 6.5h7v7h-7z",
   snap: "M4 3v5a4 4 0 0 0 8 0V3M2.5 3h3M10.5 3h3M2.5 6h3M10.5 6h3",
+  draw: "M2.5 13.5l.8-3.2L11 2.6l2.4 2.4-7.7 7.7zM9.6 4l2.4 2.4",
+  polygon: "M8 2 14 6.5 11.5 13.5H4.5L2 6.5z",
+  circle: "M13.5 8a5.5 5.5 0 1 1-11 0 5.5 5.5 0 0 1 11 0z",
+  add: "M2 13.5 8 6l6 7.5M8 1v5M5.5 3.5h5",
+  take: "M2 13.5h12M2 13.5 8 6l6 7.5M5.5 3h5",
+  done: "M2.5 8.5 6.5 12.5 13.5 4",
+  shortcut: "M8.7 1.8 3.5 9H8L7.3 14.2 12.5 7H8z",
+  truth: "M3 8.6 6.3 12 13 4.4M2 14h12",
   save: "M8 2v8M4.5 6.8 8 10.3l3.5-3.5M3 13.5h10",
 };
-const STROKED = new Set(["turn", "undo", "redo", "reset", "axis", "way", "difference", "snap", "save"]); // the others are filled
+const FILLED = new Set(["first", "back", "play", "pause", "forward", "last"]); // the others are lines
 
 /** @param {keyof typeof ICONS} name */
 export function icon(name) {
-  return element("svg", { viewBox: "0 0 16 16", class: STROKED.has(name) ? "sv-icon sv-stroked" : "sv-icon", "aria-hidden": "true" }, element("path", { d: ICONS[name] }));
+  return element("svg", { viewBox: "0 0 16 16", class: FILLED.has(name) ? "sv-icon" : "sv-icon sv-stroked", "aria-hidden": "true" }, element("path", { d: ICONS[name] }));
 }
 
 /**
@@ -83,4 +91,31 @@ export function toolButton(name, label, onclick, options = {}) {
 export function toolToggle(name, label, onchange) {
   const box = element("input", { type: "checkbox", onchange: ({ target }) => onchange(target.checked) });
   return { box, toggle: element("label", { class: "sv-tool sv-toggle" }, box, icon(name), element("span", {}, label)) };
+}
+
+/**
+ * A menu of a toolbar: it closes after a button of it, with Escape, and when the focus leaves it.
+ * @param {keyof typeof ICONS} name
+ * @param {string} label
+ * @param {(Node | string)[]} children
+ */
+export function toolMenu(name, label, ...children) {
+  const summary = element("summary", { class: "sv-tool" }, icon(name), element("span", {}, label));
+  const list = element("div", { onclick: ({ target }) => target.closest("button") && menu.removeAttribute("open") }, ...children);
+  const menu = element("details", { class: "sv-menu" }, summary, list);
+  menu.addEventListener("toggle", () => {
+    list.style.translate = "";
+    const beyond = list.getBoundingClientRect().right - document.documentElement.clientWidth + 8;
+    if (menu.open && beyond > 0) list.style.translate = `${-beyond}px`; // the list stays inside the page
+  });
+  menu.addEventListener("focusout", ({ relatedTarget }) => {
+    if (relatedTarget instanceof Node && !menu.contains(relatedTarget)) menu.removeAttribute("open");
+  });
+  menu.addEventListener("keydown", (event) => {
+    if (event.key !== "Escape" || !menu.open) return;
+    event.stopPropagation();
+    menu.removeAttribute("open");
+    summary.focus();
+  });
+  return { menu, summary };
 }

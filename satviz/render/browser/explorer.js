@@ -19,6 +19,7 @@ import { followTheme } from "./theme.js";
 /** @import { Handle, HandleSpec } from "./handles.js" */
 /** @import { Listener, Message, Pose, State, WidgetModel } from "./messages.js" */
 /** @import { Point } from "./pen.js" */
+/** @import { Snapping } from "./pose_sender.js" */
 /** @import { Shape } from "./shapes.js" */
 /**
  * @typedef {object} Drag
@@ -59,6 +60,8 @@ export class Explorer {
     this.sender = new PoseSender((content) => model.send(content));
     /** @type {Drag | null} */
     this.drag = null;
+    /** @type {Snapping} Of the last pose that was sent. */
+    this.snapping = null;
     this.everyArrow = true; // see arrowKeys
     this.lastHandle = "B-move"; // the id of the handle that the reader used last
     this.choosing = false; // is another scene on its way?
@@ -87,12 +90,12 @@ export class Explorer {
     this.map = element("p", { class: "sv-map", hidden: true });
     this.refusal = element("p", { class: "sv-why", role: "alert", hidden: true });
     this.hint = element("p", { class: "sv-hint" }, HINT);
-    const tip = element("div", { class: "sv-tip" }, this.hint, this.enough); // one place: the hint goes, and what is enough comes
+    this.tip = element("div", { class: "sv-tip" }, this.hint, this.enough); // one place: the hint goes, and what is enough comes
     this.table = new LiveTable(this.state.names, { pick: (row) => this.change({ pinned: this.pose.pinned === row ? null : row }) });
     this.controls = new ExplorerControls(this);
     this.dial = new AxisDial(this);
     const side = element("div", { class: "sv-side" }, this.dial.element, this.curve, this.difference, element("div", { class: "sv-fold" }, this.table.element));
-    this.stage = element("div", { class: "sv-stage" }, this.goal.element, this.heading, this.board, this.line, this.sentence, tip, this.map, this.announcement, keysHelp);
+    this.stage = element("div", { class: "sv-stage" }, this.goal.element, this.heading, this.board, this.line, this.sentence, this.tip, this.map, this.announcement, keysHelp);
     const tools = element("div", { class: "sv-tools" }, this.controls.scenes, this.controls.element);
     this.columns = element("div", { class: "sv-columns sv-bench" }, this.stage, tools, side);
     this.board.append(this.refusal); // over the picture, so that nothing jumps
@@ -101,7 +104,7 @@ export class Explorer {
     root.append(this.columns);
     this.editor = new ShapeEditor(this);
     this.pasteBox = new PasteBox(this);
-    tools.append(this.editor.element);
+    this.tip.append(this.editor.element);
     this.columns.append(this.pasteBox.element);
 
     this.board.addEventListener("pointerdown", (event) => this.pointerDown(event));
@@ -127,11 +130,12 @@ export class Explorer {
   /**
    * @param {Pose} pose
    * @param {boolean} final False for one of many poses of a drag.
-   * @param {"a" | "b" | null} [snapping] The shape that may be moved to where it touches the other.
+   * @param {Snapping} [snapping]
    */
   send(pose, final, snapping = null) {
     if (this.choosing) return; // the shapes of the pose are leaving
     this.pose = pose;
+    this.snapping = snapping;
     this.sender.push(pose, final, this.width, snapping);
     this.follow();
   }
@@ -161,7 +165,7 @@ export class Explorer {
       if (!this.ahead) this.show(this.state);
     } else if (content.kind === "state") {
       this.refusal.hidden = !this.keepsRefusal;
-      if (content.snapped) this.controls.status.textContent = content.snapped;
+      if (content.snapped && !this.drag) this.controls.status.textContent = content.snapped;
       this.refused = false;
       this.state = content;
       if (!content.n) {
@@ -230,12 +234,17 @@ export class Explorer {
     } else this.placeHandles();
   }
 
+  // A shape that has snapped stays where it touches until Python says that it is far enough away.
+  get holds() {
+    return this.snapping !== null && this.state.relation === "touching" && this.state.snapped !== undefined;
+  }
+
   // What is moved runs ahead of the picture: its outline and its handles go there at once.
   follow() {
     const corners = (/** @type {{ a: Shape, b: Shape }} */ { a, b }) => `${a.polygon?.length} ${b.polygon?.length}`;
     if (corners(this.pose) !== corners(this.state)) return; // the shapes of another scene, undone and not drawn yet
     /** @type {Record<string, Shape>} */
-    const shapes = this.ahead ? { A: this.pose.a, B: this.pose.b } : {};
+    const shapes = this.ahead && !this.holds ? { A: this.pose.a, B: this.pose.b } : {};
     this.pen.patch(({ part, owner = "", number = 0 }) => {
       const shape = shapes[owner];
       if (!shape) return null;
@@ -246,7 +255,7 @@ export class Explorer {
   }
 
   placeHandles() {
-    this.handles.place(this.pose, this.state, this.drag);
+    this.handles.place(this.holds ? { ...this.pose, a: this.state.a, b: this.state.b } : this.pose, this.state, this.drag);
   }
 
   // -- the pointer and the keys
@@ -300,7 +309,7 @@ export class Explorer {
     if (spec.key === null) {
       const angle = angleFrom(this.pen.toScene([this.pen.width / 2, this.pen.height / 2]), spot);
       this.send({ ...this.pose, degree: snap((angle * 180) / Math.PI, 0.1) }, false);
-    } else this.send({ ...this.pose, [spec.key]: dragged(pose[spec.key], spec, from, spot, grid) }, false);
+    } else this.send({ ...this.pose, [spec.key]: dragged(pose[spec.key], spec, from, spot, grid) }, false, this.snaps(spec));
   }
 
   pointerUp() {
@@ -311,7 +320,16 @@ export class Explorer {
     const to = this.refused ? this.valid : this.pose;
     if (JSON.stringify(to) !== JSON.stringify(before)) this.remember(before);
     if (this.refused) this.keepRefused(this.pose);
-    this.send(to, true, this.controls.snap.box.checked && spec.action === "move" ? spec.key : null);
+    this.send(to, true, this.snaps(spec));
+  }
+
+  /**
+   * The shape that a handle moves, where the reader lets it snap.
+   * @param {HandleSpec} spec
+   * @returns {Snapping}
+   */
+  snaps({ key, action }, byKey = false) {
+    return key && action === "move" && this.controls.snap.box.checked ? { snap: key, byKey } : null;
   }
 
   /**
@@ -366,7 +384,7 @@ export class Explorer {
     const [x, y] = arrow ?? [0, 0];
     const shape = this.pose[spec.key];
     const made = degrees ? rotated(shape, (degrees * Math.PI) / 180) : nudged(shape, spec, x * size, y * size, size / 10);
-    this.change({ [spec.key]: made });
+    this.change({ [spec.key]: made }, arrow ? this.snaps(spec, true) : null);
   }
 
   /**
@@ -405,11 +423,14 @@ export class Explorer {
     this.used();
   }
 
-  /** @param {Partial<Pose>} changes */
-  change(changes) {
+  /**
+   * @param {Partial<Pose>} changes
+   * @param {Snapping} [snapping]
+   */
+  change(changes, snapping = null) {
     this.forgetMessages();
     this.remember(this.pose);
-    this.send({ ...this.pose, ...changes }, true);
+    this.send({ ...this.pose, ...changes }, true, snapping);
     this.controls.follow(this);
   }
 

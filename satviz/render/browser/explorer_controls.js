@@ -1,6 +1,6 @@
 // The explorer's toolbar: which scene, what is shown, what to do, what to save and to send on.
 
-import { button, element, toolButton, toolToggle } from "./elements.js";
+import { element, toolButton, toolToggle } from "./elements.js";
 import { saveMenu, sceneLink } from "./save_menu.js";
 
 /** @import { Explorer } from "./explorer.js" */
@@ -19,7 +19,7 @@ export class ExplorerControls {
     const goals = Object.entries(challenges).map(([value, name]) => element("option", { value }, name));
     this.breakShortcut = goals.find(({ value }) => value === "break");
     this.goals = element("select", { "aria-label": "challenges", onchange: () => explorer.chooseGoal(this.goals.value) }, element("option", { value: "" }, "challenges"), ...goals);
-    this.views = ["shortcut", "truth"].map((view) => button(view, () => explorer.change({ view, pinned: null }), { pressed: "false" }));
+    this.views = /** @type {const} */ (["shortcut", "truth"]).map((view) => toolButton(view, view, () => explorer.change({ view, pinned: null }), { pressed: "false" }));
     this.viewGroup = element("span", { class: "sv-view", role: "group", "aria-label": "what is shown", hidden: true }, ...this.views);
     this.undo = toolButton("undo", "undo", () => explorer.undo(), { keys: "Control+Z" });
     this.redo = toolButton("redo", "redo", () => explorer.redo(), { keys: "Control+Shift+Z" });
@@ -35,12 +35,13 @@ export class ExplorerControls {
     const { menu, status } = saveMenu([explorer.pen, explorer.linePen, explorer.curvePen, explorer.differencePen], kernel, copies);
     /** @type {(label: string, ...children: Node[]) => HTMLElement} */
     const group = (label, ...children) => element("div", { class: "sv-group", role: "group", "aria-label": label }, ...children);
+    this.drawing = group("draw");
     this.scenes = element("div", { class: "sv-controls sv-scenes", role: "group", "aria-label": "scene" }, this.presets, this.goals);
     this.status = status;
     this.element = element("div", { class: "sv-controls sv-bar", role: "group", "aria-label": "explorer" },
       group("shown", this.viewGroup, this.freeAxis.toggle, this.wayOut.toggle, this.difference.toggle),
       group("do", this.snap.toggle, this.undo, this.redo, reset),
-      group("share", menu), status);
+      this.drawing, group("share", menu), status);
     this.scene = "";
   }
 

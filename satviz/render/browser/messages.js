@@ -38,6 +38,7 @@
  * @property {string} [map]
  * @property {Picture} [line] Both ranges of the shown test on a line with ticks.
  * @property {Picture} [dial] All directions of the free axis, with those that have a gap.
+ * @property {string} relation
  * @property {string} [snapped] What became of snapping to where the shapes touch.
  * @property {Picture} [curve]
  * @property {Point} [knob] The handle of the free axis.

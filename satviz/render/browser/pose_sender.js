@@ -5,6 +5,7 @@
 // message from here: the next pose, which must not wait for that answer, or an empty message.
 
 /** @import { Pose } from "./messages.js" */
+/** @typedef {{ snap: "a" | "b", byKey: boolean } | null} Snapping The shape that may be moved to where it touches the other; by an arrow key, or dragged. */
 
 const MAX_IN_FLIGHT = 3; // poses without an answer
 const ACKNOWLEDGE_MS = 8; // the empty message comes this long after a pose, when the answer should wait in the server
@@ -17,7 +18,7 @@ export class PoseSender {
     this.sent = 0; // the number of the last pose
     this.answered = 0; // the last one with an answer
     this.abandoned = 0; // the last one whose answer is not waited for
-    /** @type {(Pose & { final: boolean, width: number | null, snap: "a" | "b" | null }) | null} The newest pose, while it waits. */
+    /** @type {(Pose & { final: boolean, width: number | null } & Partial<NonNullable<Snapping>>) | null} The newest pose, while it waits. */
     this.next = null;
     this.acknowledging = 0;
     this.timeout = 0;
@@ -32,10 +33,10 @@ export class PoseSender {
    * @param {Pose} pose
    * @param {boolean} final A pose that is not final is one of many: Python keeps the kernel busy between them.
    * @param {number | null} width Of the place for the picture; null: as wide as a picture ever is.
-   * @param {"a" | "b" | null} snap The shape that may be moved to where it touches the other.
+   * @param {Snapping} snapping
    */
-  push(pose, final, width, snap) {
-    this.next = { ...pose, final, width, snap };
+  push(pose, final, width, snapping) {
+    this.next = { ...pose, final, width, ...snapping };
     this.flush();
   }
 

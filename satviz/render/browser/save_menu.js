@@ -1,7 +1,7 @@
 // The menu of what a widget saves: files, and texts to copy.
 
 import { PAGE_FORMATS, savePictures } from "./download.js";
-import { button, element, icon } from "./elements.js";
+import { button, element, toolMenu } from "./elements.js";
 
 /** @import { Pen } from "./pen.js" */
 /** @typedef {{ formats: string[], request: (form: string) => void }} Kernel The formats that Python offers, and how to request a file. */
@@ -56,23 +56,9 @@ export function saveMenu(pens, kernel, texts) {
   };
   const copies = Object.entries(texts).map(([name, text]) => button(name, () => copy(text)));
   const saves = formats.map((form) => button(`save ${form.toUpperCase()}`, () => request(form), { content: form.toUpperCase() }));
-  const summary = element("summary", { class: "sv-tool" }, icon("save"), element("span", {}, "save"));
-  const list = element("div", { onclick: () => menu.removeAttribute("open") }, ...saves, ...copies);
-  const menu = element("details", { class: "sv-menu" }, summary, list);
+  const { menu } = toolMenu("save", "save", ...saves, ...copies);
   menu.addEventListener("toggle", () => {
     if (menu.open) status.textContent = "";
-    list.style.translate = "";
-    const beyond = list.getBoundingClientRect().right - document.documentElement.clientWidth + 8;
-    if (menu.open && beyond > 0) list.style.translate = `${-beyond}px`; // the list stays inside the page
-  });
-  menu.addEventListener("focusout", ({ relatedTarget }) => {
-    if (relatedTarget instanceof Node && !menu.contains(relatedTarget)) menu.removeAttribute("open");
-  });
-  menu.addEventListener("keydown", (event) => {
-    if (event.key !== "Escape" || !menu.open) return;
-    event.stopPropagation();
-    menu.removeAttribute("open");
-    summary.focus();
   });
   return { menu, status };
 }

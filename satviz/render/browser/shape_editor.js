@@ -2,7 +2,7 @@
 // and keys.  What is drawn is sent to Python like any change, so undo takes it back.  An outline that Python refuses stays
 // on the screen with the reason, and can be mended.
 
-import { button, element } from "./elements.js";
+import { element, toolButton, toolMenu } from "./elements.js";
 import { distanceToSegment, roundDown, snap, spokenPoint } from "./shapes.js";
 
 /** @import { Explorer } from "./explorer.js" */
@@ -39,12 +39,14 @@ export class ShapeEditor {
     this.which = element("select", { "aria-label": "which shape" }, option("a"), option("b"));
     /** @type {Record<Tool, string>} */
     const names = { polygon: "draw polygon", circle: "draw circle", add: "add corner", take: "remove corner" };
-    this.buttons = /** @type {[Tool, string][]} */ (Object.entries(names)).map(([tool, name]) => ({ tool, button: button(name, () => this.choose(this.tool === tool ? null : tool), { pressed: "false" }) }));
-    this.done = button("done", () => this.finish());
+    this.buttons = /** @type {[Tool, string][]} */ (Object.entries(names)).map(([tool, name]) => ({ tool, button: toolButton(tool, name, () => this.choose(this.tool === tool ? null : tool), { pressed: "false" }) }));
+    this.done = toolButton("done", "done", () => this.finish());
     this.done.hidden = true;
-    this.help = element("p", { class: "sv-note", role: "status", hidden: true });
-    this.element = element("div", { class: "sv-edit" },
-      element("div", { class: "sv-controls", role: "group", "aria-label": "shapes by hand" }, element("label", {}, "by hand: ", this.which), ...this.buttons.map((each) => each.button), this.done), this.help);
+    this.help = element("p", { role: "status" });
+    const { menu, summary } = toolMenu("draw", "draw", element("label", {}, "shape ", this.which), ...this.buttons.map((each) => each.button));
+    this.summary = summary;
+    this.element = element("div", { class: "sv-edit", hidden: true }, this.help, this.done); // where the hint was
+    explorer.controls.drawing.append(menu);
     this.drawing = element("svg", { class: "sv-drawing", "aria-hidden": "true" });
     this.plane = element("div", { class: "sv-plane", hidden: true, tabindex: 0, role: "application", "aria-label": "drawing plane", onpointerdown: (event) => this.clicked(event), onkeydown: (event) => this.keyPressed(event) });
     explorer.board.append(this.drawing, this.plane);
@@ -67,7 +69,7 @@ export class ShapeEditor {
     for (const each of this.buttons) each.button.setAttribute("aria-pressed", String(each.tool === tool));
     this.plane.hidden = !tool;
     this.done.hidden = tool !== "polygon";
-    this.help.hidden = !tool;
+    this.element.hidden = !tool;
     this.help.textContent = tool ? TOOL_HELP[tool] : "";
     if (tool) {
       this.explorer.used();
@@ -111,7 +113,7 @@ export class ShapeEditor {
     else if (event.key === "Backspace") this.points.pop();
     else if (event.key === "Escape") {
       this.choose(null);
-      this.buttons[0].button.focus();
+      this.summary.focus();
     } else return;
     event.preventDefault();
     event.stopPropagation();

@@ -53,6 +53,7 @@ function openWhenNear(places) {
 /** @type {HTMLElement[]} */
 const scenes = [...document.querySelectorAll(/** @type {"div"} */ (".live"))];
 const workerScript = document.body.dataset.python;
+const script = /** @type {HTMLScriptElement} */ (document.currentScript); // its folder is the site's, also for the page of a missing address
 
 /** @param {string} why */
 function stayStill(why) {
@@ -79,4 +80,4 @@ else if (scenes.length) {
   else openWhenNear(places);
 }
 if (document.body.classList.contains("embed")) fitFrame();
-if (isSecureContext && "serviceWorker" in navigator) navigator.serviceWorker.register("sw.js").catch(() => {});
+if (isSecureContext && "serviceWorker" in navigator) navigator.serviceWorker.register(new URL("sw.js", script.src)).catch(() => {});
