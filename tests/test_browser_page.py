@@ -725,7 +725,7 @@ def test_a_page_to_share_saves_the_step_that_it_shows(browser, errors, pages):
                 == page.locator(".sv-sentence").inner_text()
                 == sv.picture(sv.scene("triangles").record(), 7).sentence
             )
-    assert "GIF" not in page.locator(".sv-menu").inner_text()
+    assert "GIF" not in page.locator(".sv-menu:has-text('save')").inner_text()
     page.close()
 
 
@@ -757,7 +757,7 @@ def test_what_is_saved_while_it_moves_is_what_it_comes_to(browser, errors, pages
 
 def test_the_save_menu_opens_and_closes_from_the_keyboard(browser, errors):
     with explored(browser, ExplorerModel(sv.scene("triangles")), errors) as page:
-        menu = page.locator(".sv-menu")
+        menu = page.locator(".sv-menu:has-text('save')")
         assert not page.get_by_role("button", name="save SVG").is_visible()
         menu.locator("summary").focus()
         page.keyboard.press("Enter")
