@@ -174,8 +174,8 @@ def test_a_batch_joined_of_kinds_is_that_of_its_shapes_whatever_is_read_first(re
         assert READ[read](batch.concat(made)) == READ[read](expected)
 
 
-AROUND = [12, 24, broad_rule.MAX_ALL_PAIRS]
-SIZES = sorted({0, 1, 2, 3, 5, 80, *(n + more for n in AROUND for more in (-1, 0, 1))})
+AROUND = [12, 24, broad_rule.MAX_ALL_PAIRS, broad_rule.MAX_ALL_PAIRS_NUMBA]
+SIZES = sorted({0, 1, 2, 3, 5, *(n + more for n in AROUND for more in (-1, 0, 1))})
 # At the first and the last scale the sign of every product is an exact one, which takes long for many corners.
 QUICK_TO_DECIDE = "triangles", "upright boxes", "touching", "circles"
 
@@ -226,7 +226,7 @@ def test_all_colliding_pairs_of_many_shapes_are_found_in_order(n, kind, engine):
 
 def oddly_placed(rng):
     """Yield (name, shapes) of layouts in which a broad phase may go wrong."""
-    for n in 20, 60, 90:
+    for n in 20, 60, 150:
         some = touching(rng, n - 1, 12)
         yield "all in one place", [BOX] * n
         yield "all about one point", [ring - BOX[k % 4] for k, ring in enumerate([BOX] * n)]
@@ -377,33 +377,33 @@ def test_sizes_that_differ_much_are_swept(n, sizes):
         assert batch.colliding_pairs(boxes_of(bounds), engine=engine).tolist() == right
 
 
-@pytest.mark.parametrize("engine, most", [("numpy", 4096), ("numba", 512)])
-def test_the_broad_phase_that_is_chosen_is_named(engine, most):
+@pytest.mark.parametrize("engine, few, most", [("numpy", 48, 4096), ("numba", 128, 512)])
+def test_the_broad_phase_that_is_chosen_is_named(engine, few, most):
     if engine == "numba":
         kernels_of("few")
     row = np.arange(5000)[:, None] * [1.0, 0, 1, 0] + [0, 0, 0.5, 1]
     for n, right in (
         (0, ("all pairs", 0)),
         (1, ("all pairs", 0)),
-        (48, ("all pairs", 48 * 47 // 2)),
-        (49, ("sort and sweep", 0)),
+        (few, ("all pairs", few * (few - 1) // 2)),
+        (few + 1, ("sort and sweep", 0)),
         (most, ("sort and sweep", 0)),
         (most + 1, ("grid", None)),
     ):
         assert batch.broad_phase_of(boxes_of(row[:n]), engine=engine) == right
         assert batch.broad_phase_of(boxes_of(row[:n, [1, 0, 3, 2]]), engine=engine) == right
         assert batch.broad_phase_of(batch.Circles(row[:n, :2], 0.25), engine=engine) == right
-    ells = [np.add([(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)], [3 * k, 0]) for k in range(30)]
+    ells = [np.add([(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)], [3 * k, 0]) for k in range(70)]
     parts = batch.Polygons(ells, concave="split")
     way = batch.broad_phase_of(parts, engine=engine)
-    assert way == batch.broad_phase_of(parts.parts, engine=engine) == ("sort and sweep", 30)
+    assert way == batch.broad_phase_of(parts.parts, engine=engine) == ("sort and sweep", 70)
     with pytest.raises(TypeError, match="make it with"):
         batch.broad_phase_of(ells)
 
 
 def any_bounds(rng):
     """Return bounds of which the axis, the comparisons and the order may be in doubt."""
-    n = int(rng.choice([2, 48, 49, 60, 120]))
+    n = int(rng.choice([2, 48, 129, 150, 200]))
     low = rng.choice([rng.integers(0, 9, (n, 2)), rng.integers(0, 300, (n, 2)), rng.uniform(-9, 9, (n, 2))]) * 1.0
     size = rng.choice([rng.integers(0, 3, (n, 2)), rng.integers(1, 30, (n, 2)), np.zeros((n, 2))]) * 1.0
     stretch = rng.choice([[1, 1], [0, 1], [1, 0], [5, 1], [1e-9, 1]])
@@ -858,3 +858,24 @@ def test_blocks_that_another_thread_joins_at_any_line_are_read_all_the_same(func
             sys.settrace(before)
 
     assert all(joined_before(line) == want for line in range(1, 10)) and lines >= 2
+
+
+# -- the sweep's own sort
+
+
+def test_values_are_sorted_however_they_lie():
+    few, rng = kernels_of("few"), RNG(5)
+    for n in 2, 3, 60, 300:
+        for values in (
+            rng.uniform(-1, 1, n),
+            rng.integers(0, 4, n) * 1.0,
+            np.zeros(n),
+            np.arange(n)[::-1] * 5e-324,
+            np.append(rng.uniform(0, 1, n - 1), 1e300),  # all others share a bucket
+            np.append(rng.uniform(0, 1, n - 1), -1e15),
+            rng.permutation(2.0 ** np.linspace(-1000, 1000, n)),
+            rng.choice([-1.7e308, 1.7e308], n),
+            rng.choice([-0.0, 0.0, 5e-324], n),
+        ):
+            order = few._sorted(values)
+            assert sorted(order.tolist()) == list(range(n)) and np.array_equal(values[order], np.sort(values))
