@@ -563,7 +563,7 @@ def test_where_pyodide_keeps_no_memory_a_site_is_built_and_all_of_it_works(visit
         page.context.close()
         page = visit("yours.html", at=at, live=False)
         page.wait_for_function("() => !document.querySelector('.run').disabled", timeout=2 * LIVE)
-        assert run_code(page, "python") == "Wrong. Your function says hit. True: apart."
+        assert run_code(page, "python") == "Wrong. Your function says hit. The right answer: apart."
         page.context.close()
         page = visit("scene.html?embed&predict#triangles", at=at, live=False)
         page.locator(".live.ready").wait_for(timeout=2 * LIVE)
@@ -868,14 +868,14 @@ def check_page(visit):
 
 @pytest.mark.parametrize("language", ["python", "javascript"])
 def test_a_wrong_function_is_caught_and_asked_while_its_counterexample_is_moved(check_page, language):
-    assert run_code(check_page, language) == "Wrong. Your function says hit. True: apart."
+    assert run_code(check_page, language) == "Wrong. Your function says hit. The right answer: apart."
     assert "It behaves like aabb-not-upright" in check_page.locator(".report").inner_text()
     check_page.locator(".yours.wrong").wait_for()
     check_page.locator('[data-handle="B-move"]').focus()
     for _ in range(20):
         check_page.keyboard.press("ArrowRight")
     check_page.locator(".yours.right").wait_for()
-    assert check_page.locator(".yours").inner_text() == "✓ Your function says: hit. True: overlapping."
+    assert check_page.locator(".yours").inner_text() == "✓ Your function says: hit. The right answer: overlapping."
 
 
 @pytest.mark.parametrize(
@@ -1079,7 +1079,7 @@ def test_a_program_of_a_chapter_is_opened_mended_and_does_not_replace_the_reader
     check_page.evaluate("() => { location.hash = '#collide_2'; }")
     check_page.wait_for_function("() => document.querySelector('[name=program]').value === 'collide_2'")
     assert "def collide_2(a, b):" in editor.input_value()
-    assert run_code(check_page) == "Wrong. Your function says hit. True: apart."
+    assert run_code(check_page) == "Wrong. Your function says hit. The right answer: apart."
     before, _ = editor.input_value().split("        if a0 <= b1")
     mended = before + "        if a1 < b0 or b1 < a0:\n            return False\n    return True\n"
     assert run_code(check_page, code=mended).startswith("Right on all")
