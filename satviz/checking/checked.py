@@ -141,7 +141,7 @@ class Checked:
             "right": self.right,
             "finding": self.finding,
             "sentence": self.sentence,
-            "mistake": " ".join(_likeness_lines(self.behaves_like)[1:2]),
+            "mistake": "" if self.right else " ".join([*_likeness_lines(self.behaves_like)[1:], *self.notes][:1]),
             "text": str(self),
             "said": None if self.smallest is None else repr(self.said),
             "truth": None if self.smallest is None else true_in_words(self.smallest.truth, self.rules),

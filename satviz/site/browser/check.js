@@ -190,7 +190,7 @@ export class CheckPage {
     if (!checked.link) return;
     this.place.root.dataset.hash = checked.link;
     this.place.open();
-    this.status.scrollIntoView({ block: "nearest" });
+    this.status.scrollIntoView({ block: matchMedia("(max-width: 700px)").matches ? "start" : "nearest" }); // with the picture
   }
 
   /** @param {State} state The explorer's: its shapes are given to the reader's function, the newest only. */
@@ -219,7 +219,7 @@ export class CheckPage {
   /** @param {string} text */
   showPrinted(text) {
     this.printed.hidden = !text;
-    this.printed.textContent = text;
+    this.printed.textContent = `printed:\n${text}`;
   }
 
   /** @param {Judged} judged */
