@@ -228,7 +228,7 @@ def test_back_where_it_began_a_scene_is_framed_as_it_was(name):
     assert wide[2] - wide[0] > 2 * (first["limits"][2] - first["limits"][0])
     assert hand.answer(begin | {"final": False})["picture"]["limits"] == wide  # nothing jumps under the hand
     assert hand.answer(begin)["picture"] == first
-    for i in range(-60, 61):  # labels move
+    for i in range(-60, 61, 3):  # labels move
         move = sv.Vec(2 * i / hand.picture().scale, i / hand.picture().scale)
         hand.answer(begin | {"b": shape_data(translated(scene.b, move)), "final": False})
     assert hand.answer(begin)["picture"] == first
@@ -443,7 +443,7 @@ EXTREME = {
 
 @pytest.mark.parametrize("pair", EXTREME)
 @pytest.mark.parametrize(
-    "name", one_in(16, [*(row.name for row in FAILURE_CASES if row.how != REFUSED), "triangles", "concave"])
+    "name", one_in(24, [*(row.name for row in FAILURE_CASES if row.how != REFUSED), "triangles", "concave"])
 )
 def test_the_strangest_pose_is_shown_or_refused_and_then_nothing_has_changed(name, pair):
     explored, (a, b) = ExplorerModel(sv.scene(name)), EXTREME[pair]
