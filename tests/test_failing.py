@@ -771,7 +771,7 @@ def test_a_shortcut_that_calls_touching_apart_is_wrong_along_the_rim_alone():
 
 def test_the_distance_is_that_of_the_nearest_points_for_shapes_of_any_kind():
     u = sv.Polygon([(0, 0), (6, 0), (6, 4), (5, 4), (5, 1), (1, 1), (1, 4), (0, 4)])
-    ring = [(30 + cos(radians(6 * k)), 2 * sin(radians(6 * k))) for k in range(60)]
+    ring = [(30 + cos(radians(18 * k)), 2 * sin(radians(18 * k))) for k in range(20)]
     many = sv.Polygon(ring)
     for a in u, many, box(-3, 0, -2, 1):
         for b in box(2.5, 2, 3.5, 3), sv.Polygon([(x + 7, y + 8) for x, y in ring]), box(9, 9, 10, 10), many:
