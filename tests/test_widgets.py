@@ -290,7 +290,7 @@ def test_every_failing_scene_can_be_explored_dragged_and_seen_in_truth():
 
 @pytest.mark.slow
 def test_files_come_from_the_matplotlib_pen():
-    widget = sv.play(TRIANGLES.record())
+    widget = sv.play("circles")  # of few steps
     sent = []
     widget.send = lambda content, buffers=None: sent.append((content, buffers))
     for form, magic in ("svg", b"<?xml"), ("png", b"\x89PNG"), ("gif", b"GIF89a"):
