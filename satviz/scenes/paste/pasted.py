@@ -38,6 +38,7 @@ ASKS = {
     "turn": "Does y point up or down? A positive angle turns the other way there.",
     "order": "Does the width come first, or the height?",
     "pivot": "Is the box turned around its center or around its corner?",
+    "twice": "A name has two values. Is each of them a shape, or only the last one?",
     "round": "Is the last number of the circle its radius or its diameter?",
     "rest": "Not understood:",
     "corners": "Are the corners relative to the position, or absolute already?",
@@ -60,6 +61,8 @@ CHOICE_WORDS = {
     "absolute": "corners absolute already",
     "radius": "the radius",
     "diameter": "the diameter",
+    "each-value": "each value of a name",
+    "last-value": "the last value of a name",
     "leave-out": "the shapes as read, without it",
 }
 
