@@ -99,6 +99,8 @@ def test_the_shortcuts_number_stands_on_the_left_struck_out_and_the_right_one_on
         "mixed-signs": ("gap +1", "overlap 1, way out 2"),  # its own axis, with the true ranges
         "unit-normals": ("gap +4.441e-16", "touching, gap 0"),
         "box-in-u": ("overlap 2", "A1 | B"),
+        "edges-cross": ("apart", "overlap 1, way out 2"),
+        "corner-inside": ("apart", "overlap 1, way out 2"),
     }.get(case.name, ("", ""))
     if not left:
         told = [case.in_words(answer) for answer in (case.claimed, case.actual)]
