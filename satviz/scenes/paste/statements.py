@@ -41,7 +41,6 @@ class Statements(Names):
     def __init__(self, text: str) -> None:
         super().__init__(text)
         self.runs: list[Run] = []
-        self.named: list[tuple[int, int]] = []  # where short parts stand that a problem quotes in full
         self.taken: set[int] = set()  # values that a run has
         # rectMode(CENTER): what it is of, where it stands, and the mode
         self.modes = [(m[1], m.start(), m[2].lower()) for m in _MODE.finditer(text)]
@@ -79,7 +78,7 @@ class Statements(Names):
         i = 0
         while i < len(items):
             item, i = items[i], i + 1
-            if isinstance(item, Pair) and key(item.path[-1]) == "points" and _is_row_of_points(item.value):
+            if isinstance(item, Pair) and _is_points(item.path[-1]) and _is_row_of_points(item.value):
                 rows = [item.value]
                 while i < len(items) and _is_row_of_points(items[i]):
                     rows.append(items[i])
@@ -260,9 +259,14 @@ def _owner(name: str) -> tuple[str, str]:
     return "", ""
 
 
+def _is_points(name: str | int) -> bool:
+    """Return whether a key holds corners: points, and m_Points and m_Paths of Unity."""
+    return key(name) == "points" or str(name).lower() in ("m_points", "m_paths")
+
+
 def _is_row_of_points(value: Any) -> bool:
     """Return whether a value is a bracket with two numbers and no name."""
-    return isinstance(value, Group) and not value.name and len(value.items) == 2 and _are_numbers(value)
+    return isinstance(value, Group) and not value.name and _is_point(value)
 
 
 def _are_numbers(item: Group) -> bool:
