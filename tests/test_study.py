@@ -141,11 +141,6 @@ def test_a_rival_finds_more_pairs_than_it_has_space_for_at_first():
                 assert len(as_set(found)) == len(found) == 60 * 59 // 2 > scene_rivals.PAIRS_A_SHAPE * 60
 
 
-def test_plain_sat_reads_pairs_as_satviz_does():
-    a, b = (turned_boxes(np.random.default_rng(seed), 2000, 1.7) for seed in (1, 2))
-    assert np.array_equal(scene_rivals.box_pairs_hit(a, b), batch.hits(batch.Polygons(a), batch.Polygons(b)))
-
-
 @pytest.mark.parametrize("work", MOVING_SHAPES)
 def test_a_sample_of_a_frame_counts_pairs_that_lack_and_pairs_too_many(work):
     frame = scene_of(work, 400, 5).frames[0]

@@ -1,5 +1,6 @@
 """Each section of the study: its finding is what its rows say, its counts are seeded, nothing is drawn over."""
 
+import copy
 import json
 import math
 import os
@@ -67,7 +68,7 @@ from satviz.study.workloads.hard_pairs import (
     hard_circles,
     hard_pairs,
     octave_of,
-    touching_triangles,
+    touching_quadrilaterals,
 )
 from satviz.study.workloads.stack import SLOP, contact_points
 
@@ -81,8 +82,8 @@ SMALL = {  # the arguments of every cell before the settings, where they are sma
     speed_against_accuracy.count_errors: (40,),
     speed_against_accuracy.take_times: (300, 2),
     exactness_cost.take_times: (200, 2),
-    corner_count.take_times: (300, 2),
-    corner_count.count_errors: (100,),
+    corner_count.take_times: (300, 2, corner_count.CORNER_COUNTS),
+    corner_count.count_errors: (100, corner_count.CORNER_COUNTS),
     margin_strips.count_by_margin: (2,),
     margin_strips.count_circles: (4,),
     margin_strips.count_touching: (40,),
@@ -152,7 +153,7 @@ def test_hard_circles_have_margins_of_every_octave():
 
 
 def test_two_oracles_agree_and_a_pair_on_which_they_differ_is_an_error(monkeypatch):
-    for make in touching_triangles, lambda rng, n: (ngons(rng, n, 5, 1.0), ngons(rng, n, 7, 1.0)):
+    for make in touching_quadrilaterals, lambda rng, n: (ngons(rng, n, 5, 1.0), ngons(rng, n, 7, 1.0)):
         a, b = make(np.random.default_rng(2), 60)
         by_clipping = [truth.relation(p, q) for p, q in zip(engine_shapes(a), engine_shapes(b), strict=True)]
         assert true_relations(a, b).tolist() == by_clipping
@@ -402,6 +403,16 @@ def test_every_complete_method_is_right_where_nothing_is_near(work):
     for method, said in answers_by_method(all_methods(), a, b):
         if method.family not in ("bounds",):
             assert np.array_equal(said > 0, right > 0), method
+
+
+@pytest.mark.parametrize("work", WORKLOADS)
+def test_a_method_answers_from_arrays_as_from_prepared_shapes_and_leaves_the_arrays_alone(work):
+    a, b = WORKLOADS[work](np.random.default_rng(2), 200)
+    kept = copy.deepcopy((a, b))
+    for method in all_methods(circles=isinstance(a, tuple)):
+        prepared = method.hits(method.prepare(a), method.prepare(b))
+        assert np.array_equal(method.from_arrays(a, b), prepared), method
+    assert all(map(np.array_equal, (*a, *b), (*kept[0], *kept[1])))
 
 
 def test_gjk_counts_touching_and_concentric_shapes_as_hits():

@@ -5,6 +5,7 @@ import io
 import json
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
+from statistics import median
 from textwrap import wrap
 from typing import Any, NamedTuple, cast
 
@@ -338,6 +339,16 @@ def _shared_area(one: Sequence[float], other: Sequence[float]) -> float:
     """Return the area that two boxes (x0, y0, x1, y1) share, in square points."""
     wide, high = (min(one[k + 2], other[k + 2]) - max(one[k], other[k]) for k in (0, 1))
     return max(0.0, wide) * max(0.0, high)
+
+
+def median_interval(values: Iterable[float]) -> tuple[float, float, float]:
+    """Return (median, low, high) of a sample of 8 or more; low and high are 95 % bounds of the median of the whole.
+
+    Of n values about n / 2 are below the median, give or take 0.98 n ** 0.5 (the binomial distribution).
+    """
+    found = sorted(values)
+    first = int(len(found) / 2 - 0.98 * len(found) ** 0.5) - 1
+    return median(found), found[first], found[-1 - first]
 
 
 def wilson_interval(wrong: int, total: int) -> tuple[float, float]:

@@ -18,7 +18,7 @@ from ...engine.relate import relate
 from ...engine.shapes import Circle, Polygon, Shape
 from .. import truth
 from ..harness.machine import is_installed
-from ..workloads.generators import Side, is_padded, unpadded_rings
+from ..workloads.generators import Side, unpadded_rings
 from . import libraries, numpy_rivals, python_rivals
 
 COMPILED, NUMPY, PYTHON = "compiled", "NumPy", "Python"
@@ -37,7 +37,8 @@ class Method(NamedTuple):
 
     `language`: the language of its loop over pairs.  `family`: the group that decides its colour in charts; "exact" is
     exact by construction for all float64.  `circles`: whether it takes circles too.  `one`: prepares one shape of the
-    engine; None if `prepare` does not go through the engine's shapes.
+    engine; None if `prepare` does not go through the engine's shapes.  `prepare_once`: a quicker way to prepare shapes
+    that are tested only once, where there is one.
     """
 
     name: str
@@ -47,6 +48,12 @@ class Method(NamedTuple):
     hits: Callable[[Any, Any], Any]
     circles: bool = False
     one: Callable[[Shape], Any] | None = None
+    prepare_once: Callable[[Side], Any] | None = None
+
+    def from_arrays(self, a: Side, b: Side) -> Any:
+        """Return the answers to all pairs of the raw arrays `a` and `b`, each shape made anew and tested once."""
+        prepare = self.prepare_once or self.prepare
+        return self.hits(prepare(a), prepare(b))
 
     def prepare_from(self, side: Side, shapes: list[Shape]) -> Any:
         """Return what `prepare(side)` returns, made from `shapes`, the engine's shapes of that side."""
@@ -100,9 +107,7 @@ def engine_shapes(side: Side) -> list[Shape]:
 
 def batch_shapes(side: Side) -> batch.Shapes:
     """Return the shapes of a workload's side as batch.Polygons or batch.Circles."""
-    if isinstance(side, tuple):
-        return batch.Circles(*side)
-    return batch.Polygons(unpadded_rings(side) if is_padded(side) else side.copy())
+    return batch.Circles(*side) if isinstance(side, tuple) else batch.Polygons(side)
 
 
 def _numba_methods() -> Iterator[Method]:
@@ -120,7 +125,10 @@ def _numba_methods() -> Iterator[Method]:
             kernel_for(len(a.x), len(b.x))(a.x, a.y, b.x, b.y, out)
             return out.view(np.bool_)
 
-        return Method(name, COMPILED, family, partial(numpy_rivals.to_columns, dtype=dtype), hits)
+        # float64 is read as it lies; float32 has to be copied anyway
+        once = numpy_rivals.as_columns if dtype is np.float64 else None
+        columns = partial(numpy_rivals.to_columns, dtype=dtype)
+        return Method(name, COMPILED, family, columns, hits, prepare_once=once)
 
     def sat(name: str, family: str, form: int, tolerance: float = 0.0, dtype: Any = np.float64) -> Method:
         """Return SAT as a Method; its kernel takes the tolerance in the format of the columns."""
@@ -132,13 +140,13 @@ def _numba_methods() -> Iterator[Method]:
 
         return on_columns(name, family, kernel_for, dtype)
 
-    def on_bounds(name: str, bound: Callable[..., Any], kernel: Callable[..., None], *options: Any) -> Method:
-        """Return the Method of a kernel on bounding volumes, which `bound(x, y, *options)` makes of a side."""
+    def on_bounds(name: str, bound: Callable[..., Any], kernel: Callable[..., None]) -> Method:
+        """Return the Method of a kernel on bounding volumes, which `bound(x, y)` makes of a side."""
 
         def prepare(side: Side) -> Any:
             """Return the bounding volumes of a workload's side."""
-            columns = numpy_rivals.to_columns(side)
-            return bound(columns.x, columns.y, *options)
+            columns = numpy_rivals.as_columns(side)
+            return bound(columns.x, columns.y)
 
         def hits(a: Any, b: Any) -> Answers:
             """Return for each pair whether the bounding volumes hit."""
@@ -153,7 +161,6 @@ def _numba_methods() -> Iterator[Method]:
         return numba_rivals.gjk_kernel(numba_rivals.unrolled(va), numba_rivals.unrolled(vb))
 
     relation = partial(batch.relate, engine="numba")
-    xy = np.array([(1.0, 0.0), (0.0, 1.0)])
     yield Method("satviz", COMPILED, "exact", batch_shapes, relation, circles=True)
     yield sat("SAT, raw normals", "float SAT", numba_rivals.PLAIN)
     yield sat("SAT, unit normals", "float SAT", numba_rivals.UNIT)
@@ -161,7 +168,7 @@ def _numba_methods() -> Iterator[Method]:
     yield sat("SAT, tolerance 1e-9", "tolerance", numba_rivals.WITH_TOLERANCE, TOLERANCE)
     yield on_columns("GJK", "GJK", gjk)
     yield on_bounds("bounding circles", numba_rivals.enclosing_circles, numba_rivals.circles_hit)
-    yield on_bounds("AABB", numba_rivals.ranges_on_directions, numba_rivals.boxes_hit, xy)
+    yield on_bounds("AABB", numba_rivals.upright_boxes, numba_rivals.boxes_hit)
     yield on_bounds("oriented boxes", numba_rivals.oriented_boxes, numba_rivals.oriented_boxes_hit)
 
 

@@ -38,11 +38,17 @@ class PairAxes(NamedTuple):
 AxisChoice = Callable[[Columns, Columns], Iterator[PairAxes]]
 
 
-def to_columns(side: Side, dtype: type = np.float64) -> Columns:
-    """Return the shapes of a workload's side as Columns, with coordinates of type `dtype`."""
+def as_columns(side: Side) -> Columns:
+    """Return the shapes of a workload's side as Columns that are views: nothing is copied."""
     at, r = side if isinstance(side, tuple) else (side, None)
     at = at[:, None] if at.ndim == 2 else at
-    x, y = (np.ascontiguousarray(at[:, :, i].T, dtype=dtype) for i in (0, 1))  # type: ignore[var-annotated]
+    return Columns(at[:, :, 0].T, at[:, :, 1].T, r)
+
+
+def to_columns(side: Side, dtype: type = np.float64) -> Columns:
+    """Return the shapes of a workload's side as Columns of their own, with coordinates of type `dtype`."""
+    x, y, r = as_columns(side)
+    x, y = (np.ascontiguousarray(column, dtype=dtype) for column in (x, y))
     return Columns(x, y, None if r is None else r.astype(dtype))
 
 

@@ -14,7 +14,8 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from ... import batch
-from ...advice.advising import advise
+from ...advice.advising_batches import recommend_batch
+from ...advice.records import anywhere, best
 from ...pictures import Theme
 from ..harness.cells import Cell, JsonRow, Settings
 from ..harness.chart import TEXT_LETTER, TEXT_LINE, TEXT_POINTS, WIDTH, Chart, draw_headline, format_time, head_height
@@ -64,15 +65,12 @@ def recommend(n: int, settings: Settings) -> list[JsonRow]:
     }
     table: list[JsonRow] = []
     for words, shapes in scenes.items():
-        found = advise(shapes)
-        model, search = found.model, found.summary.search
-        row: JsonRow = {"have": words, "shapes": len(shapes), "kind": _kind(model.kind, shapes), "model": model.name}
-        row |= {"search": search.name if search else "", "relative_margin": found.summary.relative_margin}
-        table.append({**row, "proven": True, "anywhere": found.anywhere.name})
-    moving = table[3]["anywhere"]
-    unknown = {"have": "anything that moves: positions not known before", "shapes": 0, "kind": "exact", "search": ""}
-    table.append({**unknown, "model": moving, "relative_margin": 0.0, "proven": True, "anywhere": moving})
-    return table
+        # with NumPy: for so few pairs it is done before numba has compiled its kernels
+        summary, results, _ = recommend_batch(shapes, None, None, engine="numpy")
+        model = best(results).model
+        table.append({"have": words, "kind": _kind(model.kind, shapes), "model": model.name})
+        moving = anywhere(summary, results).name  # the last scene has turned boxes, so it needs most
+    return [*table, {"have": "anything that moves: positions not known before", "kind": "exact", "model": moving}]
 
 
 def _kind(kind: str, shapes: batch.Shapes) -> str:
@@ -85,9 +83,8 @@ def rows(found: dict[str, Any]) -> dict[str, list[JsonRow]]:
     measured = {row["method"]: row for row in summaries(found)}
     if not measured.keys() >= set(MEASURED.values()):
         return {}
-    sparks = {"have": "sparks and crowds, where a wrong hit costs nothing", "shapes": 0, "kind": "circles",
-              "model": "bounding circles", "search": "", "relative_margin": 0.0, "proven": False,
-              "anywhere": "", "wrong_metres": measured["bounding circles"]["metres"]}  # fmt: skip
+    sparks = {"have": "sparks and crowds, where a wrong hit costs nothing", "kind": "circles",
+              "model": "bounding circles", "wrong_metres": measured["bounding circles"]["metres"]}  # fmt: skip
     table = []
     for row in (*({**row, "wrong_metres": 0.0} for row in found["decision"]), sparks):
         timed = measured[MEASURED[row["kind"]]]
