@@ -27,7 +27,7 @@ from satviz.pictures import THEMES
 from satviz.study import run, truth
 from satviz.study.harness import timings
 from satviz.study.harness.cells import Settings
-from satviz.study.harness.chart import TEXT_POINTS, WIDTH, head_height
+from satviz.study.harness.chart import TEXT_POINTS, WIDTH, head_height, median_interval, wilson_interval
 from satviz.study.methods import (
     COMPILED,
     PYTHON,
@@ -540,11 +540,27 @@ def test_times_are_the_median_over_processes_with_the_spread_between_them():
     assert (row["ns"], row["ns_low"], row["ns_high"], row["ns_runs"]) == (6.0, 5.0, 9.0, [5.0, 9.0, 6.0])
 
 
-def test_the_interval_of_a_ratio_comes_from_drawing_whole_processes():
-    mid, low, high = timings.ratio_interval([10.0, 20.0, 40.0], [5.0, 10.0, 20.0])
-    assert (mid, low, high) == (2.0, 2.0, 2.0)  # a slow process is slow for both
-    mid, low, high = timings.ratio_interval([10.0, 11.0, 14.0, 10.0, 12.0], [5.0] * 5)
-    assert low < mid < high and low >= 2.0 and high <= 2.8
+def test_the_interval_of_a_ratio_compares_the_times_of_one_process():
+    assert timings.ratio_interval([10.0, 20.0, 40.0], [5.0, 10.0, 20.0]) == (2.0, 2.0, 2.0)  # slow for both
+    assert timings.ratio_interval([10.0, 11.0, 14.0, 10.0, 12.0], [5.0] * 5) == (2.2, 2.0, 2.8)
+    assert timings.interval_in_words(6) == "the 97 % interval over 6 processes"
+    assert timings.format_ratio((1.66, 1.5, 1.749)) == "1.7 times (1.5 to 1.7)"
+    assert timings.format_ratio((44.8, 9.6, 45.3)) == "45 times (9.6 to 45)"
+
+
+def covered(interval, true, samples):
+    """Return the share of the samples whose interval holds the true value."""
+    return np.mean([low <= true <= high for low, high in map(interval, samples)])
+
+
+def test_intervals_hold_the_true_value_as_often_as_they_say():
+    rng = np.random.default_rng(1)
+    times = rng.lognormal(0, 0.3, (2000, 6))
+    assert 0.96 < covered(lambda own: timings.ratio_interval(own, [0.5] * 6)[1:], 2.0, times) < 0.98
+    for n in 8, 9, 20, 60:
+        assert covered(lambda own: median_interval(own)[1:], 1.0, rng.lognormal(0, 1, (2000, n))) > 0.94, n
+    for rate in 0.5, 0.88, 0.01:
+        assert covered(lambda wrong: wilson_interval(int(wrong), 600), rate, rng.binomial(600, rate, 2000)) > 0.93, rate
 
 
 def test_a_quick_or_torn_run_is_stamped():
@@ -579,6 +595,13 @@ def test_a_title_is_computed_from_its_rows():
         for chart in (main, speed_against_accuracy.main_chart(slower, QUICK))
     )
     assert after == pytest.approx(3 * before, abs=0.2)
+
+
+@pytest.mark.parametrize(
+    "stem", [stem for stem in CHARTS if stem != "decision-table"]
+)  # which counts all of its scenes
+def test_a_title_has_the_interval_of_its_finding(stem):
+    assert re.search(r"\d\S*(\u00a0\S+)? to \d", CHARTS[stem].title)
 
 
 def test_the_headline_names_who_checked_the_answers():
@@ -656,6 +679,6 @@ def test_every_method_says_what_it_is():
 def test_the_title_of_the_stack_says_whether_float64_rests_as_still_as_exact_tests():
     stored = CHARTS["resting-stack"]
     assert "rests as still with float64" in stored.title
-    moved = [row | {"jitter": 0.3} if row["test"] == "float64" else row for row in stored.rows]
+    moved = [row | {"jitters": [0.2, 0.3]} if row["test"] == "float64" else row for row in stored.rows]
     title = resting_stack.chart(moved, Settings(quick=False, seed=1)).title.replace("\xa0", " ")
-    assert "rests less still with float64 (jitter 300 mm) than with exact tests" in title
+    assert "rests less still with float64 (jitter 200 mm to 300 mm) than with exact tests" in title

@@ -2,10 +2,10 @@
 
 The relative margin is the distance from touching, counted in rounding errors (`satviz/advice/relative_margin.py`).
 Question: up to which relative margin is each method wrong, and how often?  Workload: pairs made hard in seven ways,
-equally many in each factor of 2 of the margin, pairs that touch exactly, and circles.  Methods: upright boxes, SAT in
-float32 and in float64, GJK, shapely and satviz, and for circles the comparison of squares.  A sample shows how often a
-method is wrong, a search (`adversary`) how far, and a proof where that ends.  The claim is refuted by a wrong answer of
-SAT in float64 above its proven margin, while no product of coordinates leaves the range of float64.
+about equally many in each factor of 2 of the margin, pairs that touch exactly, and circles.  Methods: upright boxes,
+SAT in float32 and in float64, GJK, shapely and satviz, and for circles the comparison of squares.  A sample shows how
+often a method is wrong, a search (`adversary`) how far, and a proof where that ends.  The claim is refuted by a wrong
+answer of SAT in float64 above its proven margin, while no product of coordinates leaves the range of float64.
 """
 
 from collections.abc import Sequence

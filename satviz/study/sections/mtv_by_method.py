@@ -235,7 +235,7 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
                     transform=ax.get_yaxis_transform())  # fmt: skip
             return ax
 
-        ax = panel(128, 92, "outcome")
+        ax = panel(132, 88, "outcome")
         for kind in kinds:
             at = min(place for place, row in zip(places, rows, strict=True) if row["kind"] == kind)
             ax.text(0, at - 1, kind, ha="right", va="center_baseline", fontsize=TEXT_POINTS, fontweight="bold",

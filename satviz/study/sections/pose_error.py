@@ -3,7 +3,7 @@
 Question: of the errors in a moving scene, which are made before any test begins?  Workload: a corner at a distance
 from the origin, turned about it by a constant step, 10,000 times.  Methods: turning the corner again and again, and
 turning the first corner by the sum of all steps, both in float64 and in float32.  The exact pose comes from integers.
-The claim is refuted if the corners are nearer to the exact pose than the roundings that SAT may lose.
+The claim is refuted if the corners are nearer to the exact pose after all turns than the roundings that SAT may lose.
 """
 
 from collections.abc import Sequence

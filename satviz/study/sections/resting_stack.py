@@ -160,7 +160,7 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     for row in rows:
         where = f"{row['away'] / 1e3:,.0f} km away" if row["away"] else "at the origin"
         text += f"{row['test']}, {where}: sunk by {row['sunk_at_end'] * 1e3:,.1f} mm at the end, jitter "
-        text += f"{in_metres(row['jitter'])} (of {len(exact)} stacks {_span(row['jitters'])}), "
+        text += f"{in_metres(row['jitter'])} (in all stacks {_span(row['jitters'])}), "
         text += f"largest energy in the second half {row['largest_energy']:.1e} J. "
     text += (
         f"The solver leaves {SLOP * 1e3:g} mm of depth to each of {BOXES} contacts, so a stack may rest anywhere down "

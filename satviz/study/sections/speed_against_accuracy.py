@@ -1,9 +1,11 @@
 """Speed against accuracy: the time for a pair, and the largest gap that a method tells wrongly in a scene of 1 km.
 
 Question: what does an exact answer cost, and what does it gain?  Workload: 4-gons of 1 m to 14 m with coordinates up to
-1 km.  Methods: all compiled ones, each at its fastest.  Accuracy is the worst that a search found (`adversary`), and
-for SAT in float64 the proven bound beside it; time is the median over processes.  The claim is refuted by a gap above
-the proven bound that SAT tells wrongly, by one wrong answer of satviz, or by a faster form of a rival.
+1 km; wrong answers are also counted on 4-gons that touch exactly, and on 4-gons of sizes at 2^400 and beyond.  Methods:
+all compiled ones, each at its fastest.  Accuracy is the worst that a search found (`adversary`), and for SAT in float64
+the proven bound beside it; time is the median over processes, of the answer alone and from the raw arrays.  The claim
+is refuted by a gap above the proven bound that SAT tells wrongly, by one wrong answer of satviz, or by a faster form of
+a rival.
 """
 
 import math
