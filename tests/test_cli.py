@@ -88,6 +88,8 @@ def test_draw_writes_one_step_or_some(tmp_path, capsys):
     assert sorted(path.name for path in (tmp_path / "some").iterdir()) == names
     assert main(["draw", "triangles", "--out", str(tmp_path / "all")]) == 0
     assert (tmp_path / "one" / names[2]).read_bytes() == (tmp_path / "all" / names[2]).read_bytes()
+    assert main(["draw", "triangles", "--step", "14-last", "--out", str(tmp_path / "end")]) == 0
+    assert sorted(path.name for path in (tmp_path / "end").iterdir()) == ["triangles-14.svg", "triangles-15.svg"]
 
 
 def test_a_page_a_link_and_a_frame_ask_what_they_are_told_to(tmp_path, capsys):
@@ -102,7 +104,7 @@ def test_a_page_a_link_and_a_frame_ask_what_they_are_told_to(tmp_path, capsys):
     )
 
 
-@pytest.mark.parametrize("text", ["3-", "-", "-3"])
+@pytest.mark.parametrize("text", ["3-", "-", "-3", "last-3"])
 def test_half_a_range_of_steps_is_refused_as_it_is_written(text, capsys):
     with pytest.raises(SystemExit) as stop:
         main(["draw", "triangles", f"--step={text}"])
@@ -131,6 +133,7 @@ BAD = {
     "no json": ("{", "not JSON"),
     "unknown key": ({**GOOD, "colour": 1}, '"colour"'),
     "missing key": ({"satviz": "scene 1", "a": GOOD["a"]}, 'lacks "b"'),
+    "no format": ({"a": GOOD["a"], "b": GOOD["a"]}, 'write "satviz": "scene 1" into it'),
     "key twice": ('{"satviz": "scene 1", "a": 1, "a": 2}', 'key "a" is given twice'),
     "NaN": (json.dumps(GOOD).replace("5, 5", "NaN, 5"), "NaN"),
     "too large": (json.dumps(GOOD).replace("5, 5", "1e400, 5"), "1e400"),
@@ -593,6 +596,7 @@ CLASHES = {
     "draw triangles --format html --step 3": "a page has all steps",
     "draw triangles --step 16": "the run has no step 16: its steps are 0 to 15",
     "draw triangles --step 99 --format link": "the run has no step 99: its steps are 0 to 15",
+    "handout 9": "no chapter 9: the chapters are 1 to 8",
     "draw no-area --step 0": "no-area has no run",
     "draw no-area --predict --format html": "no-area has no run",
     "draw triangles --theme dark --format html": "a page has both themes",
