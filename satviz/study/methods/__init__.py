@@ -175,14 +175,9 @@ def _numba_methods() -> Iterator[Method]:
 def _numpy_methods() -> Iterator[Method]:
     """Yield the methods whose loops run in NumPy."""
 
-    def sat_on(name: str, family: str, axes: numpy_rivals.AxisChoice) -> Method:
-        """Return textbook SAT in NumPy as a Method; `axes(a, b)` yields the axes that it tests."""
-        hits = partial(numpy_rivals.sat_hits, axes=axes)
-        return Method(name, NUMPY, family, numpy_rivals.to_columns, hits, circles=True)
-
     yield Method("satviz", NUMPY, "exact", batch_shapes, partial(batch.relate, engine="numpy"), circles=True)
-    yield sat_on("SAT, raw normals", "float SAT", numpy_rivals.sat_axes)
-    yield sat_on("SAT, unit normals", "float SAT", numpy_rivals.with_unit_length(numpy_rivals.sat_axes))
+    columns, hits = numpy_rivals.to_columns, numpy_rivals.sat_hits
+    yield Method("SAT, unit normals", NUMPY, "float SAT", columns, hits, circles=True)
 
 
 def _python_methods() -> Iterator[Method]:

@@ -41,13 +41,16 @@ from ..workloads.generators import Array, Rings, apart_pairs, overlapping_pairs
 
 CORNER_COUNTS = (3, 4, 8, 16, 32, 64, 128, 256)
 QUICK_COUNTS = (4, 16, 64, 256)  # fewer kernels to compile
-LINE_STYLES = {
-    "SAT, every corner": ("float SAT", "-"),
-    "SAT, support search": ("float SAT", "--"),
-    "rotating calipers": ("float SAT", ":"),
-    "GJK": ("GJK", "-"),
-    "satviz": ("exact", "-"),
-    "shapely": ("library", "-"),
+LINE_STYLES = {  # by (method, column): (label, family, line style)
+    (name, "ns"): (name, family, style)
+    for name, family, style in (
+        ("SAT, every corner", "float SAT", "-"),
+        ("SAT, support search", "float SAT", "--"),
+        ("rotating calipers", "float SAT", ":"),
+        ("GJK", "GJK", "-"),
+        ("satviz", "exact", "-"),
+        ("shapely", "library", "-"),
+    )
 }
 
 
@@ -130,7 +133,7 @@ def rows(found: dict[str, Any]) -> dict[str, list[JsonRow]]:
 def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     """Return the chart of time against corners; both scales are logarithmic, so a slope is an exponent."""
     by = {(row["method"], row["corners"]): row for row in rows}
-    names = [name for name in LINE_STYLES if any(row["method"] == name for row in rows)]
+    names = [name for name, _ in LINE_STYLES if any(row["method"] == name for row in rows)]
     counts = sorted({row["corners"] for row in rows})
     factors = dict[str, str]()
     for name in names:  # two doublings after 64

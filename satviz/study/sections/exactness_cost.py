@@ -21,11 +21,9 @@ from ..harness.chart import (
     Chart,
     add_axes,
     draw_headline,
-    family_colour,
+    draw_time_curves,
     format_time,
     head_height,
-    label_ends,
-    set_time_ticks,
 )
 from ..harness.timings import (
     cells_by_process,
@@ -125,22 +123,12 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
         )
         for what, steps, bottom, words in panels:
             ax = add_axes(fig, (56 / WIDTH, bottom / size[1], 196 / WIDTH, 176 / size[1]), theme)
-            ax.set(yscale="log", ylim=limits)
-            ends = []
-            for (name, column), (label, family, style) in LINES.items():
-                own = [by[what, float(much), name] for much in steps if (what, float(much), name) in by]
-                if not own:
-                    continue
-                shade = family_colour(theme, family)
-                ax.plot(range(len(own)), [r[column] for r in own], color=shade, ls=style, lw=1.8, marker="o", ms=4)
-                for x, row in enumerate(own):
-                    ax.plot([x, x], [row[f"{column}_low"], row[f"{column}_high"]], color=shade, lw=1)
-                ends.append((len(own) - 1, own[-1][column], label, family_colour(theme, family, text=True)))
+            ax.set(ylim=limits)
+            own = [row for row in rows if row["what"] == what]
+            draw_time_curves(ax, theme, range(len(steps)), own, LINES)
             names = [TICKS[step] for step in steps]
             ax.set_xticks(range(len(steps)), names)
             ax.set_xlabel(words, fontsize=TEXT_POINTS)
-            set_time_ticks(ax.yaxis, limits)
-            label_ends(ax, ends)
 
     text = f"{title}. satviz against plain SAT, with {interval_in_words(len(rows[0]['ns_runs']))}: "
     ratios = []
