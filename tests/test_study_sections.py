@@ -24,13 +24,14 @@ from satviz.advice.timing import time_in_turn
 from satviz.engine.axes import needed
 from satviz.engine.geometry import Relation
 from satviz.pictures import THEMES
-from satviz.study import run, truth
+from satviz.study import bench, run, truth
 from satviz.study.harness import timings
 from satviz.study.harness.cells import Settings
 from satviz.study.harness.chart import TEXT_POINTS, WIDTH, head_height, median_interval, wilson_interval
 from satviz.study.methods import (
     COMPILED,
     PYTHON,
+    Method,
     all_methods,
     answers_by_method,
     count_mistakes,
@@ -413,6 +414,19 @@ def test_a_method_answers_from_arrays_as_from_prepared_shapes_and_leaves_the_arr
         prepared = method.hits(method.prepare(a), method.prepare(b))
         assert np.array_equal(method.from_arrays(a, b), prepared), method
     assert all(map(np.array_equal, (*a, *b), (*kept[0], *kept[1])))
+
+
+def test_from_arrays_is_one_definition_in_the_study_and_in_the_bench(monkeypatch):
+    seen, real = set(), Method.from_arrays
+    monkeypatch.setattr(Method, "from_arrays", lambda self, a, b: seen.add(self.name) or real(self, a, b))
+    for work in (
+        lambda: list(bench._bench_hits(bench.plan_bench(20, 1, 0))),
+        lambda: exactness_cost.take_times(50, 1, QUICK),
+        lambda: speed_against_accuracy.take_times(50, 1, QUICK),
+    ):
+        seen.clear()
+        work()
+        assert seen >= {"satviz", "SAT, raw normals"}
 
 
 def test_gjk_counts_touching_and_concentric_shapes_as_hits():

@@ -111,25 +111,26 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     def draw(fig: Figure, theme: Theme) -> None:
         """Draw the table, a line between rows."""
         draw_headline(fig, theme, title, *lines)
-        style: dict[str, Any] = {"fontsize": TEXT_POINTS, "va": "top", "parse_math": False, "linespacing": 1.15}
-        down = head + 8
-        for words, left, width in COLUMNS:
-            heading = "\n".join(wrap(words, int(width / TEXT_LETTER)))
-            fig.text(left / WIDTH, 1 - down / size[1], heading, color=theme.roles["guide"], **style)
+        style: dict[str, Any] = {"fontsize": TEXT_POINTS, "va": "baseline", "parse_math": False}
+
+        def cell(words: str, column: int, down: float, role: str, weight: str = "normal") -> None:
+            """Write one field of the table; `down`: its first line's distance from the top in points."""
+            _, left, width = COLUMNS[column]
+            shade = theme.text.get(role, theme.roles[role])
+            for n, line in enumerate(wrap(words, int(width / TEXT_LETTER))):
+                y = 1 - (down + n * TEXT_LINE) / size[1]
+                fig.text(left / WIDTH, y, line, color=shade, fontweight=weight, **style)
+
+        down = head + 8 + TEXT_POINTS
+        for k, (words, _, _) in enumerate(COLUMNS):
+            cell(words, k, down, "guide")
         down += 34
-        for own, row, height in zip(table, rows, heights, strict=True):
-            fig.add_artist(_rule(theme, down - 4, size))
-            for k, (words, (_, left, width)) in enumerate(zip(own, COLUMNS, strict=True)):
-                role = (
-                    "exact"
-                    if k == 1 and row["kind"] == "exact"
-                    else "wrong"
-                    if k == 3 and row["wrong_metres"]
-                    else "ink"
-                )
-                lines_of = "\n".join(wrap(words, int(width / TEXT_LETTER)))
-                fig.text(left / WIDTH, 1 - down / size[1], lines_of, color=theme.text.get(role, theme.roles[role]),
-                         fontweight="bold" if k == 1 else "normal", **style)  # fmt: skip
+        for (have, model, time, wrong), row, height in zip(table, rows, heights, strict=True):
+            fig.add_artist(_rule(theme, down - 4 - TEXT_POINTS, size))
+            cell(have, 0, down, "ink")
+            cell(model, 1, down, "exact" if row["kind"] == "exact" else "ink", "bold")
+            cell(time, 2, down, "ink")
+            cell(wrong, 3, down, "wrong" if row["wrong_metres"] else "ink")
             down += height
 
     text = f"{title}. " + " ".join(f"{own[0][0].upper()}{own[0][1:]}: {own[1]}, {own[2]}." for own in table)

@@ -189,7 +189,7 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
         f"roundings of touching, at worst at {raw['worst']:.1f}, and proven right from {raw['proven']} on"
     )
     lines = (
-        "Dark: half of the answers are wrong, no better than a coin. Pale: none of this sample is wrong. "
+        "Strong: half of the answers are wrong, no better than a coin. Faint: none of this sample is wrong. "
         "▲ the worst that a sample or a search found. | proven right from here on.",
     )
     head, tall = head_height(title, lines), 22.0 * (len(strips) + 1)
