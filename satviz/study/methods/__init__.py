@@ -36,9 +36,8 @@ class Method(NamedTuple):
     """One way to answer pairs: `hits(prepare(side_a), prepare(side_b))` returns the answers.
 
     `language`: the language of its loop over pairs.  `family`: the group that decides its colour in charts; "exact" is
-    exact by construction for all float64.  `circles`: whether it takes circles too.  `one`: prepares one shape of the
-    engine; None if `prepare` does not go through the engine's shapes.  `prepare_once`: a quicker way to prepare shapes
-    that are tested only once, where there is one.
+    exact by construction for all float64.  `circles`: whether it takes circles too.  `prepare_once`: a quicker way to
+    prepare shapes that are tested only once, where there is one.
     """
 
     name: str
@@ -47,17 +46,12 @@ class Method(NamedTuple):
     prepare: Callable[[Side], Any]
     hits: Callable[[Any, Any], Any]
     circles: bool = False
-    one: Callable[[Shape], Any] | None = None
     prepare_once: Callable[[Side], Any] | None = None
 
     def from_arrays(self, a: Side, b: Side) -> Any:
         """Return the answers to all pairs of the raw arrays `a` and `b`, each shape made anew and tested once."""
         prepare = self.prepare_once or self.prepare
         return self.hits(prepare(a), prepare(b))
-
-    def prepare_from(self, side: Side, shapes: list[Shape]) -> Any:
-        """Return what `prepare(side)` returns, made from `shapes`, the engine's shapes of that side."""
-        return [self.one(shape) for shape in shapes] if self.one else self.prepare(side)
 
 
 def installed_engines() -> Iterator[tuple[str, str]]:
@@ -80,10 +74,9 @@ def true_relations(a: Side, b: Side) -> NDArray[np.int8]:
 
 def answers_by_method(methods: Iterable[Method], a: Side, b: Side) -> Iterator[tuple[Method, Answers]]:
     """Yield each method with its answers to all pairs."""
-    shapes_a, shapes_b = engine_shapes(a), engine_shapes(b)
     for method in methods:
         with np.errstate(all="ignore"):
-            yield method, np.asarray(method.hits(method.prepare_from(a, shapes_a), method.prepare_from(b, shapes_b)))
+            yield method, np.asarray(method.hits(method.prepare(a), method.prepare(b)))
 
 
 def wrong_answers(answers: Answers, right: NDArray[np.int8]) -> NDArray[np.bool_]:
@@ -183,17 +176,13 @@ def _numpy_methods() -> Iterator[Method]:
 def _python_methods() -> Iterator[Method]:
     """Yield the methods in plain Python, which answer one pair at a time."""
 
-    def one_by_one(name: str, family: str, test: Callable[[Any, Any], Any], one: Callable[[Shape], Any]) -> Method:
-        """Return the Method that prepares each shape by `one` and answers each pair by `test`."""
-        return Method(
-            name, PYTHON, family, lambda side: [one(shape) for shape in engine_shapes(side)],
-            libraries.one_by_one(test), circles=True, one=one,
-        )  # fmt: skip
+    def points(side: Side) -> list[python_rivals.PointsAndRadius]:
+        """Return each shape of a workload's side as points and a radius."""
+        return [python_rivals.points_and_radius(shape) for shape in engine_shapes(side)]
 
-    yield one_by_one("satviz", "exact", relate, lambda shape: shape)
-    points = python_rivals.points_and_radius
-    yield one_by_one("SAT, unit normals", "float SAT", partial(python_rivals.sat, unit=True), points)
-    yield one_by_one("GJK", "GJK", python_rivals.gjk, points)
+    one_by_one = libraries.one_by_one
+    yield Method("satviz", PYTHON, "exact", engine_shapes, one_by_one(relate), circles=True)
+    yield Method("GJK", PYTHON, "GJK", points, one_by_one(python_rivals.gjk), circles=True)
 
 
 def _library_methods() -> Iterator[Method]:

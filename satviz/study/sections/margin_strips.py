@@ -79,22 +79,25 @@ def cells(settings: Settings) -> list[Cell]:
                     for name in SEARCHED]  # fmt: skip
 
 
+def _methods() -> list[Method]:
+    """Return the methods that have a strip for polygons."""
+    return [m for m in all_methods() if m.language == COMPILED and (SHAPES, m.name) in ROWS]
+
+
 def count_by_margin(kind: int, per_octave: int, settings: Settings) -> list[JsonRow]:
     """Return each method's wrong answers on pairs of one kind of hardness, by octave of the relative margin."""
     a, b, margin = hard_pairs(HARD_KINDS[kind], settings.rng("hard", HARD_KINDS[kind].name), per_octave)
     right = true_relations(a, b)
-    methods = [m for m in all_methods() if m.language == COMPILED and (SHAPES, m.name) in ROWS]
     return [_counted(SHAPES, m, wrong_answers(answers, right), margin)
-            for m, answers in answers_by_method(methods, a, b)]  # fmt: skip
+            for m, answers in answers_by_method(_methods(), a, b)]  # fmt: skip
 
 
 def count_touching(n: int, settings: Settings) -> list[JsonRow]:
     """Return each method's wrong answers on pairs of 4-gons that touch exactly."""
     a, b = touching_quadrilaterals(settings.rng("margin-touching"), n)
     right = true_relations(a, b)
-    methods = [m for m in all_methods() if m.language == COMPILED and (SHAPES, m.name) in ROWS]
     return [{"what": SHAPES, "method": m.name, "pairs": n, "wrong": int(wrong_answers(answers, right).sum())}
-            for m, answers in answers_by_method(methods, a, b)]  # fmt: skip
+            for m, answers in answers_by_method(_methods(), a, b)]  # fmt: skip
 
 
 def _squares(a: Circles, b: Circles) -> Any:
