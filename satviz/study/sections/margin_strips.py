@@ -193,7 +193,8 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     )
     lines = (
         "Strong: half of the answers are wrong, no better than a coin. Faint: none of this sample is wrong. "
-        "▲ the worst that a sample or a search found. | proven right from here on.",
+        "▲ the worst that a sample or a search found. | proven right from here on, while no product leaves the range "
+        "of float64.",
     )
     head, tall = head_height(title, lines), 22.0 * (len(strips) + 1)
     size = WIDTH, head + tall + 72
