@@ -467,6 +467,12 @@ def test_the_exact_turn_is_that_of_the_angle():
         assert abs(c * c + s * s - (1 << 2 * pose_error.BITS)) < 1 << pose_error.BITS + 8
 
 
+def test_the_error_of_one_turn_is_not_lost_in_rounding():
+    rows = pose_error.measure(20, QUICK)
+    (one,) = (r for r in rows if (r["format"], r["way"], r["distance"], r["steps"]) == ("float64", "steps", 1e3, 1))
+    assert 0 < one["low"] < one["median"] < one["worst"] < 2.0**-42  # two steps of float64 at 1 km
+
+
 def test_steps_cost_more_than_sat_and_the_angle_costs_less_than_steps():
     at = {(r["format"], r["way"], r["distance"], r["steps"]): r["worst"] for r in result("pose")}
     sat = speed_against_accuracy.proven_metres("SAT, raw normals")

@@ -7,6 +7,7 @@ The claim is refuted if the corners are nearer to the exact pose after all turns
 """
 
 from collections.abc import Sequence
+from fractions import Fraction
 from math import hypot
 from typing import Any
 
@@ -52,7 +53,9 @@ def measure(corners: int, settings: Settings) -> list[JsonRow]:
             for dtype in (np.float64, np.float32):
                 for way, path in (("steps", _by_steps(at, angle, dtype)), ("angle", _by_angle(at, angle, dtype))):
                     for step in STEPS:
-                        off = hypot(*(float(p) - q for p, q in zip(path[step], exact[step], strict=True)))
+                        off = hypot(
+                            *(float(Fraction(float(p)) - q) for p, q in zip(path[step], exact[step], strict=True))
+                        )
                         errors.setdefault((dtype.__name__, way, distance, step), []).append(off)
     measured: list[JsonRow] = []
     for (form, way, distance, step), found in errors.items():
@@ -75,14 +78,14 @@ def _exact_turn(angle: float) -> tuple[int, int]:
     return total[0], total[1]
 
 
-def _exact_path(at: tuple[float, float], c: int, s: int) -> dict[int, tuple[float, float]]:
+def _exact_path(at: tuple[float, float], c: int, s: int) -> dict[int, tuple[Fraction, Fraction]]:
     """Return where the point is after each number of STEPS; c, s: cosine and sine of a step, integers over 2**BITS."""
     x, y = (int(v.as_integer_ratio()[0] * (1 << BITS) // v.as_integer_ratio()[1]) for v in map(float, at))
     path = {}
     for step in range(1, STEPS[-1] + 1):
         x, y = (x * c - y * s) >> BITS, (x * s + y * c) >> BITS
         if step in STEPS:
-            path[step] = x / (1 << BITS), y / (1 << BITS)
+            path[step] = Fraction(x, 1 << BITS), Fraction(y, 1 << BITS)
     return path
 
 
@@ -167,7 +170,7 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     for (form, way), (label, _, _) in POSES.items():
         row = by[form, way, KILOMETRE, last]
         roundings = row["median"] / (KILOMETRE * (2.0**-53 if form == "float64" else 2.0**-24))
-        text += f"{label}: off by {in_metres(row['median'])} at 1 km after {last:,} turns, {roundings:,.0f} roundings "
+        text += f"{label}: off by {in_metres(row['median'])} at 1 km after {last:,} turns, {roundings:,.1f} roundings "
         text += f"of a kilometre, and {in_metres(row['worst'])} at worst. "
     text += "The error grows in proportion to the distance. Exact predicates answer exactly about poses that are not."
     return Chart("pose-error", title, size, draw, rows, text)
