@@ -22,6 +22,9 @@ def test_a_text_is_read_rightly_or_what_cannot_be_read_is_named(paste):
     except sv.InvalidScene as error:
         assert not paste.bounds and paste.says and paste.says in str(error)
         return
+    if [question.what for question in pasted.questions if question.matters] == ["rest"]:
+        assert paste.says and paste.says in str(pasted.questions[0]) and not pasted.shapes
+        pasted = sv.paste(paste.text, f"{paste.as_} leave-out")
     assert [bounds(each.read) for each in pasted.readings] == [pytest.approx(b) for b in paste.bounds]
     assert paste.says in " ".join(map(str, pasted.findings))
     assert not pasted.open
@@ -126,7 +129,7 @@ def test_a_name_has_the_value_of_the_last_line_before():
 
 def test_what_is_not_read_is_said_once():
     pasted = sv.paste("this.add.circle(9, 9, 4)\nthis.add.rectangle(15, 10, 4, 2).setOrigin(0, 0)")
-    assert [finding.kind for finding in pasted.findings] == ["not-read"]
+    assert "setOrigin" in pasted.questions[0].asks and pasted.findings == ()
 
 
 def test_several_refused_shapes_are_listed_in_words():
@@ -140,7 +143,7 @@ def test_several_refused_shapes_are_listed_in_words():
     [
         pytest.param("a.push(1, 2)\n" * 16_000, marks=pytest.mark.slow),
         "<rect " * 170_000,
-        '<rect x="' * 100_000,
+        pytest.param('<rect x="' * 100_000, marks=pytest.mark.slow),
         pytest.param('"M' * 400_000, marks=pytest.mark.slow),
         "[a" * 400_000,
         pytest.param("x: 1 " * 39_000, marks=pytest.mark.slow),
@@ -150,9 +153,9 @@ def test_several_refused_shapes_are_listed_in_words():
         pytest.param("lineTo(1, 2)\n" * 16_000, marks=pytest.mark.slow),
         "a: " * 2_000,
         "a = " * 2_000,
-        "a." * 500_000,
+        pytest.param("a." * 500_000, marks=pytest.mark.slow),
         '"\\' * 400_000,
-        "<!--" * 250_000,
+        pytest.param("<!--" * 250_000, marks=pytest.mark.slow),
         pytest.param("radius of the center and " * 6_000, marks=pytest.mark.slow),
         pytest.param('<g transform="translate(1,2)">' * 4_000, marks=pytest.mark.slow),
         pytest.param("".join(f"rect(1 + 2, 3, 4, {i})\n" for i in range(3_000)), marks=pytest.mark.slow),

@@ -19,7 +19,7 @@ class Mark(NamedTuple):
     for each piece), arrow (tail, head), interval (the ends of a bar), bracket (a polyline), dot and label (one
     point; a label is centered on it, newlines part its lines).
     `role`: a colour of the theme.  `weight`: "plain", "strong" (what the step explains), "faint", "tint" (with a
-    stronger fill), "area" (a fill without a line) or "title".
+    stronger fill), "fill" or "area" (a fill without a line, "area" a stronger one) or "title".
     `start`: where a pen that moves marks begins to move its points: one point for each, or one for all.
     `panel`: its picture, where several pictures are drawn as one.
     """

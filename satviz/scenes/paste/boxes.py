@@ -39,7 +39,8 @@ CHOICES: Mapping[str, tuple[str, ...]] = {
     CORNERS: (RELATIVE, ABSOLUTE),
     ROUND: (RADIUS, DIAMETER),
 }
-ALL_CHOICES = tuple(choice for choices in CHOICES.values() for choice in choices)
+LEAVE_OUT = "leave-out"  # the shapes stand without what was not understood
+ALL_CHOICES = (*(choice for choices in CHOICES.values() for choice in choices), LEAVE_OUT)
 FULL_TURN = Fraction(63, 10)  # an angle beyond a full turn in radians is in degrees
 ONLY_IF_IT_MATTERS = (TURN, ORDER, ROUND)  # asked only where the answer changes
 CENTER_KEYS = ("center", "centre", "centroid", "middle", "cx", "xc", "centerx", "xcenter")

@@ -153,6 +153,7 @@ class Calls(Keyed):
             turn = re.sub(r"\s|Math\.|\.0*(?!\d)", "", self.text[group.items[4].start : group.items[4].end]).lower()
             if self.number(group.items[3]) != 0 or turn not in FULL_TURNS:
                 raise Unreadable("an arc that is not a full circle: satviz takes polygons and circles")
+            self.parts.append((group.items[3].start, group.items[4].end))
             group = replace(group, items=group.items[:3])
         arguments, named = self._arguments(group)
         arguments, place, _ = self._body(arguments)

@@ -28,8 +28,8 @@ _NUMBERS = {
 _PLACES = frozenset(["x", "y", "cx", "cy"])
 
 
-def all_tokens(text: str) -> list[Token]:
-    """Return the tokens of a text, with SVG elements, path data and tables as calls and lists."""
+def all_tokens(text: str) -> tuple[list[Token], list[Token], list[tuple[int, int]]]:
+    """Return the tokens of a text, those with markup, path data and tables as calls and lists, and where these are."""
     plain = tokens(text)
     held = {m.end(): _attributes(m[1], m.start(1)) for m in _OBJECT.finditer(text)}
     parts = [(m.start(), m.end(), list(_element(m, held.get(m.start(), {})))) for m in _ELEMENT.finditer(text)]
@@ -46,12 +46,12 @@ def all_tokens(text: str) -> list[Token]:
     parts += [(m.start(), m.end(), []) for m in _VIEW.finditer(text)]
     parts += [*tables(text), *sentences(text), *fields(text)]
     if not parts:
-        return plain
+        return plain, plain, []
     parts.sort(key=lambda part: part[0])
     found = list(islice(_replaced(plain, parts), MAX_TOKENS + 1))
     if len(found) > MAX_TOKENS:
         raise InvalidScene(TOO_MANY)
-    return found
+    return plain, found, [(start, end) for start, end, _ in parts]
 
 
 def _replaced(plain: list[Token], parts: list[tuple[int, int, list[Token]]]) -> Iterator[Token]:

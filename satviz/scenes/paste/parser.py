@@ -25,6 +25,7 @@ from .atoms import (
     start_of,
     text_value,
 )
+from .harmless import CASTS
 from .markup import all_tokens
 from .tokens import CLOSE, FIELD, LINE, MARK, NAME, NUMBER, OPEN, OTHER, TEXT, Token, tokens
 from .tree import Bad, Group, Name, Num, Pair
@@ -35,26 +36,27 @@ LEAST = 3  # corners of an outline
 PAIRS = {"(": ")", "[": "]", "{": "}"}
 SEPARATORS = frozenset(["vs", "versus", "and", "against", "intersects", "overlaps", "touches", "collides"])
 ARROWS = frozenset(["->", "<->", "\u2192", "\u2194", "\u21d2"])
-# Types around one number.
-CASTS = frozenset(["np.float64", "np.float32", "np.int64", "np.int32", "numpy.float64", "Decimal", "double"])
 
 
 class Tree(NamedTuple):
-    """A text as one group of lines; sentences about brackets; where indices and lengths end; all its numbers."""
+    """A text as one group of lines; sentences about brackets; where indices and lengths end; all its numbers;
+    its tokens as they stand; and the parts that rows of tables, of markup and of sentences have."""
 
     root: Group
     remarks: list[str]
     indices: frozenset[int]
     numbers: list[Token]
+    tokens: list[Token]
+    parts: list[tuple[int, int]]
 
 
 def parse(text: str) -> Tree:
     """Return the tree of a text."""
-    found = all_tokens(text)
+    plain, found, parts = all_tokens(text)
     parser = _Parser(text, found)
     root = Group(0, len(text), parser.items("", 0))
     numbers = [token for token in found if token.kind == NUMBER and token.start < token.end]
-    return Tree(root, parser.remarks, frozenset(parser.indices), numbers)
+    return Tree(root, parser.remarks, frozenset(parser.indices), numbers, plain, parts)
 
 
 class _Parser:

@@ -12,6 +12,7 @@ from .boxes import (
     moved,
 )
 from .calls import Calls
+from .harmless import HARMLESS
 from .names import Obj, Unreadable, is_block, short
 from .notations import (
     ANY_BOX,
@@ -24,7 +25,6 @@ from .notations import (
     CORNER_OR_CENTER,
     CORNER_SIZE,
     ELLIPSE,
-    HARMLESS,
     MANY,
     MOVE,
     MOVES,
@@ -106,7 +106,7 @@ class Reader(Calls):
         except Unreadable as error:
             where = f"{label}: " if label else ""
             part = short(self.text[value.start : value.end]) if isinstance(value, Value) else ""
-            if isinstance(value, Value) and not part.endswith("..."):
+            if isinstance(value, Value):
                 self.named.append((value.start, value.end))
             text = f"{where}{error} (in {part})"
             if len(self.problems) < MAX_PROBLEMS and text not in self.problems:

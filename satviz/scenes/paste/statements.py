@@ -41,7 +41,6 @@ class Statements(Names):
     def __init__(self, text: str) -> None:
         super().__init__(text)
         self.runs: list[Run] = []
-        self.named: list[tuple[int, int]] = []  # where short parts stand that a problem quotes in full
         self.taken: set[int] = set()  # values that a run has
         # rectMode(CENTER): what it is of, where it stands, and the mode
         self.modes = [(m[1], m.start(), m[2].lower()) for m in _MODE.finditer(text)]

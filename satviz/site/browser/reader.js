@@ -4,7 +4,7 @@
 import { answerPairs } from "./answer_pairs.js";
 import { shutOff } from "./shut_off.js";
 
-/** @typedef {{ value?: unknown, problem?: string, line?: string }} Outcome */
+/** @typedef {{ value?: unknown, problem?: string, line?: string, printed?: string }} Outcome `printed`: what the function printed. */
 /** @typedef {{ a: unknown, b: unknown }} Pair Shapes as in a scene file. */
 /** @typedef {"python" | "javascript"} Language */
 
@@ -24,6 +24,7 @@ export class Reader {
     /** @type {((data: any) => void) | null} */
     this.waiting = null;
     this.ended = false;
+    this.printed = ""; // by the code itself, before its function is called
     const source = language === "python" ? `import ${JSON.stringify(new URL(pythonScript, location.href).href)};` : harness(code);
     // A worker made from such an address obeys the policy of this page, also where a server sends no policy.
     this.url = language === "python" ? URL.createObjectURL(new Blob([source], { type: "text/javascript" })) : `data:text/javascript;charset=utf-8,${encodeURIComponent(source)}`;
@@ -45,6 +46,7 @@ export class Reader {
       this.worker.postMessage({ place: "reader", content: { kind: "define", code: this.code } });
     }
     const found = await this.next(this.language === "python" ? START_MS / 4 : CALL_MS);
+    this.printed = String(found.printed ?? "");
     return found.problem ? "The code does not come to its end: an endless loop?" : String(found.why ?? "");
   }
 
@@ -97,10 +99,14 @@ export class Reader {
   }
 }
 
-const BEFORE = `(${shutOff})();\n(${answerPairs})();\nself.satvizCollide = (() => {\n`;
-const HARNESS_LINES = BEFORE.split("\n").length - 1;
+const FILE = "your-code"; // the name of the reader's script in the stack of an error
+const before = (/** @type {number} */ lines) => `(${shutOff})();\n(${answerPairs})("${FILE}", ${lines});\nself.satvizCollide = (() => {\n`;
+const HARNESS_LINES = before(0).split("\n").length - 1;
+const FUNCTION_OF_TWO = /(?:function\s+|(?:const|let|var)\s+)([A-Za-z_$][\w$]*)\s*(?:=\s*(?:function\s*)?)?\(\s*[\w$]+\s*,\s*[\w$]+\s*\)/g;
 
-/** @param {string} code */
+/** @param {string} code Its function `collide` is called, or the last one of two arguments. */
 function harness(code) {
-  return `${BEFORE}${code}\n;return typeof collide === "function" ? collide : null;\n})();`;
+  const names = [...code.matchAll(FUNCTION_OF_TWO)].map((found) => found[1]);
+  const name = names.includes("collide") ? "collide" : (names.at(-1) ?? "collide");
+  return `${before(HARNESS_LINES)}${code}\n;return typeof ${name} === "function" ? ${name} : null;\n})();\n//# sourceURL=${FILE}`;
 }
