@@ -187,8 +187,8 @@ def main_chart(rows: list[JsonRow], settings: Settings) -> Chart:
     )
     lines = (
         f"Shapes of 1 m to 14 m, {pairs_in_a_call(settings):,} pairs in a call. Left is faster, down is more accurate. "
-        "Dot: the largest gap with a wrong answer that a search found. Dash: the proven bound. Of the two dots of SAT in "
-        "float64, the right one has normals of length 1.",
+        "Dot: the largest gap with a wrong answer that a search found. Dash: the proven bound. Of the two dots of SAT "
+        "in float64, the right one has normals of length 1.",
     )
     head = head_height(title, lines)
     size = WIDTH, head + 390
@@ -258,7 +258,8 @@ def all_methods_chart(rows: list[JsonRow], settings: Settings) -> Chart:
     lines = (
         f"{pairs_in_a_call(settings):,} pairs in a call. Full dot: the answer alone. Open dot: from the arrays to the "
         "answer, once. Bars: the spread of the processes. Worst gap: in 1 km. Wrong: of "
-        f"{exact['touching_pairs']:,} exact touches, and of {exact['extreme_pairs']:,} pairs of sizes at 2^400 and beyond.",
+        f"{exact['touching_pairs']:,} exact touches, and of {exact['extreme_pairs']:,} pairs of sizes at 2^400 and "
+        "beyond.",
     )
     head, tall = head_height(title, lines), 22.0 * len(rows)
     size = WIDTH, head + tall + 98
