@@ -127,7 +127,7 @@ class Pasted:
         if self.open:
             for question in self.questions:
                 if question.what == "rest":
-                    return f"{question.asks} Write what results, or choose {LEAVE_OUT}."
+                    return f"{question.asks} Write what results there, or take the shapes without it."
             count = max(len(question.answers) for question in self.questions if question.matters)
             words = {2: "Two", 3: "Three", 4: "Four"}.get(count, "Several")
             return f"{words} readings are possible, and they give different answers: choose one."
