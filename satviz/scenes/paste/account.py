@@ -426,7 +426,8 @@ class Account:
         if token.text == "?" and tight and after.text == "(" and before.kind == NAME and is_call(before.text):
             return  # a.hit?(b) of Ruby
         both = token.text in "|&" and self.is_data(i - 1) and self.is_data(i + 1)
-        if token.text in "<>!|&" and not both and not frame.data and before.kind != NUMBER:
+        denies = token.text == "!" and after.text in ("[", "{") and self.is_data(i + 1)
+        if token.text in "<>!|&" and not (both or denies) and not frame.data and before.kind != NUMBER:
             return  # a comparison, or a logical sign
         spaced = before.end < token.start and token.end < after.start
         prose = after.kind == NAME and not self.is_variable(after) and self.at(i + 2).kind == NAME
@@ -437,7 +438,7 @@ class Account:
         if not frame.data and self.is_test(token):
             return
         if frame.data or self.is_data(i - 1) or self.is_data(i + 1):
-            self.miss(i - 1 if before.end == token.start and before.kind == NAME else i, i + 1)
+            self.miss(i - 1 if before.kind == NAME or (before.kind == NUMBER and before.text) else i, i + 1)
 
     def is_test(self, token: Token) -> bool:
         """Return whether a line compares names and gives none a value: return a.x < b.x + b.w."""

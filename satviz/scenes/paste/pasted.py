@@ -76,7 +76,7 @@ class Answer(NamedTuple):
 
 
 class Question(NamedTuple):
-    """A place where two readings are possible; `matters`: they give different relations, so none was taken."""
+    """A place where two readings are possible, or that is not understood; `matters`: no reading was taken."""
 
     what: str
     asks: str
@@ -108,7 +108,7 @@ class Pasted:
 
     @property
     def open(self) -> bool:
-        """Return whether a question must be answered first, because the relation depends on it."""
+        """Return whether a question must be answered first: the relation depends on it, or a part is not understood."""
         return any(question.matters for question in self.questions)
 
     @property
@@ -264,7 +264,8 @@ def paste(what: Any, as_: str | Sequence[str] = ()) -> Pasted:
 
     `what`: WKT, GeoJSON, JSON, or lines in Python, JavaScript, C, C++, C#, Java, Rust, Scala or GDScript; nothing in it
     is evaluated.  Or shapes of satviz, shapely or pymunk, lists and arrays.
-    `as_`: the readings to take where several are possible, such as "center-size" or "degrees, y-down".
+    `as_`: the readings to take where several are possible, such as "center-size" or "degrees, y-down";
+    "leave-out" takes the shapes without what was not understood.
     InvalidScene where nothing can be read, or for more than a megabyte, 40 shapes or 1,000 corners.
     """
     text = what if isinstance(what, str) else as_text(what)
