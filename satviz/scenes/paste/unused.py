@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 from .account import Account, within
 from .boxes import Read
 from .harmless import words
-from .names import Names, short
+from .names import Names, Obj, short
 from .notations import POINT, SHAPE_STEMS, notation
 from .parser import Tree
 from .tree import Bad, Group, Num, Pair
@@ -26,7 +26,7 @@ CHANGING = """
 """
 # Words in a key, or in the name of a call, that say that the numbers are none of a shape.
 HARMLESS = """
-    velocity speed bounds axes force torque gravity mass inertia density friction restitution color colour fill stroke
+    velocity speed axes force torque gravity mass inertia density friction restitution color colour fill stroke
     alpha opacity window canvas screen viewport viewbox svg area count length index id label layer category mask group
     time timestamp step size_t sleep stiffness damping damp slop constraint render print printf println log assert
     prev previous impulse motion tolerance epsilon eps expected distance camera image version line error warn info
@@ -62,7 +62,9 @@ def rest(tree: Tree, reads: Sequence[Read], text: str, reader: Names) -> Rest:
     left = sorted((v for v in known.values() if v.end not in used), key=lambda v: v.start)
     places = sorted(used - tree.indices)
     variables = {str(name) for name, value in reader.env.fields.items() if _holds(places, value)}
-    account = Account(text, tree.tokens, places, variables, [*tree.parts, *reader.parts])
+    objects = {str(name): value for name, value in reader.env.fields.items() if isinstance(value, Obj)}
+    changed = {name for name, value in objects.items() if any(_holds(places, v) for v in value.rest)}
+    account = Account(text, tree.tokens, places, variables, [*tree.parts, *reader.parts], changed)
     parts = account.run()
     quoted = within(reader.named, parts)
     parts = [part for part in parts if part not in quoted]
@@ -81,6 +83,8 @@ def rest(tree: Tree, reads: Sequence[Read], text: str, reader: Names) -> Rest:
 
 def _holds(places: Sequence[int], value: Any) -> bool:
     """Return whether one of these places lies within a value."""
+    if isinstance(value, Obj):
+        return any(_holds(places, v) for v in (*value.fields.values(), *value.rest))
     at = bisect_right(places, value.start)
     return at < len(places) and places[at] <= value.end
 
@@ -111,7 +115,7 @@ def _walk(tree: Tree, value: Any, name: str) -> Iterator[Left]:
 def _is_harmless(left: Left) -> bool:
     """Return whether a number that no shape has changes none, by its key: a mass, or a scale of 1."""
     said, last = words(left.key.removeprefix("svg.")), words(left.key.split(".")[-1])
-    if "moment" in said or left.key == "pymunk.Body":
+    if "moment" in said or left.key == "pymunk.Body" or "bounds" in left.key.split("."):
         return True
     if any(word.startswith(SHAPE_STEMS) for word in last) and not last & CHANGING_WORDS:
         return False
