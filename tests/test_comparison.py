@@ -539,3 +539,9 @@ def test_the_numbers_of_a_range_stand_beside_its_bar_where_there_is_space_and_el
             steps = [(p.x + (q.x - p.x) * k / 20, p.y + (q.y - p.y) * k / 20) for k in range(21)]
             off = min(math.hypot(max(abs(x - u) - w / 2, 0), max(abs(y - v) - h / 2, 0)) for u, v in steps)
             assert off < 40, (case.name, label.text)
+
+
+def test_where_another_axis_has_the_least_overlap_the_panel_of_the_truth_says_so():
+    runs = [case.record() for case in FAILURE_CASES if case.how != REFUSED]
+    said = [(run.shortcut.name, text) for run in runs for text in sv.picture(run).texts if "another axis" in text]
+    assert said == [("mixed-signs", "overlap 1, way out 2\nleast on another axis: 1.414")]

@@ -37,9 +37,11 @@ from .tokens import CLOSE, FIELD, LINE, MARK, NAME, NUMBER, OPEN, OTHER, TEXT, T
 
 MAX_PARTS = 50  # that are not understood; fewer are named
 APPLIED = frozenset([*METHODS, *MOVES, *SHIFTS, *TURNS, *ADDERS, *ATTACHERS, *PENS, *PEN_STARTS, *SETTERS])
-MOVERS = frozenset([*MOVES, *SHIFTS, *TURNS])
+MOVERS = frozenset([*MOVES, *SHIFTS, *TURNS, "scale", "transform", "settransform"]) - {"offset", "translation"}
 ASSIGNS = ("=", ":=", ":")
 STYLE = re.compile(r"[a-z]?[-.:ox]{1,2}[a-z]?")  # of a plot: b-
+NO_WORDS = re.compile(r"[A-Za-z_][\w.]*")
+COMPARES, SETS = re.compile(r"[<>]|[=!]="), re.compile(r"(?<![<>=!])=(?!=)|\+\+|--|<<|>>|\?")
 NUMERALS = re.compile(r"[0-9]+")
 PADDED = re.compile(r"0[0-9]+")  # 000, of 1,000
 NOTHING = Token(LINE, "", 0, 0)
@@ -227,13 +229,16 @@ class Account:
         if not self.holds(*self.span(i)) and not any(self.is_variable(t) for t in inside[:200]):
             inside = []
         last = word.text.replace("->", ".").replace("::", ".").split(".")[-1]
+        defines = self.at(i - 2).text in ("new", "def", "function", "fn", "func", "fun", "void", "class", "struct")
+        if not inside and last.lower() in MOVERS and self.close[i] > i + 1 and not defines and self.places:
+            self.miss(i - 1, i)  # ctx.translate(cx, cy)
+            return
         if not inside and not (self.is_variable(word) and last != word.text):
             return
         method = self.is_variable(word) and last != word.text and last.lower() in APPLIED
-        new = self.at(i - 2).text in ("new", "def", "function", "fn", "func", "fun", "void", "class", "struct")
         declared = self.at(i - 2).kind == NAME and notation(self.at(i - 2).text) is not None  # Circle c(0, 0, 1)
-        makes = last.lower() in PRODUCERS and "." in word.text and not new and last[0].islower()
-        known = method or new or declared or last.lower() in PENS | PEN_STARTS or is_call(word.text)
+        makes = last.lower() in PRODUCERS and "." in word.text and not defines and last[0].islower()
+        known = method or defines or declared or last.lower() in PENS | PEN_STARTS or is_call(word.text)
         if makes or not known:
             self.miss(i - 1, i)
 
@@ -259,13 +264,14 @@ class Account:
         elif token.text in ("if", "else", "elif") and (self.gives_value(i) or self.is_choice(i)):
             self.miss(i, i + 1)
         if not frame.data:
-            if token.text.lower() in CHANGING_WORDS and self.holds(*self.line(token)):
+            scales = token.text.lower() in CHANGING_CALLS and after.text == "(" and self.is_data(i + 1)
+            if (scales or token.text.lower() in CHANGING_WORDS) and self.holds(*self.line(token)):
                 self.miss(i, i)  # A: rect(0, 0, 4, 4), twice as large
             if after.text in ASSIGNS and words(token.text) & CHANGING_KEYS and not self.takes_value(i + 1):
                 self.miss(i, i + 2)
             return
         if after.text in (*ASSIGNS, "=>"):
-            if not (key(last) or self.is_key(last) or self.takes_value(i + 1)):
+            if self.is_changing(last, i) or not (key(last) or self.is_key(last) or self.takes_value(i + 1)):
                 self.miss(i, i + 2)
         elif self.at(i - 1).text in DECLARES:
             return  # (def a [[0 0] [4 0] [4 3]])
@@ -280,6 +286,22 @@ class Account:
     def is_field(self, name: str, last: str) -> bool:
         """Return whether a name is that of a field that is on no list."""
         return last != name and not key(last) and not self.is_key(last)
+
+    def is_changing(self, name: str, i: int) -> bool:
+        """Return whether a key gets a word that changes the shape: origin: "center"; dtype=int beside decimals."""
+        value = self.at(i + 2)
+        said = value.text.strip("\"'").lower().rsplit(".", 1)[-1]
+        if value.kind not in (NAME, TEXT) or self.at(i + 3).kind == OPEN or self.is_data(i + 2):
+            return False
+        if name == "dtype":
+            start, end = self.line(self.at(i))
+            return "int" in said and "." in NO_WORDS.sub("", self.text[start:end])
+        handled = name.lower() in ("originx", "originy")
+        return (
+            not handled
+            and bool(words(name) & CHANGING_KEYS)
+            and said not in ("false", "null", "none", "nil", "0", "identity")
+        )
 
     def is_key(self, name: str) -> bool:
         """Return whether a key is known to change nothing."""
@@ -362,7 +384,7 @@ class Account:
         if not frame.data or not inner.strip():
             return
         if self.at(i + 1).text in (*ASSIGNS, "=>"):
-            if not (key(inner) or self.is_key(inner) or self.takes_value(i + 1)):
+            if self.is_changing(inner, i) or not (key(inner) or self.is_key(inner) or self.takes_value(i + 1)):
                 self.miss(i, i + 2)
         elif not (words(inner) & INSIDE or self.is_value(i) or inner[0] == "#" or STYLE.fullmatch(inner)):
             self.miss(i, i)
@@ -404,7 +426,8 @@ class Account:
         if token.text == "?" and tight and after.text == "(" and before.kind == NAME and is_call(before.text):
             return  # a.hit?(b) of Ruby
         both = token.text in "|&" and self.is_data(i - 1) and self.is_data(i + 1)
-        if token.text in "<>!|&" and not both and not frame.data and before.kind != NUMBER:
+        denies = token.text == "!" and after.text in ("[", "{") and self.is_data(i + 1)
+        if token.text in "<>!|&" and not (both or denies) and not frame.data and before.kind != NUMBER:
             return  # a comparison, or a logical sign
         spaced = before.end < token.start and token.end < after.start
         prose = after.kind == NAME and not self.is_variable(after) and self.at(i + 2).kind == NAME
@@ -412,8 +435,16 @@ class Account:
             return  # a dash in a sentence
         if token.text == "-" and not frame.data and before.text == ")" and after.text == "(":
             return  # (0, 0)-(10, 10)
+        if not frame.data and self.is_test(token):
+            return
         if frame.data or self.is_data(i - 1) or self.is_data(i + 1):
-            self.miss(i - 1 if before.end == token.start and before.kind == NAME else i, i + 1)
+            self.miss(i - 1 if before.kind == NAME or (before.kind == NUMBER and before.text) else i, i + 1)
+
+    def is_test(self, token: Token) -> bool:
+        """Return whether a line compares names and gives none a value: return a.x < b.x + b.w."""
+        start, end = self.line(token)
+        line = self.text[start:end]
+        return not self.holds(start, end) and bool(COMPARES.search(line)) and not SETS.search(line)
 
     def is_ternary(self, i: int) -> bool:
         """Return whether a colon follows a question mark in its line."""

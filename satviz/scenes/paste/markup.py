@@ -19,6 +19,7 @@ _ATTRIBUTE = re.compile(rf"([\w:-]+)[ \t\r\n]*=[ \t\r\n]*({_QUOTED})")
 # a line of path data alone, with a letter before its second pair
 _LINE = r"[ \t]*[Mm][ \t]*[-+.0-9][-+.,0-9eE \t]*[A-Za-z][-+.,0-9eE \tMmLlHhVvZzCcSsQqTtAa]*"
 _BARE = re.compile(rf"([\"'`])({PATH_DATA.pattern})\1|^()({_LINE})$", re.MULTILINE)
+_MOVED = re.compile(r"transform|rotate|scale|translate")
 _POINTS = re.compile(r"[-+.,0-9eE\s]*")
 _TRANSFORM = re.compile(r"(\w+)\s*\(([^()]*)\)")
 _VIEW = re.compile(r"\bviewBox\s*=\s*(?:\"[^\"<>]*\"|'[^'<>]*')", re.IGNORECASE)
@@ -107,6 +108,8 @@ def _element(match: re.Match[str], holder: dict[str, tuple[str, int]]) -> Iterat
             elif name in _PLACES:
                 yield from _pair(name, [Token(NUMBER, "0", match.start(), match.start(), Fraction(0))])
     yield _mark(CLOSE, ")", match.end())
+    if _MOVED.search(found.get("style", ("", 0))[0]):
+        yield from _call("transform-style", [_broken(*found["style"])])
     if "transform" in found:
         yield from _changes(*found["transform"])
     if {"x", "y"} <= set(holder) and not round_:

@@ -261,9 +261,6 @@ class Reader(Calls):
             return self._object(self.as_object(group), label)
         if "circle" in group.name.lower() and (circles := self._centers_and_radii(group.items, label)):
             return circles
-        said = self.text[group.start : group.end] if any(isinstance(v, Bad) for v in group.items) else ""
-        if group.bracket in ("[", "(") and re.search(r"\bfor\s+[(\w]", said):
-            raise Unreadable("a comprehension, which is not evaluated")
         outline = self.ring(group)
         if outline is not None and len(outline) > 2:
             return [self._outline(outline, group, label)]

@@ -17,7 +17,6 @@ PENS = frozenset(["moveto", "lineto", "vertex", "curvevertex"])
 PEN_STARTS = frozenset(["moveto", "beginpath", "beginshape", "endshape", "closepath", "endpath"])
 ATTACHERS = frozenset(["addshape", "add_shape", "createfixture", "create_fixture", "addfixture", "setshape"])
 # Calls that only sketches of Processing and p5.js have.
-_STEP = re.compile(r"(?:\+\+|--)?(?P<name>\w[\w.>-]*?)(?:\+\+|--)?")  # x++
 _SKETCH = re.compile(r"\b(?:rectMode|ellipseMode|createCanvas|beginShape|noStroke|strokeWeight|ellipse|quad)\(")
 _MODE = re.compile(r"\b(rect|ellipse)Mode\(\s*(\w+)\s*\)")
 # Names such as x1, rect_w, ballRadius and bx: whose number it is, and which.
@@ -102,9 +101,6 @@ class Statements(Names):
             self._number(item)
             self._go_on(item)
         elif isinstance(item, Bad):
-            part = self.text[item.start : item.end]
-            if (step := _STEP.fullmatch(part)) and re.split(r"\W+", step["name"])[0] in self.env.fields:
-                self.problems.append(f"{short(part)} is not evaluated: write the number that results")
             for inner in item.inside:
                 self._line(inner)
         elif isinstance(item, Group):

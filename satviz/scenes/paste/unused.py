@@ -4,7 +4,7 @@ import re
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from itertools import groupby, takewhile
+from itertools import groupby, pairwise, takewhile
 from typing import Any, NamedTuple
 
 from .account import Account, within
@@ -13,6 +13,7 @@ from .harmless import words
 from .names import Names, Obj, short
 from .notations import POINT, SHAPE_STEMS, notation
 from .parser import Tree
+from .tokens import NAME, NUMBER
 from .tree import Bad, Group, Num, Pair
 
 MAX_NAMED = 6  # keys that are named in a line, and numbers without a key
@@ -57,8 +58,9 @@ def rest(tree: Tree, reads: Sequence[Read], text: str, reader: Names) -> Rest:
     """Return what no shape has of a text."""
     used = frozenset().union(*(read.used for read in reads)) | tree.indices | reader.counts
     known = {left.end: left for left in _walk(tree, tree.root, "")}
+    before = {b.end: a.text for a, b in pairwise(tree.tokens) if a.kind == NAME and b.kind == NUMBER}
     for token in tree.numbers:
-        known.setdefault(token.end, Left(token.start, token.end, "", token.value))
+        known.setdefault(token.end, Left(token.start, token.end, before.get(token.end, ""), token.value))
     left = sorted((v for v in known.values() if v.end not in used), key=lambda v: v.start)
     places = sorted(used - tree.indices)
     variables = {str(name) for name, value in reader.env.fields.items() if _holds(places, value)}
