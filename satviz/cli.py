@@ -163,7 +163,7 @@ def _parser() -> argparse.ArgumentParser:
     draw.add_argument(
         "--caption",
         action="store_true",
-        help="put each sentence under its picture (a GIF, a page and a sheet always have it)",
+        help="put each sentence under its picture (a page and a sheet always have it; a GIF has a few words instead)",
     )
     draw.add_argument("--site", metavar="URL", help="where the site is of --format link and embed: http or https")
     which = draw.add_mutually_exclusive_group()

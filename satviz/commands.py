@@ -197,15 +197,19 @@ def _drawable_run(args: argparse.Namespace, scene: "Scene") -> _Drawable:
     first, last = _steps_of(args, count)
 
     def still(step: int) -> "Sequence[Picture]":
-        """Return a list of the picture of one step, captioned with its sentence under --caption."""
-        return _captioned(picture(trace, step, title=scene.title), args)
+        """Return a list of the picture of one step, captioned with its sentence under --caption.
+
+        Several steps have one frame; a step that is drawn alone is cut to what it shows.
+        """
+        alone = args.step is not None and first == last
+        return _captioned(picture(trace, step, title=scene.title, by_itself=alone), args)
 
     def frames() -> "Animation":
         """Return the animation of the run, of the axis that turns or of how B - A comes about; sentences are below."""
         if args.sweep:
             return turning(add_captions(sweep(trace)), speed=args.speed or 1.0)
         drawn = difference_steps(trace) if args.difference else [picture(trace, s) for s in range(first, last + 1)]
-        return animation(add_captions(drawn), speed=args.speed or 1.0)
+        return animation(add_captions(drawn, brief=True), speed=args.speed or 1.0)
 
     def page() -> str:
         """Return the page of the run."""

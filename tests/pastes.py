@@ -1370,8 +1370,8 @@ Circle(Vector2(9.0,0.0),5.0)""",
         "Clojure",
         """{:x 0 :y 0 :w 10 :h 10}
 {:x 10 :y 0 :w 10 :h 10}""",
-        (),
-        says="no shape",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+        as_="corner-size",
     ),
     Paste(
         "Elixir",
@@ -1705,8 +1705,7 @@ const b = Bodies.circle(0, 0, 5);""",
         "matter angle option",
         """Bodies.rectangle(0, 0, 10, 10, { angle: Math.PI/4 })
 Bodies.circle(0, 0, 5)""",
-        ((-5, -5, 5, 5),),
-        says="not evaluated",
+        ((-7.0710678118654755, -7.0710678118654755, 7.0710678118654755, 7.0710678118654755), (-5, -5, 5, 5)),
     ),
     Paste(
         "planck setTransform",
@@ -1805,6 +1804,7 @@ c = Rect(5, 0, 10, 10)""",
         """a = [(0,0),(4,0),(0,3)]
 a = [(5,0),(9,0),(9,4)]""",
         ((0, 0, 4, 3), (5, 0, 9, 4)),
+        as_="each-value",
     ),
     Paste(
         "negative spaced",
@@ -3098,4 +3098,108 @@ b['x'] = 20""",
         ((-5, -5, 5, 5), (4, -5, 14, 5)),
         says="b.x 20",
     ),
+    # -- notations that came later
+    Paste(
+        "print_r of PHP",
+        """Array
+(
+    [0] => Array
+        (
+            [x] => 0
+            [y] => 0
+        )
+
+    [1] => Array
+        (
+            [x] => 4
+            [y] => 0
+        )
+
+    [2] => Array
+        (
+            [x] => 4
+            [y] => 3
+        )
+
+)""",
+        ((0, 0, 4, 3),),
+    ),
+    Paste(
+        "var_export of PHP",
+        """array (
+  0 =>
+  array (
+    'x' => 1,
+    'y' => 2,
+  ),
+  1 =>
+  array (
+    'x' => 4,
+    'y' => 2,
+  ),
+  2 =>
+  array (
+    'x' => 4,
+    'y' => -3,
+  ),
+)""",
+        ((1, -3, 4, 2),),
+    ),
+    Paste(
+        "V2 of Haskell",
+        """a = [V2 0 0, V2 4 0, V2 4 3]
+b = [V2 (-1) 0, V2 4 0, V2 4 3]""",
+        ((0, 0, 4, 3), (-1, 0, 4, 3)),
+    ),
+    Paste(
+        "vectors of Clojure",
+        """(def a [[0 0] [4 0] [4 3]])
+(def b [[1 1] [5 1] [5 4]])""",
+        ((0, 0, 4, 3), (1, 1, 5, 4)),
+    ),
+    Paste(
+        "points of Unity in YAML",
+        """m_Points:
+- {x: 0, y: 0}
+- {x: 4, y: 0}
+- {x: 4, y: 3}
+circle((5, 5), 1)""",
+        ((0, 0, 4, 3), (4, 4, 6, 6)),
+    ),
+    Paste(
+        "a scene file of Godot",
+        """[node name="A" type="CollisionPolygon2D" parent="."]
+polygon = PackedVector2Array(0, 0, 4, 0, 4, 4)
+
+[node name="B" type="CollisionPolygon2D" parent="."]
+polygon = PackedVector2Array(1, 1, 5, 1, 5, 5)""",
+        ((0, 0, 4, 4), (1, 1, 5, 5)),
+    ),
+    Paste(
+        "an angle in terms of pi",
+        """boxA.SetAsBox(1, 1, b2Vec2(3, 0), 0.5f * b2_pi);
+boxB.SetAsBox(2, 1, b2Vec2(5, 0), -Math.PI / 2);""",
+        ((2, -1, 4, 1), (4, -2, 6, 2)),
+    ),
+    Paste(
+        "path data in lines",
+        """m 0 0 l 10 0 l 0 10 z
+M 5 5 h 10 v 10 z""",
+        ((0, 0, 10, 10), (5, 5, 15, 15)),
+    ),
+    Paste(
+        "TikZ",
+        """\\filldraw[fill=red!20] (0,0) -- (3,0) -- (3,2) -- cycle;
+\\draw (2,1) circle (1);""",
+        ((0, 0, 3, 2), (1, 0, 3, 2)),
+    ),
+    Paste(
+        "a box of Kivy's language",
+        """Rectangle:
+    pos: 10, 20
+    size: 30, 40""",
+        (),
+        says="no shape",
+    ),
+    Paste("decimal commas in lines", "A: 0,5 1,5; 2,5 1,5; 2,5 3,5", (), says="no shape"),
 )

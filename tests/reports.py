@@ -132,7 +132,7 @@ poly_car.verts[3] = c2V(-0.05, -0.94);""",
     memcpy_s(poly0.verts, 8 * sizeof(c2v), p0, 4 * sizeof(c2v));
 }""",
         "overlapping",
-        "clear",
+        "left-out",
         as_="leave-out",
     ),
     Report(

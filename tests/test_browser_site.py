@@ -1129,6 +1129,19 @@ def test_an_error_in_javascript_is_said_with_its_line(check_page):
     assert said == "Your function raises ReferenceError in line 2: c is not defined."
 
 
+@pytest.mark.parametrize(
+    ("language", "code", "line"),
+    [
+        ("python", "def collide(a, b):\n    raise KeyboardInterrupt\n", "raises KeyboardInterrupt in line 2"),
+        ("javascript", "function collide(a, b) { return 'x'.repeat(1e6); }", "answers with more than 20000 letters"),
+        ("javascript", "function collide(a, b) { postMessage('{'); }", "answers with a message that is not an outcome"),
+    ],
+)
+def test_an_answer_that_is_none_is_said_and_the_page_goes_on(check_page, language, code, line):
+    assert line in run_code(check_page, language, code)
+    assert run_code(check_page, "javascript", "function collide(a, b) { return 1; }").startswith("Wrong.")
+
+
 def test_a_symptom_leads_to_the_mistakes_that_look_so(check_page):
     check_page.get_by_text("It falls through", exact=False).click()
     check_page.get_by_role("link", name="the centers are far apart, so the shapes are").click()

@@ -522,3 +522,26 @@ def test_a_remark_below_a_struck_out_number_is_true_and_not_struck_out():
     assert sorted(text.split("\n")[1] for text in remarks) == ["its normal is 1 long", "its normal is 2 long"]
     (line,) = (m for m in drawn.marks if m.part == "claimed-gap-name-strike")
     assert len(line.points) == 2
+
+
+def test_the_numbers_of_a_range_stand_beside_its_bar_where_there_is_space_and_else_its_name_stands_alone():
+    drawn = sv.picture(sv.scene("same-shape").record())  # its panels are too small for numbers everywhere
+    texts = {(m.part, m.owner): m.text for m in drawn.labels if m.part.endswith("range-name")}
+    assert texts["actual-range-name", "A"].startswith("A [") and texts["claimed-range-name", "B"] == "B"
+    for case in FAILURE_CASES:
+        if case.how == REFUSED:
+            continue
+        drawn = sv.picture(case.record())
+        bars = {(m.part, m.owner, m.axis): m.points for m in drawn.marks if m.kind == "interval"}
+        for label in (m for m in drawn.labels if m.part.endswith("range-name") and "[" in m.text):
+            p, q = bars[label.part.removesuffix("-name"), label.owner, label.axis]
+            (x, y), (w, h) = label.points[0], text_size(label.text)
+            steps = [(p.x + (q.x - p.x) * k / 20, p.y + (q.y - p.y) * k / 20) for k in range(21)]
+            off = min(math.hypot(max(abs(x - u) - w / 2, 0), max(abs(y - v) - h / 2, 0)) for u, v in steps)
+            assert off < 40, (case.name, label.text)
+
+
+def test_where_another_axis_has_the_least_overlap_the_panel_of_the_truth_says_so():
+    runs = [case.record() for case in FAILURE_CASES if case.how != REFUSED]
+    said = [(run.shortcut.name, text) for run in runs for text in sv.picture(run).texts if "another axis" in text]
+    assert said == [("mixed-signs", "overlap 1, way out 2\nleast on another axis: 1.414")]

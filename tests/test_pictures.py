@@ -704,3 +704,11 @@ def test_a_label_far_from_its_corner_has_a_line_to_it_or_is_left_out():
                     v = marks["vertex", owner, number].points[0]
                     off = math.hypot(max(0.0, abs(v.x - x) - w), max(0.0, abs(v.y - y) - h))
                     assert off * drawn.scale < 30, label.text
+
+
+@pytest.mark.parametrize("figure", [f for f in FIGURES if f.number in (5, 16, 20)], ids=lambda f: f.name)
+def test_a_figure_of_several_panels_is_as_wide_as_a_telephone_so_that_no_letter_is_made_smaller_there(figure):
+    drawn = figure.picture()
+    assert drawn.size[0] <= 390 and drawn.size[1] > drawn.size[0]
+    tops = {mark.panel: mark.points[0].y for mark in drawn.marks if mark.part == "verdict"}
+    assert len(set(tops.values())) == len(tops) >= 2  # one below the other

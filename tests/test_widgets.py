@@ -562,10 +562,8 @@ def test_a_dent_made_under_the_hand_takes_the_map_away_and_says_so():
     assert state["map"].startswith("No map of where it is wrong: a shape has a dent")
 
 
-@pytest.mark.parametrize(
-    "options, pictures", [({"sweep": True}, sv.sweep), ({"difference": True}, sv.difference_steps)]
-)
-def test_a_player_of_other_pictures_shows_and_saves_these(options, pictures):
+@pytest.mark.parametrize("option, pictures", [("sweep", sv.sweep), ("difference", sv.difference_steps)])
+def test_a_player_of_other_pictures_shows_and_saves_these(option, pictures):
     player, drawn = sv.play("triangles", **{option: True}), pictures("triangles")
     (show,) = player.shows
     assert [step["sentence"] for step in show["steps"]] == [one.sentence for one in drawn] and not player.narrow

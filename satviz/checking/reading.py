@@ -10,7 +10,7 @@ from typing import Any
 from ..engine.polygon_validation import short_repr
 from ..scenes.scenefile import shape_from
 from .answers import plain
-from .asking import ERROR, CalledHere, Outcome
+from .asking import ERROR, CalledHere, Outcome, error_line
 from .forms import as_points
 
 FILE = "your code"  # the file name in which errors count lines
@@ -47,7 +47,10 @@ class ReaderPython:
         a, b = shape_from(content["a"], "A"), shape_from(content["b"], "B")
         if self.called is None:
             return {"problem": ERROR, "line": "is not defined"}
-        return outcome_data(self.called.ask(a, b))
+        try:
+            return outcome_data(self.called.ask(a, b))
+        except BaseException as error:  # a KeyboardInterrupt of the code's own ends nothing here
+            return {"problem": ERROR, "line": error_line(error, self.called.fn)}
 
     def _define(self, code: str) -> dict[str, Any]:
         """Run the code, and keep its function `collide`, or its only function of two arguments."""

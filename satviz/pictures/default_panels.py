@@ -236,6 +236,9 @@ def draw_proof(trace: Trace, layout: Layout) -> Sketch:
             draw_mtv(sketch, certificate.point, move)
     spot = meeting_point(trace, test) if trace.shortcut and trace.shortcut.touching_separates else ""
     remark = f"{spot} < {spot}: no" if spot and test.gap == 0 else ""
+    best = max(true_run(trace).tests, key=lambda other: other.gap)
+    if test.gap < best.gap and not isclose(test.gap, best.gap, rel_tol=1e-9):
+        remark = f"least on another axis: {describe.digits(true_run(trace), best).gap(best.gap)}"
     sketch.project(test, place, drops=False, interval=False, remark=remark)
     return sketch
 

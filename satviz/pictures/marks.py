@@ -70,6 +70,7 @@ class Picture(NamedTuple):
 
     `limits`: the part of the scene that is shown (x min, y min, x max, y max), in scene units; `size`: the width and
     height of the canvas in points.  `sentence`: what the picture shows, made from the trace; the alternative text.
+    `caption`: the same in a few words, which an animation has below its pictures; "" where there are no fewer.
     """
 
     marks: tuple[Mark, ...]
@@ -77,6 +78,7 @@ class Picture(NamedTuple):
     size: tuple[float, float]
     title: str
     sentence: str
+    caption: str = ""
 
     @property
     def scale(self) -> float:

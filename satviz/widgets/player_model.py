@@ -1,5 +1,6 @@
 """The player without the widget: the pictures of a trace, and those that a message asks to save."""
 
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from ..engine.trace import Trace
@@ -16,6 +17,7 @@ class PlayerModel:
     """
 
     turns = False
+    _own: Callable[[Trace], Sequence[Picture]] | None = None  # what draws its pictures, if they are not the steps
 
     def __init__(self, trace: Trace, *, turns: bool = False, difference: bool = False) -> None:
         self.trace = trace

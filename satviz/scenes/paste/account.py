@@ -18,7 +18,9 @@ from .harmless import (
     CASTS,
     CHANGING_CALLS,
     CHANGING_KEYS,
+    CHANGING_WORDS,
     COUNTED,
+    DECLARES,
     FLOW,
     INSIDE,
     KEYS,
@@ -35,8 +37,13 @@ from .tokens import CLOSE, FIELD, LINE, MARK, NAME, NUMBER, OPEN, OTHER, TEXT, T
 
 MAX_PARTS = 50  # that are not understood; fewer are named
 APPLIED = frozenset([*METHODS, *MOVES, *SHIFTS, *TURNS, *ADDERS, *ATTACHERS, *PENS, *PEN_STARTS, *SETTERS])
+MOVERS = frozenset([*MOVES, *SHIFTS, *TURNS, "scale", "transform", "settransform"]) - {"offset", "translation"}
 ASSIGNS = ("=", ":=", ":")
 STYLE = re.compile(r"[a-z]?[-.:ox]{1,2}[a-z]?")  # of a plot: b-
+NO_WORDS = re.compile(r"[A-Za-z_][\w.]*")
+COMPARES, SETS = re.compile(r"[<>]|[=!]="), re.compile(r"(?<![<>=!])=(?!=)|\+\+|--|<<|>>|\?")
+NUMERALS = re.compile(r"[0-9]+")
+PADDED = re.compile(r"0[0-9]+")  # 000, of 1,000
 NOTHING = Token(LINE, "", 0, 0)
 
 
@@ -65,15 +72,23 @@ class Account:
         places: Collection[int],
         variables: Collection[str],
         known: Sequence[tuple[int, int]] = (),
+        changed: Collection[str] = (),
     ) -> None:
-        """`places`: where numbers of shapes end; `variables`: names of data; `known`: parts of a known form."""
+        """`places`: where numbers of shapes end; `variables`: names of data; `known`: parts of a known form;
+        `changed`: names with a value of which a field is set afterwards.
+        """
         self.text = text
         removed = within(known, found)
-        self.tokens = [token for token in found if token not in removed]
         self.places = sorted(places)
+        rows = [Token(NUMBER, "", start, end) for start, end in known if self.holds(start, end)]
+        kept = [token for token in found if token not in removed]
+        self.tokens = sorted([*kept, *rows], key=lambda token: token.start) if rows else kept
         self.variables = variables
+        self.changed = changed
         self.parts: list[Part] = []
         self.counts: set[int] = set()  # where numbers end that count or name something
+        self.nested = False  # within a text in quotes, whose numbers nobody else counts
+        self.quoted = False  # behind a quote of a text that goes over several lines
         self.session = ">>>" in text or "In [" in text
         self.close: dict[int, int] = {}
         self.open: dict[int, int] = {}
@@ -115,9 +130,13 @@ class Account:
         """Return whether a token is a number, a bracket with numbers of a shape, or the name of data."""
         token = self.at(i)
         if token.kind in (OPEN, CLOSE):
-            return self.holds(*self.span(i))
+            begin = i if token.kind == OPEN else self.open.get(i, i)
+            named = any(self.is_variable(t) for t in self.tokens[begin : min(self.close.get(begin, i), begin + 8)])
+            return named or self.holds(*self.span(i))
         if token.kind == TEXT:
             return self.holds(token.start, token.end)
+        if token.kind == NAME and self.at(i + 1).kind == OPEN and self.callee(i + 1) is token and i + 1 in self.close:
+            return self.is_data(i + 1)
         return token.kind == NUMBER or self.is_variable(token)
 
     def is_variable(self, token: Token) -> bool:
@@ -165,6 +184,10 @@ class Account:
                 self.check_sign(i, frames[-1])
             elif token.kind == NUMBER and self.is_count(i, frames[-1]):
                 self.counts.add(token.end)
+            elif token.kind == NUMBER and self.nested and not self.holds(token.start, token.end):
+                self.miss(i, i)
+            elif token.kind == NUMBER and PADDED.fullmatch(token.text):
+                self.miss(i - 2 if self.at(i - 1).text == "," else i, i)  # 1,000
             elif token.kind == MARK and token.text in ("==", "!=", "<=", ">=") and frames[-1].data:
                 self.miss(i - 1, i + 1)
         return self.parts
@@ -172,7 +195,8 @@ class Account:
     def is_count(self, i: int, frame: Frame) -> bool:
         """Return whether a number counts or names something: a label before a colon, a length, 4 corners, { 0 }."""
         before, after = self.at(i - 1), self.at(i + 1)
-        if before.text in ("<", ">", "<=", ">=", "==", "!=") and not frame.data:
+        shifts = before.text in ("<", ">") and self.at(i - 2).text == before.text
+        if before.text in ("<", ">", "<=", ">=", "==", "!=") and not shifts and not frame.data:
             return True
         if not self.at(i).text.isdigit():
             return False
@@ -184,7 +208,7 @@ class Account:
             return True
         if after.text.lower() in COUNTED:
             return not self.holds(*self.span(i + 2)) if self.at(i + 2).kind == OPEN else True
-        return before.text.lower() in LABELS and (after.kind == LINE or after.text in (":", ",", "at", "is", "of"))
+        return before.text.lower() in LABELS and (after.kind == LINE or after.text in (":", ",", "at", "is", "of", ""))
 
     def miss(self, first: int, last: int) -> None:
         """Note that the tokens from one place to another are not understood."""
@@ -205,13 +229,16 @@ class Account:
         if not self.holds(*self.span(i)) and not any(self.is_variable(t) for t in inside[:200]):
             inside = []
         last = word.text.replace("->", ".").replace("::", ".").split(".")[-1]
+        defines = self.at(i - 2).text in ("new", "def", "function", "fn", "func", "fun", "void", "class", "struct")
+        if not inside and last.lower() in MOVERS and self.close[i] > i + 1 and not defines and self.places:
+            self.miss(i - 1, i)  # ctx.translate(cx, cy)
+            return
         if not inside and not (self.is_variable(word) and last != word.text):
             return
         method = self.is_variable(word) and last != word.text and last.lower() in APPLIED
-        new = self.at(i - 2).text in ("new", "def", "function", "fn", "func", "fun", "void", "class", "struct")
         declared = self.at(i - 2).kind == NAME and notation(self.at(i - 2).text) is not None  # Circle c(0, 0, 1)
-        makes = last.lower() in PRODUCERS and "." in word.text and not new and last[0].islower()
-        known = method or new or declared or last.lower() in PENS | PEN_STARTS or is_call(word.text)
+        makes = last.lower() in PRODUCERS and "." in word.text and not defines and last[0].islower()
+        known = method or defines or declared or last.lower() in PENS | PEN_STARTS or is_call(word.text)
         if makes or not known:
             self.miss(i - 1, i)
 
@@ -222,7 +249,11 @@ class Account:
             return  # of the call
         last = token.text.replace("->", ".").replace("::", ".").split(".")[-1]
         if self.is_variable(token):
-            known = key(last) or last.lower() in KEYS or is_call(last)
+            again = "." in token.text and after.text == "=" and _root(token.text) in self.changed
+            if again and self.at(i + 2).kind == NAME and self.at(i + 3).kind != OPEN:
+                self.miss(i, i + 2)  # a.x = b.x, where a has a value already
+                return
+            known = (key(last) and last != "T") or last.lower() in KEYS or is_call(last)
             if last != token.text and not known and after.text not in ASSIGNS:
                 self.miss(i, i)  # pts.T
             elif after.text in ASSIGNS and self.is_field(token.text, last) and not self.takes_value(i + 1):
@@ -230,19 +261,47 @@ class Account:
             return
         if token.text in FLOW and self.holds(token.end, self.statement_end(i)):
             self.miss(i, i)
+        elif token.text in ("if", "else", "elif") and (self.gives_value(i) or self.is_choice(i)):
+            self.miss(i, i + 1)
         if not frame.data:
+            scales = token.text.lower() in CHANGING_CALLS and after.text == "(" and self.is_data(i + 1)
+            if (scales or token.text.lower() in CHANGING_WORDS) and self.holds(*self.line(token)):
+                self.miss(i, i)  # A: rect(0, 0, 4, 4), twice as large
             if after.text in ASSIGNS and words(token.text) & CHANGING_KEYS and not self.takes_value(i + 1):
                 self.miss(i, i + 2)
             return
         if after.text in (*ASSIGNS, "=>"):
-            if not (key(last) or self.is_key(last) or self.takes_value(i + 1)):
+            if self.is_changing(last, i) or not (key(last) or self.is_key(last) or self.takes_value(i + 1)):
                 self.miss(i, i + 2)
+        elif self.at(i - 1).text in DECLARES:
+            return  # (def a [[0 0] [4 0] [4 3]])
         elif not (last.lower() in INSIDE or words(last) & INSIDE or is_shape(token.text) or self.is_value(i)):
             self.miss(i, i)
+
+    def line(self, token: Token) -> tuple[int, int]:
+        """Return where the line of a token begins and ends."""
+        end = self.text.find("\n", token.end)
+        return self.text.rfind("\n", 0, token.start) + 1, end if end >= 0 else len(self.text)
 
     def is_field(self, name: str, last: str) -> bool:
         """Return whether a name is that of a field that is on no list."""
         return last != name and not key(last) and not self.is_key(last)
+
+    def is_changing(self, name: str, i: int) -> bool:
+        """Return whether a key gets a word that changes the shape: origin: "center"; dtype=int beside decimals."""
+        value = self.at(i + 2)
+        said = value.text.strip("\"'").lower().rsplit(".", 1)[-1]
+        if value.kind not in (NAME, TEXT) or self.at(i + 3).kind == OPEN or self.is_data(i + 2):
+            return False
+        if name == "dtype":
+            start, end = self.line(self.at(i))
+            return "int" in said and "." in NO_WORDS.sub("", self.text[start:end])
+        handled = name.lower() in ("originx", "originy")
+        return (
+            not handled
+            and bool(words(name) & CHANGING_KEYS)
+            and said not in ("false", "null", "none", "nil", "0", "identity")
+        )
 
     def is_key(self, name: str) -> bool:
         """Return whether a key is known to change nothing."""
@@ -260,6 +319,22 @@ class Account:
             i += 1
         return self.is_data(i + 1) or self.at(i + 1).kind in (OPEN, LINE)
 
+    def is_choice(self, i: int) -> bool:
+        """Return whether data stands before a word in its line, and `else` behind it: a if b else c."""
+        start, end = self.line(self.at(i))
+        before = self.holds(start, self.at(i).start) or (self.at(i - 1).kind == CLOSE and self.is_data(i - 1))
+        return before and "else" in self.text[self.at(i).end : end]
+
+    def gives_value(self, i: int) -> bool:
+        """Return whether a condition stands before a line that gives a name a value: if big: a = Circle(0, 0, 50)."""
+        i = self.close[i + 1] + 1 if i + 1 in self.close else i + 1
+        while i < len(self.tokens) and self.tokens[i].kind != LINE and self.tokens[i].text not in (":", "{", "="):
+            i += 1
+        while i < len(self.tokens) and (self.tokens[i].kind == LINE or self.tokens[i].text in (":", "{")):
+            i += 1
+        assigns = any(self.at(k).text in ("=", ":=") for k in range(i, i + 6))
+        return assigns and self.holds(self.at(i).start, self.statement_end(i))
+
     def statement_end(self, i: int) -> int:
         """Return where the statement after a word ends."""
         while i + 1 < len(self.tokens) and self.at(i + 1).text != ";" and self.at(i + 1).kind != LINE:
@@ -276,15 +351,18 @@ class Account:
         k = i - 1
         while k > 0 and self.tokens[k].kind == LINE:
             k -= 1
-        behind = before_line.kind in (NUMBER, TEXT) or (before_line.kind == CLOSE and self.holds(*self.span(k)))
+        behind = before_line.kind in (NUMBER, TEXT) or (before_line.kind == CLOSE and self.is_data(k))
         if not behind:
             return
         if after.kind == OPEN and self.callee(i + 1):
             rows = name.lower() != "reshape" or self.at(self.close[i + 1] - 1).text in ("2", ",")
-            known = rows and (name.lower() in APPLIED or is_call(name))
+            inside = self.tokens[i + 2 : self.close[i + 1]]
+            given = self.holds(*self.span(i + 1)) or any(map(self.is_variable, inside[:20]))
+            applied = given if name.lower() in MOVERS else name.lower() in APPLIED
+            known = rows and (applied or (name.lower() not in MOVERS and is_call(name)))
             if name.lower() in PRODUCERS or not known:
                 self.miss(i, i + 1)
-        elif not (name.lower() in KEYS or is_call(name) or (after.text in ASSIGNS and key(name))):
+        elif not (name.lower() in KEYS - {"x", "y"} or is_call(name) or (after.text in ASSIGNS and key(name))):
             self.miss(i, i)
 
     def check_text(self, i: int, frame: Frame) -> None:
@@ -296,12 +374,17 @@ class Account:
                 begin = token.start + 1
                 plain = inner.replace('\\"', ' "')
                 found = [t._replace(start=t.start + begin, end=t.end + begin) for t in tokens(plain)]
-                self.parts += Account(self.text, found, self.places, self.variables).run()
+                within_text = Account(self.text, found, self.places, self.variables)
+                within_text.nested = True
+                self.parts += within_text.run()
             return
+        word = self.callee(frame.begin) if frame.begin >= 0 else None
+        if word is not None and is_shape(word.text) and len(NUMERALS.findall(inner)) > 2:
+            self.miss(i, i)  # the data of a path that cannot be read
         if not frame.data or not inner.strip():
             return
         if self.at(i + 1).text in (*ASSIGNS, "=>"):
-            if not (key(inner) or self.is_key(inner) or self.takes_value(i + 1)):
+            if self.is_changing(inner, i) or not (key(inner) or self.is_key(inner) or self.takes_value(i + 1)):
                 self.miss(i, i + 2)
         elif not (words(inner) & INSIDE or self.is_value(i) or inner[0] == "#" or STYLE.fullmatch(inner)):
             self.miss(i, i)
@@ -309,6 +392,13 @@ class Account:
     def check_sign(self, i: int, frame: Frame) -> None:
         """Name a sign among the numbers of a shape, or beside one."""
         token, before, after = self.at(i), self.at(i - 1), self.at(i + 1)
+        if token.text == "'":
+            behind = before.end == token.start and before.kind in (CLOSE, NAME, NUMBER, FIELD)
+            transposes = not self.quoted and behind and not (after.kind == NAME and token.end == after.start)
+            self.quoted = not behind
+            if transposes and (self.is_variable(before) or (before.kind == CLOSE and self.is_data(i - 1))):
+                self.miss(i - 1, i)  # [0 4 4; 0 0 3]' of MATLAB
+                return
         if token.text in PUNCTUATION or token.text[0] == "\\":
             return
         if token.text == "+" and any(t.kind == TEXT and not self.holds(t.start, t.end) for t in (before, after)):
@@ -316,7 +406,7 @@ class Account:
         if token.text == "%" and after.text == "{" and token.end == after.start:
             return  # of Elixir
         first = before.kind == LINE or before.text in (",", "(", "[", "{", "=", ":", ";")
-        refers = first or (before.kind == NAME and token.text != "@")
+        refers = first or (before.kind == NAME and not self.is_variable(before))
         if token.text in "&*@" and token.end == after.start and refers and after.kind in (NAME, OPEN):
             return  # a reference
         if token.text in "&*" and before.kind == NAME and not self.is_variable(before) and not frame.data:
@@ -329,10 +419,15 @@ class Account:
         if token.text == "-" and first and after.kind == NUMBER and self.at(i + 2).text in (",", ")", "]", "}", ";"):
             return  # - 4
         chooses = token.text == "?" and (self.is_ternary(i) or after.kind == NUMBER)
-        ends = not frame.data and after.text not in (":", "[") and token.end != after.start
+        ends = not frame.data and after.text not in (":", "[") and (after.kind == LINE or token.end != after.start)
         if token.text in ".!?" and ends and not chooses:
             return  # the end of a sentence
-        if token.text in "<>!|&" and not frame.data and before.kind != NUMBER:
+        tight = before.end == token.start and token.end == after.start
+        if token.text == "?" and tight and after.text == "(" and before.kind == NAME and is_call(before.text):
+            return  # a.hit?(b) of Ruby
+        both = token.text in "|&" and self.is_data(i - 1) and self.is_data(i + 1)
+        denies = token.text == "!" and after.text in ("[", "{") and self.is_data(i + 1)
+        if token.text in "<>!|&" and not (both or denies) and not frame.data and before.kind != NUMBER:
             return  # a comparison, or a logical sign
         spaced = before.end < token.start and token.end < after.start
         prose = after.kind == NAME and not self.is_variable(after) and self.at(i + 2).kind == NAME
@@ -340,16 +435,28 @@ class Account:
             return  # a dash in a sentence
         if token.text == "-" and not frame.data and before.text == ")" and after.text == "(":
             return  # (0, 0)-(10, 10)
+        if not frame.data and self.is_test(token):
+            return
         if frame.data or self.is_data(i - 1) or self.is_data(i + 1):
-            self.miss(i - 1 if before.end == token.start and before.kind == NAME else i, i + 1)
+            self.miss(i - 1 if before.kind == NAME or (before.kind == NUMBER and before.text) else i, i + 1)
+
+    def is_test(self, token: Token) -> bool:
+        """Return whether a line compares names and gives none a value: return a.x < b.x + b.w."""
+        start, end = self.line(token)
+        line = self.text[start:end]
+        return not self.holds(start, end) and bool(COMPARES.search(line)) and not SETS.search(line)
 
     def is_ternary(self, i: int) -> bool:
         """Return whether a colon follows a question mark in its line."""
-        for k in range(i + 1, min(i + 20, len(self.tokens))):
+        k = i + 1
+        for _ in range(20):
+            if k >= len(self.tokens):
+                return False
             if self.tokens[k].kind == LINE or self.tokens[k].text == ";":
                 return False
             if self.tokens[k].text == ":":
                 return True
+            k = self.close.get(k, k) + 1
         return False
 
 

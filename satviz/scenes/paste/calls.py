@@ -239,6 +239,9 @@ class Calls(Keyed):
         fifth = self.resolve(arguments[4]) if len(arguments) > 4 else None
         if isinstance(fifth, Num) and fifth.value is None:  # a color: 0xff0000
             arguments = arguments[:4]
+        last = self.resolve(arguments[-1]) if arguments else None
+        if isinstance(last, Num) and last.turn is not None:  # SetAsBox(1, 1, center, 0.5f * b2_pi)
+            arguments, angle = arguments[:-1], last
         says = [name for name in named.fields if key(name) and key(name) not in ("angle", "degrees", "radians")]
         if named.fields and (says or not arguments):
             return self._object(replace(named, start=group.start, end=group.end, rest=arguments), label, row)

@@ -72,8 +72,8 @@ INSIDE = listed(
     scene renderer window red green blue black white yellow gray grey orange purple pink cyan magenta brown lime color
     colors maroon navy gold skyblue darkblue darkgreen static dynamic kinematic float int double long char var let
     const new float32 float64 np numpy auto val mut final ref out in std vector array list tuple vec f32 f64 i32 i64
-    number fill line img cuda ax zero identity tensor string byte short unsigned polygon circle rect rectangle box
-    point multipolygon feature featurecollection geometrycollection z zm m struct
+    number def setq define defvar defparameter fill line img cuda ax zero identity tensor string byte short unsigned
+    polygon circle rect rectangle box point multipolygon feature featurecollection geometrycollection z zm m struct
     """
 )
 # Keys outside of brackets that change a shape whatever their value is.
@@ -82,6 +82,15 @@ CHANGING_KEYS = listed(
     transform matrix rotate rotation scale scaling flip flipx flipy mirror mirrored skew shear origin pivot anchor
     """
 )
+# Words of a sentence about a shape that change it.
+CHANGING_WORDS = listed(
+    """
+    rotated turned scaled mirrored flipped shifted moved offset translated twice half halved doubled inflated skewed
+    stretched transposed squared
+    """
+)
+# Words before a name that gets a value.
+DECLARES = frozenset(["def", "setq", "define", "defvar", "defparameter"])
 # Words that test shapes: with one of these, `rotated` in a name is no change.
 TESTS = listed(
     """

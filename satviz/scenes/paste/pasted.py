@@ -38,6 +38,7 @@ ASKS = {
     "turn": "Does y point up or down? A positive angle turns the other way there.",
     "order": "Does the width come first, or the height?",
     "pivot": "Is the box turned around its center or around its corner?",
+    "twice": "A name has two values. Is each of them a shape, or only the last one?",
     "round": "Is the last number of the circle its radius or its diameter?",
     "rest": "Not understood:",
     "corners": "Are the corners relative to the position, or absolute already?",
@@ -60,6 +61,8 @@ CHOICE_WORDS = {
     "absolute": "corners absolute already",
     "radius": "the radius",
     "diameter": "the diameter",
+    "each-value": "each value of a name",
+    "last-value": "the last value of a name",
     "leave-out": "the shapes as read, without it",
 }
 
@@ -73,7 +76,7 @@ class Answer(NamedTuple):
 
 
 class Question(NamedTuple):
-    """A place where two readings are possible; `matters`: they give different relations, so none was taken."""
+    """A place where two readings are possible, or that is not understood; `matters`: no reading was taken."""
 
     what: str
     asks: str
@@ -105,7 +108,7 @@ class Pasted:
 
     @property
     def open(self) -> bool:
-        """Return whether a question must be answered first, because the relation depends on it."""
+        """Return whether a question must be answered first: the relation depends on it, or a part is not understood."""
         return any(question.matters for question in self.questions)
 
     @property
@@ -124,7 +127,7 @@ class Pasted:
         if self.open:
             for question in self.questions:
                 if question.what == "rest":
-                    return f"{question.asks} Write what results, or choose {LEAVE_OUT}."
+                    return f"{question.asks} Write what results there, or take the shapes without it."
             count = max(len(question.answers) for question in self.questions if question.matters)
             words = {2: "Two", 3: "Three", 4: "Four"}.get(count, "Several")
             return f"{words} readings are possible, and they give different answers: choose one."
@@ -261,7 +264,8 @@ def paste(what: Any, as_: str | Sequence[str] = ()) -> Pasted:
 
     `what`: WKT, GeoJSON, JSON, or lines in Python, JavaScript, C, C++, C#, Java, Rust, Scala or GDScript; nothing in it
     is evaluated.  Or shapes of satviz, shapely or pymunk, lists and arrays.
-    `as_`: the readings to take where several are possible, such as "center-size" or "degrees, y-down".
+    `as_`: the readings to take where several are possible, such as "center-size" or "degrees, y-down";
+    "leave-out" takes the shapes without what was not understood.
     InvalidScene where nothing can be read, or for more than a megabyte, 40 shapes or 1,000 corners.
     """
     text = what if isinstance(what, str) else as_text(what)
@@ -293,7 +297,7 @@ def paste(what: Any, as_: str | Sequence[str] = ()) -> Pasted:
     for pair in pairs[:MAX_TRACES]:
         found += of_pair(pair, decimals=isinstance(what, str))
     found = findings.merged([*found, *notes])
-    if pairs and not any(KINDS.index(finding.kind) < KINDS.index("clear") for finding in found):
+    if pairs and not missed and not any(KINDS.index(finding.kind) < KINDS.index("clear") for finding in found):
         found.append(clear(pairs[0]))
     found.sort(key=lambda finding: KINDS.index(finding.kind))
     return replace(made, pairs=tuple(pairs), findings=tuple(found))

@@ -4,15 +4,16 @@ import re
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from itertools import groupby, takewhile
+from itertools import groupby, pairwise, takewhile
 from typing import Any, NamedTuple
 
 from .account import Account, within
 from .boxes import Read
 from .harmless import words
-from .names import Names, short
+from .names import Names, Obj, short
 from .notations import POINT, SHAPE_STEMS, notation
 from .parser import Tree
+from .tokens import NAME, NUMBER
 from .tree import Bad, Group, Num, Pair
 
 MAX_NAMED = 6  # keys that are named in a line, and numbers without a key
@@ -26,7 +27,7 @@ CHANGING = """
 """
 # Words in a key, or in the name of a call, that say that the numbers are none of a shape.
 HARMLESS = """
-    velocity speed bounds axes force torque gravity mass inertia density friction restitution color colour fill stroke
+    velocity speed axes force torque gravity mass inertia density friction restitution color colour fill stroke
     alpha opacity window canvas screen viewport viewbox svg area count length index id label layer category mask group
     time timestamp step size_t sleep stiffness damping damp slop constraint render print printf println log assert
     prev previous impulse motion tolerance epsilon eps expected distance camera image version line error warn info
@@ -57,12 +58,15 @@ def rest(tree: Tree, reads: Sequence[Read], text: str, reader: Names) -> Rest:
     """Return what no shape has of a text."""
     used = frozenset().union(*(read.used for read in reads)) | tree.indices | reader.counts
     known = {left.end: left for left in _walk(tree, tree.root, "")}
+    before = {b.end: a.text for a, b in pairwise(tree.tokens) if a.kind == NAME and b.kind == NUMBER}
     for token in tree.numbers:
-        known.setdefault(token.end, Left(token.start, token.end, "", token.value))
+        known.setdefault(token.end, Left(token.start, token.end, before.get(token.end, ""), token.value))
     left = sorted((v for v in known.values() if v.end not in used), key=lambda v: v.start)
     places = sorted(used - tree.indices)
     variables = {str(name) for name, value in reader.env.fields.items() if _holds(places, value)}
-    account = Account(text, tree.tokens, places, variables, [*tree.parts, *reader.parts])
+    objects = {str(name): value for name, value in reader.env.fields.items() if isinstance(value, Obj)}
+    changed = {name for name, value in objects.items() if any(_holds(places, v) for v in value.rest)}
+    account = Account(text, tree.tokens, places, variables, [*tree.parts, *reader.parts], changed)
     parts = account.run()
     quoted = within(reader.named, parts)
     parts = [part for part in parts if part not in quoted]
@@ -81,6 +85,8 @@ def rest(tree: Tree, reads: Sequence[Read], text: str, reader: Names) -> Rest:
 
 def _holds(places: Sequence[int], value: Any) -> bool:
     """Return whether one of these places lies within a value."""
+    if isinstance(value, Obj):
+        return any(_holds(places, v) for v in (*value.fields.values(), *value.rest))
     at = bisect_right(places, value.start)
     return at < len(places) and places[at] <= value.end
 
@@ -111,7 +117,7 @@ def _walk(tree: Tree, value: Any, name: str) -> Iterator[Left]:
 def _is_harmless(left: Left) -> bool:
     """Return whether a number that no shape has changes none, by its key: a mass, or a scale of 1."""
     said, last = words(left.key.removeprefix("svg.")), words(left.key.split(".")[-1])
-    if "moment" in said or left.key == "pymunk.Body":
+    if "moment" in said or left.key == "pymunk.Body" or "bounds" in left.key.split("."):
         return True
     if any(word.startswith(SHAPE_STEMS) for word in last) and not last & CHANGING_WORDS:
         return False

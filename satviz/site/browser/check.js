@@ -128,12 +128,15 @@ export class CheckPage {
     this.say(this.language === "python" ? "Python starts for your code." : "Your code starts.");
     const reader = new Reader(this.language, this.editor.value, this.pythonScript);
     this.reader = reader;
-    const why = await reader.define();
-    this.showPrinted(reader.printed);
-    if (why) this.say(why);
-    else await this.ask(reader);
-    this.running = false;
-    this.run.textContent = "Run";
+    try {
+      const why = await reader.define();
+      this.showPrinted(reader.printed);
+      if (why) this.say(why);
+      else await this.ask(reader);
+    } finally {
+      this.running = false;
+      this.run.textContent = "Run";
+    }
   }
 
   /** @param {Reader} reader */

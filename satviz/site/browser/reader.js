@@ -10,6 +10,7 @@ import { shutOff } from "./shut_off.js";
 
 const CALL_MS = 2000; // that one call may take
 const START_MS = 60000; // that Python may take to start; a script starts at once
+const MAX_LETTERS = 20000; // of an answer with all that was printed
 export const NO_ANSWER = "no answer";
 
 export class Reader {
@@ -81,8 +82,8 @@ export class Reader {
   receive(data) {
     if (this.language === "python") {
       if (data?.ready || data?.failed) this.settle(data.failed ? { failed: String(data.failed) } : {});
-      else if (typeof data?.text === "string") this.settle(JSON.parse(data.text));
-    } else this.settle(typeof data === "string" ? JSON.parse(data) : {});
+      else if (typeof data?.text === "string") this.settle(outcomeFrom(data.text));
+    } else this.settle(typeof data === "string" ? outcomeFrom(data) : {});
   }
 
   /** @param {any} data */
@@ -96,6 +97,19 @@ export class Reader {
     this.ended = true;
     this.worker.terminate();
     if (this.language === "python") URL.revokeObjectURL(this.url);
+  }
+}
+
+/**
+ * @param {string} text Of the worker, where the reader's code may have forged it.
+ * @returns {Record<string, any>}
+ */
+function outcomeFrom(text) {
+  if (text.length > MAX_LETTERS) return { problem: "error", line: `answers with more than ${MAX_LETTERS} letters` };
+  try {
+    return JSON.parse(text) ?? {};
+  } catch {
+    return { problem: "error", line: "answers with a message that is not an outcome" };
   }
 }
 
