@@ -163,7 +163,7 @@ def _parser() -> argparse.ArgumentParser:
     draw.add_argument(
         "--caption",
         action="store_true",
-        help="put each sentence under its picture (a GIF, a page and a sheet always have it)",
+        help="put each sentence under its picture (a page and a sheet always have it; a GIF has a few words instead)",
     )
     draw.add_argument("--site", metavar="URL", help="where the site is of --format link and embed: http or https")
     which = draw.add_mutually_exclusive_group()
@@ -180,7 +180,10 @@ def _parser() -> argparse.ArgumentParser:
         help=f"every step, also of a run of more than {commands.MAX_STEP_FILES} (which else gets a sheet)",
     )
     which.add_argument(
-        "--step", type=_step_range, metavar="N[-M]", help="only this step, or the steps from N to M; the first is 0"
+        "--step",
+        type=_step_range,
+        metavar="N[-M]",
+        help="only this step, or the steps from N to M; the first is 0, and last is the last one",
     )
     draw.add_argument("--predict", action="store_true", help="a page, link or frame that asks before it shows")
     draw.add_argument("--goal", choices=GOALS, help="a link or frame with this challenge")
@@ -358,15 +361,15 @@ def _speed(text: str) -> float:
 
 
 def _step_range(text: str) -> tuple[int, int]:
-    """Return the first and the last step of "5" or "3-8"; ArgumentTypeError for anything else."""
+    """Return the first and the last step of "5", "3-8" or "last", which is -1; ArgumentTypeError for anything else."""
     first, dash, last = text.partition("-")
-    if not first or (dash and not last):
-        raise argparse.ArgumentTypeError(f"{text!r} is not a step: give a number such as 5, or two such as 3-8")
+    if not first or (dash and (not last or first == "last")):
+        raise argparse.ArgumentTypeError(f"{text!r} is not a step: give a number such as 5, two such as 3-8, or last")
     number = _whole_number(0, 10**6 - 1)
-    found = number(first), number(last if dash else first)
-    if found[0] > found[1]:
+    begin, end = (-1 if each == "last" else number(each) for each in (first, last if dash else first))
+    if -1 < end < begin:
         raise argparse.ArgumentTypeError(f"{text!r} ends before it begins: write the smaller number first")
-    return found
+    return begin, end
 
 
 def _clash_of_draw(args: argparse.Namespace) -> str | None:

@@ -136,13 +136,12 @@ def _print_link_and_frame(args: argparse.Namespace, scene: "Scene") -> None:
         return
     if args.goal:
         evaluate_goal(args.goal, scene)  # refuses a goal that the scene cannot have
-    first, last = args.step or (None, None)
-    if last is not None:
-        _require_step(last, len(steps(scene.record())))
+    asked = _steps_of(args, len(steps(scene.record()))) if args.step else None
+    first, last = asked or (None, None)
     if "link" in args.format:
         out(link(scene, site=args.site or "", step=first, predict=args.predict, goal=args.goal))
     if "embed" in args.format:
-        part = args.step if first != last else None
+        part = asked if first != last else None
         frame = embed(
             scene, site=args.site, play=args.play or first is not None, predict=args.predict, challenge=args.goal,
             steps=part, theme=args.theme, show=args.show, step=None if part else first,
@@ -150,10 +149,12 @@ def _print_link_and_frame(args: argparse.Namespace, scene: "Scene") -> None:
         out(frame.rstrip("\n"))
 
 
-def _require_step(step: int, count: int) -> None:
-    """Raise Refused for a step that a run of `count` steps does not have."""
-    if step >= count:
-        raise Refused(f"the run has no step {step}: its steps are 0 to {count - 1}")
+def _steps_of(args: argparse.Namespace, count: int) -> tuple[int, int]:
+    """Return the first and the last step asked for, of a run of `count` steps; Refused for a step beyond them."""
+    first, last = (step % count if step < 0 else step for step in args.step or (0, -1))
+    if last >= count:
+        raise Refused(f"the run has no step {last}: its steps are 0 to {count - 1}")
+    return first, last
 
 
 def _drawable_refused(args: argparse.Namespace, case: "FailureCase") -> _Drawable:
@@ -193,19 +194,22 @@ def _drawable_run(args: argparse.Namespace, scene: "Scene") -> _Drawable:
     except ValueError as error:
         raise Refused(str(error)) from None
     count = len(steps(trace))
-    first, last = args.step or (0, count - 1)
-    _require_step(last, count)
+    first, last = _steps_of(args, count)
 
     def still(step: int) -> "Sequence[Picture]":
-        """Return a list of the picture of one step, captioned with its sentence under --caption."""
-        return _captioned(picture(trace, step, title=scene.title), args)
+        """Return a list of the picture of one step, captioned with its sentence under --caption.
+
+        Several steps have one frame; a step that is drawn alone is cut to what it shows.
+        """
+        alone = args.step is not None and first == last
+        return _captioned(picture(trace, step, title=scene.title, by_itself=alone), args)
 
     def frames() -> "Animation":
         """Return the animation of the run, of the axis that turns or of how B - A comes about; sentences are below."""
         if args.sweep:
             return turning(add_captions(sweep(trace)), speed=args.speed or 1.0)
         drawn = difference_steps(trace) if args.difference else [picture(trace, s) for s in range(first, last + 1)]
-        return animation(add_captions(drawn), speed=args.speed or 1.0)
+        return animation(add_captions(drawn, brief=True), speed=args.speed or 1.0)
 
     def page() -> str:
         """Return the page of the run."""
@@ -300,11 +304,14 @@ def _progress(paths: Sequence[Path]) -> Iterator[Path]:
 
 def handout(args: argparse.Namespace) -> int:
     """Write the questions of chapters and scenes as one HTML file to print, and their solutions as another."""
+    from .lessons.chapter_text import chapters
     from .lessons.handout import chapter_named, handout
 
     given: list[Scene | str] = []
     for name in args.what:
         chapter = chapter_named(name)
+        if not chapter and name.isdecimal() and not os.path.exists(name):
+            raise Refused(f"no chapter {name}: the chapters are 1 to {len(chapters())}")
         given.append(chapter.title.split()[0] if chapter else _scene_named(name))
     try:
         texts = [handout(*given, paper=args.paper, solutions=solutions) for solutions in (False, True)]

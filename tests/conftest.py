@@ -1,6 +1,7 @@
 """What all tests share: the browser, and how many run at a time."""
 
 import os
+from fcntl import LOCK_EX, flock
 
 import pytest
 from browser import axe, chromium, site_with_python
@@ -48,8 +49,15 @@ def axe_core():
 
 @pytest.fixture(scope="session")
 def built(tmp_path_factory):
-    """The site with Python in its pages, made once."""
-    return site_with_python(tmp_path_factory.mktemp("site"))
+    """The site with Python in its pages, made by the process that needs it first; the others read the same folder."""
+    if "PYTEST_XDIST_WORKER" not in os.environ:
+        return site_with_python(tmp_path_factory.mktemp("site"))
+    folder = tmp_path_factory.getbasetemp().parent / "site"
+    with folder.with_suffix(".lock").open("w") as lock:
+        flock(lock, LOCK_EX)
+        if not folder.exists():
+            site_with_python(folder.with_suffix(".part")).rename(folder)
+    return folder
 
 
 @pytest.fixture

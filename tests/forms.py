@@ -317,6 +317,17 @@ def colliding_kinds(pairs: Pairs, engine: str) -> list[bool]:
     return _found(np.sort(order[batch.colliding_pairs(batch.concat(made), engine=engine)], axis=1), len(pairs))
 
 
+def colliding_padded(pairs: Pairs, engine: str) -> list[bool]:
+    """Return for each pair whether it collides in a batch of padded arrays, where nothing is behind the last corner."""
+    shapes = [s for pair in pairs for s in pair]
+    counts = np.array([1 if isinstance(s, Circle) else len(s.vertices) for s in shapes])
+    corners = np.full((len(shapes), counts.max(), 2), np.nan)
+    for i, s in enumerate(shapes):
+        corners[i, : counts[i]] = s.center if isinstance(s, Circle) else s.vertices
+    radii = np.array([s.radius if isinstance(s, Circle) else 0.0 for s in shapes])
+    return _found(batch.colliding_pairs(batch.from_padded(corners, counts, radii), engine=engine), len(pairs))
+
+
 def convex_blocks(i: int, a: Shape, b: Shape) -> int | None:
     """Return the key of blocks of 8 pairs of convex shapes, None for other pairs."""
     return i // 8 if is_convex(a) and is_convex(b) else None
@@ -370,6 +381,9 @@ for engine in ENGINES:
     )
     FORMS[f"colliding_pairs of kinds, {engine}"] = Form(
         grouped(partial(colliding_kinds, engine=engine), convex_blocks), is_the_hit, one_in=20
+    )
+    FORMS[f"colliding_pairs from padded, {engine}"] = Form(
+        grouped(partial(colliding_padded, engine=engine), convex_blocks), is_the_hit, one_in=20
     )
     some = partial(candidates, engine=engine)
     FORMS[f"candidate_pairs, {engine}"] = Form(grouped(some, blocks_of_bounded(40)), misses_nothing, one_in=2)

@@ -1,11 +1,12 @@
 """What no test would notice: small faults sown into the exact core one at a time, and the tests run against each.
 
-    python -m pip install 'mutmut>=3.8' && python tests/mutants.py engine/predicates engine/axes:240 batch/exact_signs
+    python -m pip install 'mutmut>=3.8' && python tests/mutants.py engine/axes:same_axis batch/exact_signs
 
 prints every mutant that survived, every one that was killed though listed as equivalent, and a
-table; without names it goes through the whole core, batch/validation:9-80 sows these lines only, and
-batch/validation%3 every third mutant.  tests/mutants.md holds the last table and, for each survivor
-that changes nothing, the reason: those are known and only counted.  Half the kinds of mutants are
+table; without names it goes through the whole core.  engine/axes:same_axis,module sows one function
+and the statements outside of any, batch/validation%3 every third mutant; --new leaves out those that
+are listed as equivalent.  tests/mutants.md holds the last table and, for each survivor that changes
+nothing, the reason: those are known and only counted.  Half the kinds of mutants are
 mutmut's.  Its runner starts Python anew for each; here a parent loads the large libraries once and
 forks.  Left as they are: strings, messages (all of a raise), annotations, docstrings, zip's strict.
 """
@@ -20,11 +21,11 @@ import resource
 import signal
 import sys
 import tempfile
-from collections import Counter
+import time
+from collections import Counter, defaultdict
 from collections.abc import Iterator
 from importlib.machinery import SourceFileLoader
 from importlib.util import spec_from_file_location
-from itertools import islice
 from pathlib import Path
 
 import libcst as cst
@@ -34,12 +35,13 @@ from mutmut.mutation.mutators import mutation_operators
 
 HERE = Path(__file__).parent
 ROOT = HERE.parent / "satviz"
-AT_ONCE = 2
-QUICK = 0.5  # seconds: slower tests do not judge, since each survivor goes through all that do
+AT_ONCE = int(os.environ.get("AT_ONCE", 2))
+QUICK = 0.5  # seconds of CPU time: slower tests do not judge, since each survivor goes through all that do
+SLEEP = 300  # seconds of wall time without any work, after which a test is stopped
 LOADED_ONCE = ["hypothesis.strategies", "matplotlib", "numba", "numpy", "pytest", "shapely.geometry"]
 BATCH_TESTS = [f"batch_{idea}" for idea in ("narrow", "exact", "broad", "work", "outlines", "few", "validation")]
 TESTS = {  # which test files judge a module
-    "engine/geometry": ["geometry"],
+    "engine/geometry": ["geometry", "shapes", "certificate", "mtv"],
     "engine/predicates": ["predicates", "trace", "relate"],
     "engine/sweep": ["shapes", "convex_parts"],
     "engine/polygon_validation": ["shapes"],
@@ -225,23 +227,33 @@ class Sown(SourceFileLoader):
 class Watch:
     """Keeps to the quick tests, puts likely killers first, stops one that runs away, and writes down who killed."""
 
-    def __init__(self, out: Path, kills: Counter, times: dict[str, float]):
-        self.out, self.kills, self.times, self.last, self.found = out, kills, times, "", {}
-        self.engine = "numpy"
+    def __init__(self, out: Path, kills: Counter, likely: Counter, times: dict[str, float]):
+        self.out, self.kills, self.likely, self.times, self.found = out, kills, likely, times, {}
+        self.engine, self.begun = "numpy", time.process_time()
 
     def pytest_collection_modifyitems(self, items: list) -> None:
         for module in {item.module for item in items if hasattr(item.module, "ENGINES")}:
             module.ENGINES = [self.engine]  # of those that a test asks in turn
         items[:] = [item for item in items if self.times.get(item.nodeid, 0) < QUICK]
-        items.sort(key=lambda item: (-self.kills[item.nodeid], self.times.get(item.nodeid, 0)))
+        items.sort(key=lambda i: (-self.likely[i.nodeid], -self.kills[i.nodeid], self.times.get(i.nodeid, 0)))
 
     def pytest_runtest_setup(self, item) -> None:
         self.note(item.nodeid)
-        signal.setitimer(signal.ITIMER_PROF, 5 + 10 * self.times.get(item.nodeid, 9))  # seconds of this process's work
-        signal.alarm(100)  # seconds: one that waits does no work
+        self.begun = time.process_time()
+        signal.setitimer(signal.ITIMER_PROF, 2 + 5 * self.times.get(item.nodeid, 9))  # CPU time of this process
+        self.sleep_limit(None)
+
+    def sleep_limit(self, number: int | None, frame: object = None) -> None:
+        """Begin to wait, or stop this process if it has slept since the last call: however busy the machine is."""
+        worked = time.process_time()
+        if number and worked - self.worked < 0.001:
+            signal.raise_signal(signal.SIGKILL)
+        self.worked = worked
+        signal.signal(signal.SIGALRM, self.sleep_limit)
+        signal.alarm(SLEEP)
 
     def pytest_runtest_logreport(self, report) -> None:
-        self.found[report.nodeid] = self.found.get(report.nodeid, 0) + report.duration
+        self.found[report.nodeid] = time.process_time() - self.begun
         self.note(report.nodeid)  # here too, or the last test would have no time
 
     def note(self, test: str) -> None:
@@ -254,7 +266,6 @@ def judge(path: Path, source: str, tests: list[str], about: str, watch: Watch) -
     import numba
     import pytest
 
-    os.nice(5)
     resource.setrlimit(resource.RLIMIT_AS, (8 << 30, 8 << 30))
     signal.setitimer(signal.ITIMER_PROF, 8)  # for what comes before the first test
     sys.dont_write_bytecode = True
@@ -270,6 +281,7 @@ def judge(path: Path, source: str, tests: list[str], about: str, watch: Watch) -
         importlib.util.find_spec = lambda name, *more: None if name == "numba" else found(name, *more)
         words += ["not numba", "not processes"]  # which would outlive a test that is stopped
     plain = {"derandomize": True, "database": None, "deadline": None, "phases": ["explicit", "generate"]}
+    plain["suppress_health_check"] = list(hypothesis.HealthCheck)  # they measure wall time
     hypothesis.settings.register_profile("mutants", **plain)
     hypothesis.settings.load_profile("mutants")
     flags = [
@@ -296,11 +308,13 @@ def known(notes: str) -> Iterator[str]:
 class Field:
     """One module, its mutants being judged and how many met which fate."""
 
-    def __init__(self, name: str, folder: Path):
+    def __init__(self, name: str, folder: Path, only_new: bool = False):
+        self.only_new = only_new  # those listed as equivalent are counted and not judged
         self.path, self.tests, self.folder = ROOT / f"{name}.py", TESTS[name], folder
         self.about = ABOUT.get(name, "")
         self.running: dict[int, tuple[int, str]] = {}
         self.score, self.kills, self.times = Counter(), Counter(), {}
+        self.kills_in: defaultdict[str, Counter] = defaultdict(Counter)  # of a function's mutants
         notes = (HERE / "mutants.md").read_text(encoding="utf-8")
         of_this = re.search(rf"^## {name}$(.*?)(^## |\Z)", notes, re.M | re.S)
         self.known = set(known(of_this[1] if of_this else ""))
@@ -313,7 +327,8 @@ class Field:
         code, sink = 3, os.open(os.devnull, os.O_WRONLY)
         os.dup2(sink, 1), os.dup2(sink, 2)
         try:
-            watch = Watch(self.folder / str(os.getpid()), self.kills, self.times)
+            likely = self.kills_in[key.partition(":")[0]]
+            watch = Watch(self.folder / str(os.getpid()), self.kills, likely, self.times)
             code = judge(self.path, source, self.tests, self.about, watch)
         finally:
             os._exit(code)
@@ -329,6 +344,7 @@ class Field:
         assert line or not code, f"{told['at'] or self.tests} fails without any mutant"
         if line:
             self.kills[told["at"]] += bool(code)
+            self.kills_in[key.partition(":")[0]][told["at"]] += bool(code)
             self.score[fate] += 1
             if fate == "survived":
                 print(f"line {line}: {key}", flush=True)
@@ -336,12 +352,18 @@ class Field:
                 print(f"line {line}: {key} is listed as equivalent, but {fate}", flush=True)
         return told
 
-    def sow(self, lines: range, step: int) -> None:
-        """Judge every mutant of some lines (or every third, say), after none at all."""
+    def sow(self, functions: list[str], step: int) -> None:
+        """Judge every mutant (or every third, say), of some functions only if any are named, after none at all."""
         self.start(0, "", self.path.read_text(encoding="utf-8"))
         self.times = self.end()["times"]
-        wanted = (mutant for mutant in mutants(self.path) if mutant[0] in lines)
-        for mutant in islice(wanted, 0, None, step):
+        every = [*mutants(self.path)]
+        for key in sorted(self.known - {key for _, key, _ in every}):
+            print(f"{key} is listed, but there is no such mutant", flush=True)
+        wanted = [mutant for mutant in every if not functions or mutant[1].partition(":")[0] in functions][::step]
+        for mutant in wanted:
+            if self.only_new and mutant[1] in self.known:
+                self.score["equivalent"] += 1
+                continue
             self.start(*mutant)
             if len(self.running) == AT_ONCE:
                 self.end()
@@ -356,11 +378,11 @@ def main(*names: str) -> None:
     gc.freeze()
     rows = ["| module | mutants | " + " | ".join(FATES) + " |", "|---|--:|--:|--:|--:|--:|"]
     with tempfile.TemporaryDirectory() as folder:
-        for name in names or TESTS:
-            name, first, last, step = re.fullmatch(r"([^:%]+)(?::(\d+)(?:-(\d+))?)?(?:%(\d+))?", name).groups()
-            print(f"## {name}")
-            field = Field(name, Path(folder))
-            field.sow(range(int(first or 0), int(last or first or 10**6) + 1), int(step or 1))
+        for name in [name for name in names if name != "--new"] or TESTS:
+            name, functions, step = re.fullmatch(r"([^:%]+)(?::([\w,]+))?(?:%(\d+))?", name).groups()
+            print(f"## {name}", flush=True)
+            field = Field(name, Path(folder), "--new" in names)
+            field.sow(functions.split(",") if functions else [], int(step or 1))
             counts = field.score.total(), *(field.score[fate] for fate in FATES)
             rows.append(f"| {name} | {' | '.join(map(str, counts))} |")
     print("", *rows, sep="\n")

@@ -78,6 +78,7 @@ polygon.addFace([ point(90, 10), point(100, 10), point(100, 50), point(90, 50) ]
 polygon.addFace([ point(100, 0), point(120, 0), point(120, 10), point(100, 10) ]);
 let contains = ray_shoot(polygon, point(85, 10)); // should be OUTSIDE, returns INSIDE instead""",
         ((90, 10, 100, 50), (100, 0, 120, 10)),
+        says="ray_shoot",
     ),
     Paste(
         "AngusJohnson/Clipper2#771",
@@ -395,6 +396,7 @@ circle((9, 9), 1)""",
         """[(0,0), (4,0), (4,4), (0,4)] is the first polygon (4 corners)
 [(5,0), (9,0), (9,4), (5,4)] is the second one, 1 away""",
         ((0, 0, 4, 4), (5, 0, 9, 4)),
+        says="1",
     ),
     Paste(
         "numbered lines",
@@ -802,7 +804,7 @@ b.x = 10; b.y = 0; b.width = 10; b.height = 10;""",
         """ax = 0; ay = 0; bx = 4; by = 0; cx = 0; cy = 3;
 circle((9, 9), 1)""",
         ((8, 8, 10, 10),),
-        says="ax 0, ay 0",
+        says="ax 0; ay 0",
     ),
     Paste(
         "Kotlin and Android",
@@ -991,6 +993,7 @@ shape2 = love.physics.newRectangleShape(10, 10)
 
 body = love.physics.newBody(world, 0, 0, "dynamic")""",
         ((0, 0, 10, 10), (-5, -5, 5, 5)),
+        says="world is a name",
     ),
     Paste(
         "w8r/martinez#6",
@@ -1003,6 +1006,7 @@ body = love.physics.newBody(world, 0, 0, "dynamic")""",
         "w8r/martinez#90",
         "martinez.union([[ [0,0],[10,0],[10,10],[0,10] ]], [[ [9,10],[21,9],[21,21],[9,21]   ]])",
         ((0, 0, 10, 10), (9, 9, 21, 21)),
+        says="union",
     ),
     Paste(
         "w8r/martinez#97",
@@ -1081,6 +1085,7 @@ print(pairwise_iou_rotated(RotatedBoxes(boxes1), RotatedBoxes(boxes2)))""",
             (154.66059727808428, 90.93249509663448, 225.33940272191572, 163.06750490336552),
         ),
         as_="y-down width-first",
+        says="RotatedBoxes",
     ),
     Paste(
         "facebookresearch/detectron2#4961",
@@ -1105,6 +1110,7 @@ rbbox_overlaps(b1, b2) = 1.35""",
             (44.7959999104423, 42.985958512038, 48.8640000895577, 45.074041487962),
         ),
         as_="radians y-down",
+        says="1.35",
     ),
     Paste(
         "openlayers/openlayers#9175",
@@ -1364,8 +1370,8 @@ Circle(Vector2(9.0,0.0),5.0)""",
         "Clojure",
         """{:x 0 :y 0 :w 10 :h 10}
 {:x 10 :y 0 :w 10 :h 10}""",
-        (),
-        says="no shape",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+        as_="corner-size",
     ),
     Paste(
         "Elixir",
@@ -1699,8 +1705,7 @@ const b = Bodies.circle(0, 0, 5);""",
         "matter angle option",
         """Bodies.rectangle(0, 0, 10, 10, { angle: Math.PI/4 })
 Bodies.circle(0, 0, 5)""",
-        ((-5, -5, 5, 5),),
-        says="not evaluated",
+        ((-7.0710678118654755, -7.0710678118654755, 7.0710678118654755, 7.0710678118654755), (-5, -5, 5, 5)),
     ),
     Paste(
         "planck setTransform",
@@ -1799,6 +1804,7 @@ c = Rect(5, 0, 10, 10)""",
         """a = [(0,0),(4,0),(0,3)]
 a = [(5,0),(9,0),(9,4)]""",
         ((0, 0, 4, 3), (5, 0, 9, 4)),
+        as_="each-value",
     ),
     Paste(
         "negative spaced",
@@ -2002,6 +2008,7 @@ circle1.x += 12""",
         """a = {x: 0, y: 0, r: 5, vx: 3, vy: 4}
 b = {x: 20, y: 0, r: 5, dx: 1, dy: 1}""",
         ((-5, -5, 5, 5), (15, -5, 25, 5)),
+        says="dx 1",
     ),
     Paste(
         "hitbox inset",
@@ -2398,6 +2405,7 @@ L.latLngBounds([[0, 0], [10, 5]])""",
         """1 | POLYGON((0 0, 4 0, 0 3, 0 0)) | 12.5
 2 | POLYGON((5 0, 9 0, 9 4, 5 0)) | 7""",
         ((0, 0, 4, 3), (5, 0, 9, 4)),
+        says="12.5",
     ),
     Paste(
         "psql",
@@ -2444,6 +2452,7 @@ const b = [[5,0],[9,0],[9,4]];
         """[{&quot;x&quot;:0,&quot;y&quot;:0},{&quot;x&quot;:4,&quot;y&quot;:0},{&quot;x&quot;:0,&quot;y&quot;:3}]
 [(5,0),(9,0),(9,4)]""",
         ((5, 0, 9, 4),),
+        says="0, 0, 4",
     ),
     Paste(
         "scale before points",
@@ -2502,7 +2511,7 @@ circle((0,0),1)""",
         """{"shape": "mast", "math": "mlh", "x": 0, "y": 0, "radius": 5, "mass": 3}
 {"shape": 'Mat', "x": 9, "y": 0, "radius": 5, "mass": 3}""",
         ((-5, -5, 5, 5), (4, -5, 14, 5)),
-        says="mass 3",
+        says="math",
     ),
     # -- found later: lost fields, prints, and forms of lists
     Paste(
@@ -2666,7 +2675,7 @@ DOMRect { x: 100, y: 8, width: 50, height: 50, top: 8, right: 150, bottom: 58, l
 >>> a.colliderect(b)
 1""",
         ((0, 0, 10, 10), (5, 5, 15, 15)),
-        says="1",
+        says="",
     ),
     Paste(
         "Android Rect (as it prints)",
@@ -2811,7 +2820,7 @@ Paths64 clipPaths{ {{10LL, 5LL}, {-5LL, 5LL}, {-5LL, -5LL} } };""",
         """<svg viewBox="0 0 100 100"><circle cx="20" cy="20" r="10" stroke-width="2"/>
 <rect x="30" y="10" width="20" height="20" rx="4" /></svg>""",
         ((10, 10, 30, 30), (30, 10, 50, 30)),
-        says="Not applied to a shape: svg.rect.rx 4",
+        says="svg.rect.rx 4",
     ),
     Paste(
         "Leaflet latLngBounds",
@@ -3087,6 +3096,110 @@ const a = circle(0, 0, 5); const b = circle(9, 0, 5);""",
 b = {'x': 9, 'y': 0, 'r': 5}
 b['x'] = 20""",
         ((-5, -5, 5, 5), (4, -5, 14, 5)),
-        says="Not applied to a shape: b.x 20",
+        says="b.x 20",
     ),
+    # -- notations that came later
+    Paste(
+        "print_r of PHP",
+        """Array
+(
+    [0] => Array
+        (
+            [x] => 0
+            [y] => 0
+        )
+
+    [1] => Array
+        (
+            [x] => 4
+            [y] => 0
+        )
+
+    [2] => Array
+        (
+            [x] => 4
+            [y] => 3
+        )
+
+)""",
+        ((0, 0, 4, 3),),
+    ),
+    Paste(
+        "var_export of PHP",
+        """array (
+  0 =>
+  array (
+    'x' => 1,
+    'y' => 2,
+  ),
+  1 =>
+  array (
+    'x' => 4,
+    'y' => 2,
+  ),
+  2 =>
+  array (
+    'x' => 4,
+    'y' => -3,
+  ),
+)""",
+        ((1, -3, 4, 2),),
+    ),
+    Paste(
+        "V2 of Haskell",
+        """a = [V2 0 0, V2 4 0, V2 4 3]
+b = [V2 (-1) 0, V2 4 0, V2 4 3]""",
+        ((0, 0, 4, 3), (-1, 0, 4, 3)),
+    ),
+    Paste(
+        "vectors of Clojure",
+        """(def a [[0 0] [4 0] [4 3]])
+(def b [[1 1] [5 1] [5 4]])""",
+        ((0, 0, 4, 3), (1, 1, 5, 4)),
+    ),
+    Paste(
+        "points of Unity in YAML",
+        """m_Points:
+- {x: 0, y: 0}
+- {x: 4, y: 0}
+- {x: 4, y: 3}
+circle((5, 5), 1)""",
+        ((0, 0, 4, 3), (4, 4, 6, 6)),
+    ),
+    Paste(
+        "a scene file of Godot",
+        """[node name="A" type="CollisionPolygon2D" parent="."]
+polygon = PackedVector2Array(0, 0, 4, 0, 4, 4)
+
+[node name="B" type="CollisionPolygon2D" parent="."]
+polygon = PackedVector2Array(1, 1, 5, 1, 5, 5)""",
+        ((0, 0, 4, 4), (1, 1, 5, 5)),
+    ),
+    Paste(
+        "an angle in terms of pi",
+        """boxA.SetAsBox(1, 1, b2Vec2(3, 0), 0.5f * b2_pi);
+boxB.SetAsBox(2, 1, b2Vec2(5, 0), -Math.PI / 2);""",
+        ((2, -1, 4, 1), (4, -2, 6, 2)),
+    ),
+    Paste(
+        "path data in lines",
+        """m 0 0 l 10 0 l 0 10 z
+M 5 5 h 10 v 10 z""",
+        ((0, 0, 10, 10), (5, 5, 15, 15)),
+    ),
+    Paste(
+        "TikZ",
+        """\\filldraw[fill=red!20] (0,0) -- (3,0) -- (3,2) -- cycle;
+\\draw (2,1) circle (1);""",
+        ((0, 0, 3, 2), (1, 0, 3, 2)),
+    ),
+    Paste(
+        "a box of Kivy's language",
+        """Rectangle:
+    pos: 10, 20
+    size: 30, 40""",
+        (),
+        says="no shape",
+    ),
+    Paste("decimal commas in lines", "A: 0,5 1,5; 2,5 1,5; 2,5 3,5", (), says="no shape"),
 )

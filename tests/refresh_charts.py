@@ -28,13 +28,17 @@ def load(path: Path) -> dict:
     return json.loads(path.read_text(encoding="utf-8"))
 
 
+def bench_rows(*stems: str) -> list[TimingRow]:
+    """The stored rows of these charts of the bench."""
+    return [TimingRow(**row) for stem in stems for row in load(FIGURES / f"{stem}.json")["rows"]]
+
+
 def charts() -> dict[str, Chart]:
     """Each chart of the guides by its stem, from what is stored."""
     found = stored_charts()
     drawn = {stem: found[stem] for stem in STUDY_STEMS}
     for stem, draw in BENCH_CHARTS.items():
-        data = load(FIGURES / f"{stem}.json")
-        drawn[stem] = draw([TimingRow(**row) for row in data["rows"]], data["rough"])
+        drawn[stem] = draw(bench_rows(stem), load(FIGURES / f"{stem}.json")["rough"])
     return drawn
 
 

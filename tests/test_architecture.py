@@ -4,6 +4,7 @@ import ast
 import re
 import subprocess
 import sys
+from functools import cache
 from importlib import import_module
 from pathlib import Path
 
@@ -40,18 +41,21 @@ def module_name(path):
 MODULES = {module_name(path): path for path in ROOT.rglob("*.py")}
 
 
+@cache
 def imported(path):
     """The modules of satviz that a file imports, at import time, inside functions and for type checkers."""
     package = module_name(path).split(".")[: None if path.name == "__init__.py" else -1]
+    found = []
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.ImportFrom):
             start = package[: len(package) - node.level + 1] if node.level else []
             base = ".".join([*start, *(node.module or "").split(".")]).strip(".")
             for alias in node.names:
-                found = f"{base}.{alias.name}"
-                yield from (name for name in (found if found in MODULES else base,) if name in MODULES)
+                name = f"{base}.{alias.name}"
+                found.append(name if name in MODULES else base)
         elif isinstance(node, ast.Import):
-            yield from (alias.name for alias in node.names if alias.name in MODULES)
+            found += [alias.name for alias in node.names]
+    return [name for name in found if name in MODULES]
 
 
 def test_every_module_belongs_to_a_layer():

@@ -340,7 +340,7 @@ def test_files_come_from_the_matplotlib_pen(hand):
     drawn = sv.picture(trace, 7)
     for form in "svg", "png":
         assert hand.file(f"save {form.upper()}", 2) == (f"satviz.{form}", encode(drawn, form, LIGHT))
-    every = add_captions([sv.picture(trace, i) for i in range(len(sv.steps(trace)))])
+    every = add_captions([sv.picture(trace, i) for i in range(len(sv.steps(trace)))], brief=True)
     pictures, times = animation(every)
     assert hand.file("save GIF", 2) == ("satviz.gif", encode_frames(pictures, "gif", times=times))
     hand.press("reset", 2)

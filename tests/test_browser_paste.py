@@ -72,6 +72,14 @@ def test_a_report_is_explained(desk, width, thread):
 
 
 @WIDTHS
+def test_what_is_not_understood_is_named_and_left_out_by_a_button(desk, width):
+    desk.paste("a = np.array([[0, 0], [4, 0], [0, 3]]).T\ncircle((1, 1), 2)")
+    assert ".T" in desk.text(".sv-verdict") and desk.page.locator(".sv-findings").count() == 0
+    desk.press("the shapes as read, without it: overlapping")
+    assert "overlap" in desk.text(".sv-verdict") and ".T" in desk.text(".sv-findings")
+
+
+@WIDTHS
 def test_the_bundle_holds_a_picture_of_the_pair(desk, width):
     desk.paste("circle((0, 0), 2) circle((9, 9), 1) [0,0, 4,0, 0,4]")
     desk.page.get_by_text("send it on").click()

@@ -563,7 +563,7 @@ def test_where_pyodide_keeps_no_memory_a_site_is_built_and_all_of_it_works(visit
         page.context.close()
         page = visit("yours.html", at=at, live=False)
         page.wait_for_function("() => !document.querySelector('.run').disabled", timeout=2 * LIVE)
-        assert run_code(page, "python") == "Wrong. Your function says hit. True: apart."
+        assert run_code(page, "python").startswith("Wrong. Your function says hit. The right answer: apart.")
         page.context.close()
         page = visit("scene.html?embed&predict#triangles", at=at, live=False)
         page.locator(".live.ready").wait_for(timeout=2 * LIVE)
@@ -868,14 +868,15 @@ def check_page(visit):
 
 @pytest.mark.parametrize("language", ["python", "javascript"])
 def test_a_wrong_function_is_caught_and_asked_while_its_counterexample_is_moved(check_page, language):
-    assert run_code(check_page, language) == "Wrong. Your function says hit. True: apart."
+    said = run_code(check_page, language)
+    assert said.startswith("Wrong. Your function says hit. The right answer: apart. It behaves like aabb-not-upright")
     assert "It behaves like aabb-not-upright" in check_page.locator(".report").inner_text()
     check_page.locator(".yours.wrong").wait_for()
     check_page.locator('[data-handle="B-move"]').focus()
     for _ in range(20):
         check_page.keyboard.press("ArrowRight")
     check_page.locator(".yours.right").wait_for()
-    assert check_page.locator(".yours").inner_text() == "✓ Your function says: hit. True: overlapping."
+    assert check_page.locator(".yours").inner_text() == "✓ Your function says: hit. The right answer: overlapping."
 
 
 @pytest.mark.parametrize(
@@ -1079,7 +1080,7 @@ def test_a_program_of_a_chapter_is_opened_mended_and_does_not_replace_the_reader
     check_page.evaluate("() => { location.hash = '#collide_2'; }")
     check_page.wait_for_function("() => document.querySelector('[name=program]').value === 'collide_2'")
     assert "def collide_2(a, b):" in editor.input_value()
-    assert run_code(check_page) == "Wrong. Your function says hit. True: apart."
+    assert run_code(check_page).startswith("Wrong. Your function says hit. The right answer: apart.")
     before, _ = editor.input_value().split("        if a0 <= b1")
     mended = before + "        if a1 < b0 or b1 < a0:\n            return False\n    return True\n"
     assert run_code(check_page, code=mended).startswith("Right on all")
@@ -1089,6 +1090,56 @@ def test_a_program_of_a_chapter_is_opened_mended_and_does_not_replace_the_reader
     assert editor.input_value() == mended
     check_page.locator(".forget").click()
     assert "if a0 <= b1 and b0 <= a1:" in editor.input_value() and check_page.evaluate("() => localStorage.length") == 0
+
+
+def test_a_program_of_a_chapter_has_the_same_mistake_in_both_languages(check_page):
+    editor, program = check_page.get_by_role("textbox", name="Your function"), check_page.get_by_label("Program")
+    names = program.locator("option").evaluate_all("(all) => all.map((o) => o.value).filter(Boolean)")
+    said = {}
+    for language in "python", "javascript":
+        check_page.locator(f'[value="{language}"]').check()
+        for name in names:
+            program.select_option(name)
+            assert f"{'def' if language == 'python' else 'function'} {name}(a, b)" in editor.input_value()
+            said[language, name] = run_code(check_page, language)
+    assert len(said) >= 10
+    for name in names:
+        assert "It behaves like" in said["python", name] and said["python", name] == said["javascript", name]
+
+
+@pytest.mark.parametrize(
+    ("language", "code", "printed"),
+    [
+        ("python", "print(1)\ndef collide(a, b):\n    print(2, 'x')\n    return False\n", "printed:\n1\n2 x\n"),
+        (
+            "javascript",
+            "console.log(1);\nfunction collide(a, b) { console.log(2, 'x'); return false; }",
+            "printed:\n1\n2 x\n",
+        ),
+    ],
+)
+def test_what_the_code_prints_about_the_scene_stands_beside_it(check_page, language, code, printed):
+    run_code(check_page, language, code)
+    check_page.locator(".yours").wait_for()
+    assert check_page.locator(".printed").text_content() == printed
+
+
+def test_an_error_in_javascript_is_said_with_its_line(check_page):
+    said = run_code(check_page, "javascript", "function collide(a, b) {\n  return true;\n}".replace("true", "c.x"))
+    assert said == "Your function raises ReferenceError in line 2: c is not defined."
+
+
+@pytest.mark.parametrize(
+    ("language", "code", "line"),
+    [
+        ("python", "def collide(a, b):\n    raise KeyboardInterrupt\n", "raises KeyboardInterrupt in line 2"),
+        ("javascript", "function collide(a, b) { return 'x'.repeat(1e6); }", "answers with more than 20000 letters"),
+        ("javascript", "function collide(a, b) { postMessage('{'); }", "answers with a message that is not an outcome"),
+    ],
+)
+def test_an_answer_that_is_none_is_said_and_the_page_goes_on(check_page, language, code, line):
+    assert line in run_code(check_page, language, code)
+    assert run_code(check_page, "javascript", "function collide(a, b) { return 1; }").startswith("Wrong.")
 
 
 def test_a_symptom_leads_to_the_mistakes_that_look_so(check_page):

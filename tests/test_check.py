@@ -59,7 +59,7 @@ def test_the_counterexample_cannot_lose_a_corner_or_come_nearer_by_one():
 
 def test_the_report_names_the_mistake_and_can_be_pasted():
     text = str(sv.check(bounding_boxes))
-    assert text.startswith("Wrong. Your function says hit. True: apart.")
+    assert text.startswith("Wrong. Your function says hit. The right answer: apart.")
     assert "It behaves like aabb-not-upright" in text and "the same answer on 160 of 160 pairs" in text
     names = {"sv": sv}
     exec("\n".join(line for line in text.splitlines() if line.startswith(("a = ", "b = "))), names)
@@ -161,7 +161,7 @@ def raises_without_words(a, b):
     ("fn", "finding", "line"),
     [
         (raising, "error", "raises ZeroDivisionError in line"),
-        (forgets_to_return, "unreadable", "returns None: every way through the function must end in a return"),
+        (forgets_to_return, "unreadable", "returns nothing: every way through the function must end in a return"),
         (returns_text, "unreadable", "returns 'yes': expected True or False"),
         (lambda a, b: float("nan"), "unreadable", "returns nan: expected True or False"),
         (lambda a, b: object(), "unreadable", "returns <object object at"),
@@ -319,16 +319,31 @@ def test_a_check_in_a_page_goes_on_by_messages():
     def tell(content):
         return json.loads(live.answer("check", json.dumps(content)))
 
-    code = "def collide(a, b):\n    return max(p[0] for p in a) >= min(p[0] for p in b)\n"
-    assert tell({"kind": "define", "code": code}) == {"why": ""}
+    code = (
+        "print('once')\ndef collide(a, b):\n    print(b[0])\n    return max(p[0] for p in a) >= min(p[0] for p in b)\n"
+    )
+    assert tell({"kind": "define", "code": code}) == {"why": "", "printed": "once\n"}
     reply = tell({"kind": "check", "kinds": ["boxes", "convex"], "touching": "hit"})
     while reply["kind"] == "ask":
         outcomes = [tell({"kind": "call", **pair}) for pair in reply["pairs"]]
         pair = reply["pairs"][-1]
         reply = tell({"kind": "outcomes", "outcomes": outcomes})
     assert not reply["right"] and reply["link"] and sv.Scene.from_json(reply["scene"])
-    judged = tell({"kind": "judge", **pair, "outcome": tell({"kind": "call", **pair})})
+    outcome = tell({"kind": "call", **pair})
+    assert outcome["printed"] == f"{tuple(map(int, pair['b']['polygon'][0]))}\n"
+    judged = tell({"kind": "judge", **pair, "outcome": outcome})
     assert judged["kind"] == "judged" and judged["said"] in ("hit", "no hit")
+
+
+def test_of_what_code_prints_the_beginning_is_kept_also_where_it_closes_the_output():
+    from satviz.checking.reading import MAX_PRINTED, ReaderPython
+
+    code = "import sys\ndef f(a, b):\n    for c in 'xy': print(c * 10**6)\n    sys.stdout.close()\n    return True\n"
+    reader = ReaderPython()
+    assert reader.answer({"kind": "define", "code": code}) == {"why": "", "printed": ""}
+    box = {"polygon": [[0, 0], [1, 0], [1, 1]]}
+    said = reader.answer({"kind": "call", "a": box, "b": box})
+    assert said == {"value": True, "problem": "", "line": "", "printed": "x" * MAX_PRINTED}
 
 
 @pytest.mark.parametrize(

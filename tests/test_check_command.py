@@ -32,7 +32,7 @@ def program(folder, body, **more):
 def test_a_wrong_function_of_a_file_is_reported_with_exit_code_1(tmp_path, capsys):
     assert main(["check", written(tmp_path, SAT), "--whole-numbers"]) == 1
     said = capsys.readouterr().out
-    assert said.startswith("Wrong. Your function says hit. True: apart.") and "sv.Polygon([" in said
+    assert said.startswith("Wrong. Your function says hit. The right answer: apart.") and "sv.Polygon([" in said
 
 
 def test_a_function_is_named_and_a_right_one_gives_exit_code_0(tmp_path, capsys):
@@ -159,29 +159,46 @@ def test_a_right_function_in_rust_passes(tmp_path):
     assert found.right and found.near.asked, str(found)
 
 
-COLLIDES = {  # the bounding boxes, in three languages
-    "JavaScript": """const collide = (a, b) => [0, 1].every((k) => {
-  const [s, t] = [a, b].map((shape) => shape.map((p) => p[k]));
-  return Math.max(...s) >= Math.min(...t) && Math.max(...t) >= Math.min(...s);
-});
+COLLIDES = {  # circles rightly, everything else by bounding boxes, in three languages
+    "JavaScript": """const points = (shape) => (shape.circle ? [shape.circle] : shape);
+const collide = (a, b) => {
+  const r = (a.radius ?? 0) + (b.radius ?? 0);
+  if (a.radius && b.radius) return (a.circle[0] - b.circle[0]) ** 2 + (a.circle[1] - b.circle[1]) ** 2 <= r * r;
+  return [0, 1].every((k) => {
+    const [s, t] = [a, b].map((shape) => points(shape).map((p) => p[k]));
+    return Math.max(...s) + r >= Math.min(...t) && Math.max(...t) + r >= Math.min(...s);
+  });
+};
 """,
     "C++": """#include <algorithm>
-bool collide(const Polygon &a, const Polygon &b) {
+bool collide(const Shape &a, const Shape &b) {
+  double r = a.radius + b.radius;
+  if (a.radius && b.radius) {
+    double x = a.points[0].x - b.points[0].x, y = a.points[0].y - b.points[0].y;
+    return x * x + y * y <= r * r;
+  }
   for (auto k : {&Point::x, &Point::y}) {
     auto less = [k](const Point &p, const Point &q) { return p.*k < q.*k; };
-    auto s = std::minmax_element(a.begin(), a.end(), less), t = std::minmax_element(b.begin(), b.end(), less);
-    if (*s.second.*k < *t.first.*k || *t.second.*k < *s.first.*k) return false;
+    auto s = std::minmax_element(a.points.begin(), a.points.end(), less);
+    auto t = std::minmax_element(b.points.begin(), b.points.end(), less);
+    if (*s.second.*k + r < *t.first.*k || *t.second.*k + r < *s.first.*k) return false;
   }
   return true;
 }
 """,
-    "Rust": """fn collide(a: &[(f64, f64)], b: &[(f64, f64)]) -> bool {
+    "Rust": """fn collide(a: &Shape, b: &Shape) -> bool {
+    let r = a.radius + b.radius;
+    if a.radius > 0.0 && b.radius > 0.0 {
+        let (x, y) = (a.points[0].0 - b.points[0].0, a.points[0].1 - b.points[0].1);
+        return x * x + y * y <= r * r;
+    }
     [|p: &(f64, f64)| p.0, |p: &(f64, f64)| p.1].iter().all(|k| {
-        let range = |s: &[(f64, f64)]| {
-            (s.iter().map(k).fold(f64::MAX, f64::min), s.iter().map(k).fold(f64::MIN, f64::max))
+        let range = |s: &Shape| {
+            let on: Vec<f64> = s.points.iter().map(k).collect();
+            (on.iter().copied().fold(f64::MAX, f64::min), on.iter().copied().fold(f64::MIN, f64::max))
         };
         let (s, t) = (range(a), range(b));
-        s.1 >= t.0 && t.1 >= s.0
+        s.1 + r >= t.0 && t.1 + r >= s.0
     })
 }
 """,
@@ -201,6 +218,11 @@ def test_the_smallest_harness_of_a_language_works(harness, tmp_path, monkeypatch
     assert main(["check", "--command", harness.run, "--json"]) == 1
     found = json.loads(capsys.readouterr().out)
     assert found["behaves_like"][0]["name"] == "aabb-not-upright" and found["pairs"] > 300
+    assert main(["check", "--command", harness.run, "--kinds", "circles"]) == 0
+    assert capsys.readouterr().out.startswith("Right on all")
+    assert main(["check", "--command", harness.run, "--kinds", "circle and polygon", "--json"]) == 1
+    found = json.loads(capsys.readouterr().out)
+    assert "Circle(" in found["text"] and found["behaves_like"][0]["name"] == "aabb-not-upright"
 
 
 def test_the_harnesses_of_the_guide_are_those_of_the_scenes(capsys):

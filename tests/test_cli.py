@@ -3,6 +3,7 @@
 import errno
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -86,8 +87,15 @@ def test_draw_writes_one_step_or_some(tmp_path, capsys):
     assert main([*made, "--out", str(tmp_path / "some")]) == 0
     names = ["triangles-03.svg", "triangles-04.svg", "triangles-05.svg", "triangles.gif"]
     assert sorted(path.name for path in (tmp_path / "some").iterdir()) == names
-    assert main(["draw", "triangles", "--out", str(tmp_path / "all")]) == 0
-    assert (tmp_path / "one" / names[2]).read_bytes() == (tmp_path / "all" / names[2]).read_bytes()
+    # one alone is cut to what it shows, several have one frame
+    heights = [
+        float(re.search(r'<svg [^>]*height="([\d.]+)pt"', (tmp_path / folder / names[2]).read_text())[1])
+        for folder in ("one", "some")
+    ]
+    assert heights == [sv.picture("triangles", 5, by_itself=alone).size[1] for alone in (True, False)]
+    assert heights[0] != heights[1]
+    assert main(["draw", "triangles", "--step", "14-last", "--out", str(tmp_path / "end")]) == 0
+    assert sorted(path.name for path in (tmp_path / "end").iterdir()) == ["triangles-14.svg", "triangles-15.svg"]
 
 
 def test_a_page_a_link_and_a_frame_ask_what_they_are_told_to(tmp_path, capsys):
@@ -102,7 +110,7 @@ def test_a_page_a_link_and_a_frame_ask_what_they_are_told_to(tmp_path, capsys):
     )
 
 
-@pytest.mark.parametrize("text", ["3-", "-", "-3"])
+@pytest.mark.parametrize("text", ["3-", "-", "-3", "last-3"])
 def test_half_a_range_of_steps_is_refused_as_it_is_written(text, capsys):
     with pytest.raises(SystemExit) as stop:
         main(["draw", "triangles", f"--step={text}"])
@@ -131,6 +139,7 @@ BAD = {
     "no json": ("{", "not JSON"),
     "unknown key": ({**GOOD, "colour": 1}, '"colour"'),
     "missing key": ({"satviz": "scene 1", "a": GOOD["a"]}, 'lacks "b"'),
+    "no format": ({"a": GOOD["a"], "b": GOOD["a"]}, 'write "satviz": "scene 1" into it'),
     "key twice": ('{"satviz": "scene 1", "a": 1, "a": 2}', 'key "a" is given twice'),
     "NaN": (json.dumps(GOOD).replace("5, 5", "NaN, 5"), "NaN"),
     "too large": (json.dumps(GOOD).replace("5, 5", "1e400, 5"), "1e400"),
@@ -435,7 +444,7 @@ def vanishing(work):
     ("args", "where"),
     [
         (["figures", "--only", "1", "--only", "2", "--out"], "satviz.render.files.encode_frames"),
-        (["draw", "aabb", "--format", "gif", "--format", "html", "--out"], "satviz.render.files.encode_frames"),
+        (["draw", "aabb", "--format", "svg", "--format", "html", "--out"], "satviz.render.files.encode_frames"),
         (["study", "--quick", "--out"], "satviz.study.harness.cells._load_result"),
         (["bench", "--pairs", "10", "--rounds", "1"], "satviz.study.bench.time_in_turn"),
         (["trace", "aabb"], "satviz.scenes.named.scene"),
@@ -593,6 +602,7 @@ CLASHES = {
     "draw triangles --format html --step 3": "a page has all steps",
     "draw triangles --step 16": "the run has no step 16: its steps are 0 to 15",
     "draw triangles --step 99 --format link": "the run has no step 99: its steps are 0 to 15",
+    "handout 9": "no chapter 9: the chapters are 1 to 8",
     "draw no-area --step 0": "no-area has no run",
     "draw no-area --predict --format html": "no-area has no run",
     "draw triangles --theme dark --format html": "a page has both themes",

@@ -20,6 +20,7 @@ from satviz.pictures.layout import Group, Layout, arrange
 from satviz.pictures.letters import text_size
 from satviz.pictures.marks import Picture
 from satviz.pictures.playback import NARROW_PANEL_SIZES_PT, narrow_playbacks
+from satviz.pictures.theme import DOTS
 from satviz.scenes.failing import FAILURE_CASES, NAMED, REFUSED, SHORTCUTS, true_value
 from satviz.scenes.failing.circles_and_dents import halves
 from satviz.scenes.shape_tools import box, translated
@@ -98,6 +99,8 @@ def test_the_shortcuts_number_stands_on_the_left_struck_out_and_the_right_one_on
         "mixed-signs": ("gap +1", "overlap 1, way out 2"),  # its own axis, with the true ranges
         "unit-normals": ("gap +4.441e-16", "touching, gap 0"),
         "box-in-u": ("overlap 2", "A1 | B"),
+        "edges-cross": ("apart", "overlap 1, way out 2"),
+        "corner-inside": ("apart", "overlap 1, way out 2"),
     }.get(case.name, ("", ""))
     if not left:
         told = [case.in_words(answer) for answer in (case.claimed, case.actual)]
@@ -447,12 +450,18 @@ def test_axes_squeezed_to_nothing_are_drawn_on_all_the_same():
         assert sv.draw(what, ax=ax)
 
 
-def test_the_missing_edges_of_an_open_outline_are_drawn_and_of_no_other_case():
+def test_the_missing_edges_of_an_open_outline_are_dotted_and_those_of_no_other_case():
     for case in FAILURE_CASES:
         if case.how == REFUSED:
             continue
-        missing = [mark for mark in sv.picture(case.record()).marks if mark.part == "claimed-missing-edge"]
+        marks = sv.picture(case.record()).marks
+        missing = [mark for mark in marks if mark.part == "claimed-missing-edge"]
         assert [mark.owner for mark in missing] == (["A", "B"] if case.name == "open-outline" else [])
+        for mark in missing:
+            (whole,) = (m for m in marks if m.part == "claimed-outline" and m.owner == mark.owner)
+            (line,) = (m for m in marks if m.part == "claimed-open-outline" and m.owner == mark.owner)
+            assert mark.style.dash == DOTS and mark.role == mark.owner
+            assert not whole.style.width and line.points == whole.points and {*mark.points} <= {*line.points}
 
 
 def test_where_the_shapes_would_be_small_the_ranges_have_names_without_numbers():
@@ -513,3 +522,26 @@ def test_a_remark_below_a_struck_out_number_is_true_and_not_struck_out():
     assert sorted(text.split("\n")[1] for text in remarks) == ["its normal is 1 long", "its normal is 2 long"]
     (line,) = (m for m in drawn.marks if m.part == "claimed-gap-name-strike")
     assert len(line.points) == 2
+
+
+def test_the_numbers_of_a_range_stand_beside_its_bar_where_there_is_space_and_else_its_name_stands_alone():
+    drawn = sv.picture(sv.scene("same-shape").record())  # its panels are too small for numbers everywhere
+    texts = {(m.part, m.owner): m.text for m in drawn.labels if m.part.endswith("range-name")}
+    assert texts["actual-range-name", "A"].startswith("A [") and texts["claimed-range-name", "B"] == "B"
+    for case in FAILURE_CASES:
+        if case.how == REFUSED:
+            continue
+        drawn = sv.picture(case.record())
+        bars = {(m.part, m.owner, m.axis): m.points for m in drawn.marks if m.kind == "interval"}
+        for label in (m for m in drawn.labels if m.part.endswith("range-name") and "[" in m.text):
+            p, q = bars[label.part.removesuffix("-name"), label.owner, label.axis]
+            (x, y), (w, h) = label.points[0], text_size(label.text)
+            steps = [(p.x + (q.x - p.x) * k / 20, p.y + (q.y - p.y) * k / 20) for k in range(21)]
+            off = min(math.hypot(max(abs(x - u) - w / 2, 0), max(abs(y - v) - h / 2, 0)) for u, v in steps)
+            assert off < 40, (case.name, label.text)
+
+
+def test_where_another_axis_has_the_least_overlap_the_panel_of_the_truth_says_so():
+    runs = [case.record() for case in FAILURE_CASES if case.how != REFUSED]
+    said = [(run.shortcut.name, text) for run in runs for text in sv.picture(run).texts if "another axis" in text]
+    assert said == [("mixed-signs", "overlap 1, way out 2\nleast on another axis: 1.414")]

@@ -213,7 +213,7 @@ float_points = st.tuples(st.floats(-9, 9), st.floats(-9, 9))
 
 
 @given(st.lists(grid_points, min_size=4, max_size=14) | st.lists(float_points, min_size=4, max_size=10))
-@settings(max_examples=200, deadline=None, derandomize=True, database=None)
+@settings(max_examples=100, deadline=None, derandomize=True, database=None)
 def test_the_parts_are_right_for_any_simple_polygon(points):
     try:
         polygon = Polygon(untangled(points))

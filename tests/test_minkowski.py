@@ -6,6 +6,7 @@ import pytest
 
 import satviz as sv
 from satviz.engine.describe import RELATION_PHRASES
+from satviz.pictures.float_geometry import circle_points, midpoint
 from satviz.scenes.named import ALL_SCENES
 from satviz.scenes.shape_tools import box
 
@@ -106,6 +107,22 @@ def test_while_b_minus_a_comes_about_the_shapes_stay_and_the_turned_a_covers_onl
         assert max(close) < 1e-18
     for step in steps:
         assert len({mark.id for mark in step.marks}) == len(step.marks)
+
+
+@pytest.mark.parametrize("a", [sv.Circle((0, 0), 1), box(-1, 0, 1, 1)], ids=["circle", "box"])
+@pytest.mark.parametrize(
+    "b", [sv.Circle((4, 1), 2), sv.Polygon(circle_points(sv.Vec(4.0, 1.0), 2.0, 40))], ids=["circle", "40-gon"]
+)
+def test_the_turned_a_goes_round_the_border_of_b_and_not_along_its_chords(a, b):
+    last = [mark for step in sv.difference_steps(a, b) for mark in step.marks if mark.part == "covered"][-1]
+    for ring in (m.points for m in sv.difference(a, b).marks if m.part == "difference"):
+        for corner in ring:  # what the difference is, at most a hair's breadth of a circle drawn as a polygon less
+            assert min((corner.x - p.x) ** 2 + (corner.y - p.y) ** 2 for p in last.points) < 0.2**2
+        middles = [midpoint(p, q) for p, q in zip(ring, (*ring[1:], ring[0]), strict=True)]
+        n = [sv.Vec(m.x - 4, m.y - 1) for m in middles]
+        for out, m in zip(n, middles, strict=True):
+            reach = max(out.x * p.x + out.y * p.y for p in last.points) - out.x * m.x - out.y * m.y
+            assert reach > -0.02 * (out.x**2 + out.y**2)
 
 
 def depth_in_ring(ring, p):

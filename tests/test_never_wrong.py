@@ -63,7 +63,7 @@ def refute(form: Form, known: Known, name: str = "") -> None:
 def known(kind: str) -> Known:
     """Pairs of a kind with what they are; of all kinds, some of each."""
     if kind == ALL:
-        return [pair for name in KINDS for pair in judged(name, 0, 80)]
+        return [pair for name in KINDS for pair in judged(name, 0, 40)]
     return judged(kind, 1, ORDINARY // len(KINDS))
 
 
@@ -156,7 +156,7 @@ def numbers(shape: Shape) -> list[float]:
 
 @pytest.mark.slow
 def test_no_form_is_wrong_where_the_least_numbers_are_taken_for_0_and_none_is_given():
-    some = [row for row in known(ALL)[::8] if all(c == 0 or abs(c) > 1e-290 for s in row[:2] for c in numbers(s))]
+    some = [row for row in known(ALL)[::4] if all(c == 0 or abs(c) > 1e-290 for s in row[:2] for c in numbers(s))]
     assert len(some) > 200
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", "this thread takes")
@@ -256,7 +256,7 @@ def changed(kind: str, count: int) -> list[tuple[str, Shape, Shape, int]]:
 
 def refute_by_changes(form: Form, kind: str, name: str = "") -> None:
     ask, one_in = form.ask, form.one_in
-    cases = changed(kind, (6 if one_in < 8 else 4 if one_in < 20 else 2) * (5 if kind == ALL else 1))
+    cases = changed(kind, (6 if one_in < 8 else 4 if one_in < 20 else 2) * (3 if kind == ALL else 1))
     answers = ask([(a, b) for _, a, b, _ in cases])
     base = {i: answer for (change, *_, i), answer in zip(cases, answers, strict=True) if change == "nothing"}
     wrong = [
@@ -337,7 +337,7 @@ def tiled(rng: Random) -> list[Shape]:
 @pytest.mark.parametrize("engine", ENGINES)
 def test_colliding_pairs_are_those_of_every_pair_of_tiles(engine):
     rng = Random(1)
-    for _ in range(150):
+    for _ in range(60):
         shapes = tiled(rng)
         batched = batch_of(shapes)
         every = np.array(list(combinations(range(len(shapes)), 2))).reshape(-1, 2)
@@ -420,10 +420,10 @@ def dressed(find: str) -> Known:
 
 
 @every_form
-@pytest.mark.parametrize("find", FINDS)
-def test_no_form_is_wrong_about_a_find(form, find):
-    few = FORMS[form].one_in < 16 or len(dressed(find)) < 30
-    refute(FORMS[form]._replace(one_in=1 if few else 5), dressed(find))  # 5 divides no number of first vertices
+def test_no_form_is_wrong_about_a_find(form):
+    for find in FINDS:
+        few = FORMS[form].one_in < 16 or len(dressed(find)) < 30
+        refute(FORMS[form]._replace(one_in=1 if few else 5), dressed(find), find)  # 5 divides no number of vertices
 
 
 def started(shape: Shape) -> list[Shape]:

@@ -239,7 +239,7 @@ def test_one_triangle_in_many_notations(text):
         ("c.p = c2V(1, 2);\nc.r = 3.0f;", (1, 2), 3),
         ("Circle(center=(1, 2), radius=3)", (1, 2), 3),
         ("b.position = 1, 2\ns = pymunk.Circle(b, 3)", (1, 2), 3),
-        ("f(&Isometry::translation(1.0, 2.0), &Ball::new(3.0))", (1, 2), 3),
+        ("contact(&Isometry::translation(1.0, 2.0), &Ball::new(3.0))", (1, 2), 3),
         ("((1, 2), 3)", (1, 2), 3),
         ("CURVEPOLYGON (CIRCULARSTRING (-2 2, 4 2, -2 2))", (1, 2), 3),
     ],
@@ -386,7 +386,6 @@ def test_an_unknown_reading_is_refused():
         ("touching", f"{SQUARE} POLYGON((4 0, 8 0, 8 4))", f"{SQUARE} POLYGON((3.999 0, 8 0, 8 4))"),
         ("no-position", f"Ball::new(2) {SQUARE}", f"circle((0, 0), 2) {SQUARE}"),
         ("no-position", f"Cuboid::new(2, 1) {SQUARE}", f"Rectangle(0, 0, 2, 1) {SQUARE}"),
-        ("not-applied", f"{{x: 0, y: 0, r: 1, scale: 2}} {SQUARE}", f"{{x: 0, y: 0, r: 1, scale: 1}} {SQUARE}"),
         ("clockwise", f"{SQUARE} POLYGON((5 0, 5 1, 6 0))", f"{SQUARE} POLYGON((5 0, 6 0, 5 1))"),
         ("crossing-outline", "[0,0, 4,4, 4,0, 0,4]", "[0,0, 4,0, 4,4, 0,4]"),
         ("concave", "[0,0, 9,0, 9,9, 8,9, 8,1, 0,1]\n[3,3, 4,3, 4,4]", "[0,0, 9,0, 9,9]\n[3,6, 4,6, 4,7]"),
@@ -438,7 +437,6 @@ def test_an_unknown_reading_is_refused():
             "new Polygon(new V(5, 5), [new V(0, 0), new V(1, 0), new V(0, 1)]); circle((5, 5), 1)",
         ),
         ("clear", f"{SQUARE} circle((9, 9), 1)", f"{SQUARE} circle((2, 2), 1)"),
-        ("not-read", f"{SQUARE} [(0, 0), (w, 1), (2, 2)]", f"{SQUARE} [(0, 0), (1, 1), (2, 2.5)]"),
     ],
 )
 def test_a_finding_is_there_exactly_where_it_holds(kind, has, has_not):
@@ -476,24 +474,29 @@ BOX = "box = [(-2, -1), (2, -1), (2, 1), (-2, 1)]"
 
 
 @pytest.mark.parametrize(
-    ("text", "kind", "said"),
+    ("text", "asked", "said"),
     [
-        (f"let at = Isometry2::new(Vector2::new(1.2, 0.8), 7); {BOX}", "not-applied", "Isometry2::new 1.2, 0.8, 7"),
-        (f"a = {{x: 1, y: 1, radius: 5, scale: 2}}; {BOX}", "not-applied", "a.scale 2"),
-        (f"a = {{x: 1, y: 1, radius: 5, anchor: {{x: 0.5, y: 0}}}}; {BOX}", "not-applied", "a.anchor 0.5, 0"),
-        (f"bodyDef.position.Set(0.0f, 10.0f); {BOX}", "not-applied", "bodyDef.position.Set 0.0f, 10.0f"),
-        (f"prismRect(1, 2, 3); {BOX}", "not-read", "prismRect 1, 2, 3"),
-        (f"a = {{x: 1, y: 1, radius: 5, scale: 1}}; {BOX}", "left-out", "a.scale 1"),
-        (f"a = {{x: 1, y: 1, radius: 5, density: 2, id: 7}}; {BOX}", "left-out", "a.density 2, a.id 7"),
-        (f"world.gravity = (0, -10); {BOX}", "left-out", "world.gravity 0, -10"),
-        (f"c = {{x: 9, y: 9, r: 1}}; {BOX}", "", ""),
-        (f"b2Vec2 v[3]; poly.count = 4; {BOX}", "left-out", "poly.count 4"),
+        (f"let at = Isometry2::new(Vector2::new(1.2, 0.8), 7); {BOX}", True, "Isometry2::new 1.2, 0.8, 7"),
+        (f"a = {{x: 1, y: 1, radius: 5, scale: 2}}; {BOX}", True, "a.scale 2"),
+        (f"a = {{x: 1, y: 1, radius: 5, anchor: {{x: 0.5, y: 0}}}}; {BOX}", True, "a.anchor 0.5, 0"),
+        (f"bodyDef.position.Set(0.0f, 10.0f); {BOX}", True, "bodyDef.position.Set 0.0f, 10.0f"),
+        (f"prismRect(1, 2, 3); {BOX}", True, "prismRect 1, 2, 3"),
+        (f"a = {{x: 1, y: 1, radius: 5, scale: 1}}; {BOX}", False, "a.scale 1"),
+        (f"a = {{x: 1, y: 1, radius: 5, density: 2, id: 7}}; {BOX}", False, "a.density 2, a.id 7"),
+        (f"world.gravity = (0, -10); {BOX}", False, "world.gravity 0, -10"),
+        (f"c = {{x: 9, y: 9, r: 1}}; {BOX}", False, ""),
+        (f"b2Vec2 v[3]; poly.count = 4; {BOX}", False, "poly.count 4"),
     ],
 )
-def test_numbers_that_no_shape_has_are_named_with_their_key(text, kind, said):
-    kinds = ("not-read", "not-applied", "left-out")
-    lines = [(f.kind, f.text.partition(": ")[2].rstrip(".")) for f in sv.paste(text).findings if f.kind in kinds]
-    assert lines == ([(kind, said)] if kind else [])
+def test_numbers_that_no_shape_has_are_named_with_their_key(text, asked, said):
+    pasted = sv.paste(text)
+    lines = [f.text for f in pasted.findings if f.kind == "left-out"]
+    if asked:
+        (question,) = pasted.questions
+        lines = [question.asks]
+        assert pasted.open and [answer.choice for answer in question.answers] == ["leave-out"]
+        assert said in str(sv.paste(text, "leave-out")) and not sv.paste(text, "leave-out").open
+    assert [line.partition(": ")[2].rstrip(".") for line in lines] == ([said] if said else [])
 
 
 def test_all_pairs_that_meet_are_counted_also_where_not_all_are_shown():
@@ -580,7 +583,7 @@ def test_the_words_of_ogc_agree_with_shapely():
         "[1,2]," * (MAX_CHARS // 4),
         "1" * 900_000,
         pytest.param("a<" * 300_000, marks=pytest.mark.slow),
-        "/*" * 300_000,
+        pytest.param("/*" * 300_000, marks=pytest.mark.slow),
         pytest.param(
             str([(cos(2 * pi * i / 10_000), sin(2 * pi * i / 10_000)) for i in range(10_000)]), marks=pytest.mark.slow
         ),
@@ -684,7 +687,7 @@ def fuzz(count, seed):
             numbers = one.box or [c for p in one.points for c in p]
             numbers = [*numbers, *([] if one.radius is None else [one.radius])]
             sizes = [abs(n) for n in numbers]
-            if "0x" in text or re.search(r"path|\bd=", report.text, re.IGNORECASE):
+            if "0x" in text or re.search(r"path|\bd=|^m ", report.text, re.IGNORECASE | re.MULTILINE):
                 continue
             assert set(known) | {0} >= set(sizes), (text, each.excerpt)
             if (

@@ -22,9 +22,65 @@ def test_a_text_is_read_rightly_or_what_cannot_be_read_is_named(paste):
     except sv.InvalidScene as error:
         assert not paste.bounds and paste.says and paste.says in str(error)
         return
+    if [question.what for question in pasted.questions if question.matters] == ["rest"]:
+        assert paste.says and paste.says in str(pasted.questions[0]) and not pasted.shapes
+        pasted = sv.paste(paste.text, f"{paste.as_} leave-out")
     assert [bounds(each.read) for each in pasted.readings] == [pytest.approx(b) for b in paste.bounds]
     assert paste.says in " ".join(map(str, pasted.findings))
     assert not pasted.open
+
+
+CHANGES = (
+    "{} * 2", "2 * {}", "{}.T", "{}.scale(2)", "{}.buffer(d)", "{}[1:]", "{} + d", "{} @ m", "-{}", "~{}", "mirror({})",
+    "list(map(f, {}))", "{} if c else ((9, 9), (8, 9), (9, 8))", "c ? {} : d", "{} << 1", "{}.rotate(t)", "{} - offset",
+)  # fmt: skip
+PLAIN = (
+    "((0, 0), (4, 0), (0, 3))",
+    "Polygon([(0, 0), (4, 0), (0, 3)])",
+    "Polygon(pts)",
+    "np.array([[0, 0], [4, 0], [0, 3]])",
+)
+
+
+@pytest.mark.parametrize("change", CHANGES)
+@pytest.mark.parametrize("plain", PLAIN)
+def test_what_stands_around_a_shape_is_never_dropped_without_a_question(plain, change):
+    text = "pts = [(0, 0), (4, 0), (0, 3)]\na = {}\ncircle((9, 9), 1)"
+    assert len(sv.paste(text.format(plain)).shapes) == 2 + (plain[0] == "(" or "array" in plain or "[(" in plain)
+    try:
+        assert sv.paste(text.format(change.format(plain))).open
+    except sv.InvalidScene as error:
+        assert "evaluated" in str(error)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "a = [0 4 4 0; 0 0 4 4]';\ncircle((9, 9), 1)",
+        "a=[lerp(0,1),lerp(2,3),lerp(4,9)]\nb=[(0,0),(1,0),(1,1)]",
+        "a: 1,000 2,000 1,500 3,000 800 900\nb = [(0,0),(1,0),(1,1)]",
+        "-  a = [(0,0),(1,0),(1,1)]\n+  a = [(0,0),(2,0),(2,2)]\n   b = [(3,3),(4,3),(4,4)]",
+        "a = Circle(0, 0, 5)\nif big:\n    a = Circle(0, 0, 50)\nb = Circle(7, 0, 5)",
+        "a = {x: 0, y: 0, r: 5}\nb = {x: 20, y: 0, r: 5}\na.x = b.x",
+        "a = Circle(0, 0, 5)\na.flipX()\nb = Circle(7, 0, 5)",
+        "a = {x: 0, y: 0, r: 5, mirrored: true}\nb = {x: 20, y: 0, r: 5}",
+        "A: rect(0, 0, 4, 4) but twice as large\nB: rect(3, 3, 4, 4)",
+        "poly = Polygon([(0,0),(4,0),(0,3)])\nbox = shapely.box(0,0,1,1)\nc = poly.union(box)",
+        "circle(x ? 1 : 2, 3, 1)\ncircle((0, 0), 1)",
+        '<rect x="0" y="0" width="10 - w" height="10"/><circle cx="5" cy="5" r="3"/>',
+        '<path d="M 0 0 L 10 0 L 10++ 10 Z"/><circle cx="5" cy="5" r="3"/>',
+        "\\draw[rotate=30] (0,0) -- (3,0) -- (3,2) -- cycle;\n\\draw (2,1) circle (1);",
+    ],
+)
+def test_what_is_not_understood_is_asked_about(text):
+    pasted = sv.paste(text, "corner-size")
+    assert pasted.open and not pasted.shapes and not pasted.traces
+    assert "\n" not in pasted.sentence and len(pasted.sentence) < 500
+
+
+def test_a_name_with_two_values_is_asked_about():
+    text = "a = [(0,0),(1,0),(1,1)]\na = [(9,9),(10,9),(10,10)]\nb = [(3,3),(4,3),(4,4)]"
+    assert [len(sv.paste(text, as_).shapes) for as_ in ("", "each-value", "last-value")] == [0, 3, 2]
 
 
 def test_a_corner_is_added_once_however_often_the_text_is_read():
@@ -116,7 +172,8 @@ def test_a_hole_is_no_shape_of_its_own():
 
 def test_a_variable_that_is_counted_up_is_named():
     for step in ("x++", "x--", "++x", "--x"):
-        assert f"{step} is not evaluated" in str(sv.paste(f"x = 5; {step}; circle((x, 0), 1); circle((0, 0), 1)"))
+        pasted = sv.paste(f"x = 5; {step}; circle((x, 0), 1); circle((0, 0), 1)")
+        assert pasted.open and {*step} <= {*pasted.sentence.partition(":")[2]}
 
 
 def test_a_name_has_the_value_of_the_last_line_before():
@@ -126,7 +183,7 @@ def test_a_name_has_the_value_of_the_last_line_before():
 
 def test_what_is_not_read_is_said_once():
     pasted = sv.paste("this.add.circle(9, 9, 4)\nthis.add.rectangle(15, 10, 4, 2).setOrigin(0, 0)")
-    assert [finding.kind for finding in pasted.findings] == ["not-read"]
+    assert "setOrigin" in pasted.questions[0].asks and pasted.findings == ()
 
 
 def test_several_refused_shapes_are_listed_in_words():
@@ -140,7 +197,7 @@ def test_several_refused_shapes_are_listed_in_words():
     [
         pytest.param("a.push(1, 2)\n" * 16_000, marks=pytest.mark.slow),
         "<rect " * 170_000,
-        '<rect x="' * 100_000,
+        pytest.param('<rect x="' * 100_000, marks=pytest.mark.slow),
         pytest.param('"M' * 400_000, marks=pytest.mark.slow),
         "[a" * 400_000,
         pytest.param("x: 1 " * 39_000, marks=pytest.mark.slow),
@@ -150,9 +207,9 @@ def test_several_refused_shapes_are_listed_in_words():
         pytest.param("lineTo(1, 2)\n" * 16_000, marks=pytest.mark.slow),
         "a: " * 2_000,
         "a = " * 2_000,
-        "a." * 500_000,
+        pytest.param("a." * 500_000, marks=pytest.mark.slow),
         '"\\' * 400_000,
-        "<!--" * 250_000,
+        pytest.param("<!--" * 250_000, marks=pytest.mark.slow),
         pytest.param("radius of the center and " * 6_000, marks=pytest.mark.slow),
         pytest.param('<g transform="translate(1,2)">' * 4_000, marks=pytest.mark.slow),
         pytest.param("".join(f"rect(1 + 2, 3, 4, {i})\n" for i in range(3_000)), marks=pytest.mark.slow),

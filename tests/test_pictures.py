@@ -60,6 +60,12 @@ def every_picture():
 
 
 PICTURES = dict(every_picture())
+each_run = pytest.mark.parametrize("run", dict.fromkeys(name.split()[0] for name in PICTURES))
+
+
+def pictures_of(run):
+    """Return (name, picture) of each picture of a run, or of one figure."""
+    return [(name, pictured(name)) for name in PICTURES if name.split()[0] == run]
 
 
 @cache
@@ -92,17 +98,15 @@ def strokes(picture):
                 yield from ((mark, p, q) for p, q in pairwise(points))
 
 
-@pytest.mark.parametrize("name", PICTURES)
-def test_no_label_runs_over_another_or_off_the_canvas(name):
-    picture = pictured(name)
-    placed = list(boxes(picture))
-    for (one, p), (other, q) in combinations(placed, 2):
-        assert of_one_text(one, other) or not meet(p, q), (one.text, other.text)
-    width, height = picture.size
-    for mark, (left, low, right, high) in placed:
-        assert (
-            left >= RIM_PT - 1 and low >= RIM_PT - 1 and right <= width - RIM_PT + 1 and high <= height - RIM_PT + 1
-        ), mark
+@each_run
+def test_no_label_runs_over_another_or_off_the_canvas(run):
+    for name, picture in pictures_of(run):
+        placed = list(boxes(picture))
+        for (one, p), (other, q) in combinations(placed, 2):
+            assert of_one_text(one, other) or not meet(p, q), (name, one.text, other.text)
+        width, height = picture.size
+        for mark, (left, low, right, high) in placed:
+            assert min(left, low, width - right, height - high) >= RIM_PT - 1, (name, mark)
 
 
 @pytest.mark.parametrize("name", [figure.stem for figure in FIGURES])
@@ -118,17 +122,17 @@ def test_no_label_of_a_figure_covers_an_edge_or_a_dot(name):
                 assert not meet(rect, (x - r, y - r, x + r, y + r)), (label.text, mark.id)
 
 
-@pytest.mark.parametrize("name", PICTURES)
-def test_marks_have_unique_ids_and_known_roles_and_lie_on_the_canvas(name):
-    picture = pictured(name)
-    ids = [mark.id for mark in picture.marks]
-    assert len(ids) == len(set(ids))
-    x0, y0, x1, y1 = picture.limits
-    for mark in picture.marks:
-        assert mark.role in LIGHT.roles
-        for p in mark.points:
-            assert x0 - 1e-9 <= p.x <= x1 + 1e-9 and y0 - 1e-9 <= p.y <= y1 + 1e-9, mark
-    assert picture.sentence
+@each_run
+def test_marks_have_unique_ids_and_known_roles_and_lie_on_the_canvas(run):
+    for name, picture in pictures_of(run):
+        ids = [mark.id for mark in picture.marks]
+        assert len(ids) == len(set(ids)), name
+        x0, y0, x1, y1 = picture.limits
+        for mark in picture.marks:
+            assert mark.role in LIGHT.roles
+            for p in mark.points:
+                assert x0 - 1e-9 <= p.x <= x1 + 1e-9 and y0 - 1e-9 <= p.y <= y1 + 1e-9, (name, mark)
+        assert picture.sentence, name
 
 
 @pytest.mark.parametrize("name", TRACES)
@@ -700,3 +704,11 @@ def test_a_label_far_from_its_corner_has_a_line_to_it_or_is_left_out():
                     v = marks["vertex", owner, number].points[0]
                     off = math.hypot(max(0.0, abs(v.x - x) - w), max(0.0, abs(v.y - y) - h))
                     assert off * drawn.scale < 30, label.text
+
+
+@pytest.mark.parametrize("figure", [f for f in FIGURES if f.number in (5, 16, 20)], ids=lambda f: f.name)
+def test_a_figure_of_several_panels_is_as_wide_as_a_telephone_so_that_no_letter_is_made_smaller_there(figure):
+    drawn = figure.picture()
+    assert drawn.size[0] <= 390 and drawn.size[1] > drawn.size[0]
+    tops = {mark.panel: mark.points[0].y for mark in drawn.marks if mark.part == "verdict"}
+    assert len(set(tops.values())) == len(tops) >= 2  # one below the other

@@ -879,6 +879,7 @@ def test_random_closed_walks_are_accepted_exactly_when_simple():
     assert min(simple) > 100, simple
 
 
+@pytest.mark.slow
 def test_large_outlines_are_checked_quickly():
     """The times are printed (pytest -s), not judged: machines differ."""
     ring = [(1e6 * math.cos(math.tau * i / 5_000), 1e6 * math.sin(math.tau * i / 5_000)) for i in range(5_000)]

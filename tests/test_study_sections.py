@@ -1,5 +1,6 @@
 """Each section of the study: its finding is what its rows say, its counts are seeded, nothing is drawn over."""
 
+import copy
 import json
 import math
 import os
@@ -8,7 +9,7 @@ import re
 from collections import Counter
 from fractions import Fraction
 from functools import cache
-from itertools import combinations
+from itertools import chain, combinations
 
 import numba
 import numpy as np
@@ -23,13 +24,14 @@ from satviz.advice.timing import time_in_turn
 from satviz.engine.axes import needed
 from satviz.engine.geometry import Relation
 from satviz.pictures import THEMES
-from satviz.study import run, truth
+from satviz.study import bench, run, truth
 from satviz.study.harness import timings
 from satviz.study.harness.cells import Settings
-from satviz.study.harness.chart import TEXT_POINTS, WIDTH, head_height
+from satviz.study.harness.chart import TEXT_POINTS, WIDTH, head_height, median_interval, wilson_interval
 from satviz.study.methods import (
     COMPILED,
     PYTHON,
+    Method,
     all_methods,
     answers_by_method,
     count_mistakes,
@@ -67,7 +69,7 @@ from satviz.study.workloads.hard_pairs import (
     hard_circles,
     hard_pairs,
     octave_of,
-    touching_triangles,
+    touching_quadrilaterals,
 )
 from satviz.study.workloads.stack import SLOP, contact_points
 
@@ -81,8 +83,8 @@ SMALL = {  # the arguments of every cell before the settings, where they are sma
     speed_against_accuracy.count_errors: (40,),
     speed_against_accuracy.take_times: (300, 2),
     exactness_cost.take_times: (200, 2),
-    corner_count.take_times: (300, 2),
-    corner_count.count_errors: (100,),
+    corner_count.take_times: (300, 2, corner_count.CORNER_COUNTS),
+    corner_count.count_errors: (100, corner_count.CORNER_COUNTS),
     margin_strips.count_by_margin: (2,),
     margin_strips.count_circles: (4,),
     margin_strips.count_touching: (40,),
@@ -152,7 +154,7 @@ def test_hard_circles_have_margins_of_every_octave():
 
 
 def test_two_oracles_agree_and_a_pair_on_which_they_differ_is_an_error(monkeypatch):
-    for make in touching_triangles, lambda rng, n: (ngons(rng, n, 5, 1.0), ngons(rng, n, 7, 1.0)):
+    for make in touching_quadrilaterals, lambda rng, n: (ngons(rng, n, 5, 1.0), ngons(rng, n, 7, 1.0)):
         a, b = make(np.random.default_rng(2), 60)
         by_clipping = [truth.relation(p, q) for p, q in zip(engine_shapes(a), engine_shapes(b), strict=True)]
         assert true_relations(a, b).tolist() == by_clipping
@@ -357,13 +359,23 @@ FOUND = {
 }  # fmt: skip
 
 
+def textbook_sat(a, b, unit):
+    for (px, py), (qx, qy) in chain.from_iterable(zip([ring[-1], *ring], ring) for ring in (a, b)):
+        nx, ny = qy - py, px - qx
+        length = math.sqrt(nx * nx + ny * ny) if unit else 1.0
+        nx, ny = nx / length, ny / length
+        p, q = ([x * nx + y * ny for x, y in ring] for ring in (a, b))
+        if max(min(p) - max(q), min(q) - max(p)) > 0:
+            return False
+    return True
+
+
 @pytest.mark.parametrize("normals", FOUND)
 def test_a_pair_that_textbook_sat_is_wrong_about_is_below_the_bound_of_both_ranges(normals):
     a, b, known = FOUND[normals]
     p, q = Polygon(a), Polygon(b)
     assert truth.agreed(p, q) == Relation.APART and round(relative_margin(p, q), 2) == known
-    points = python_rivals.points_and_radius
-    assert python_rivals.sat(points(p), points(q), unit=normals == "unit normals")  # a hit, which is wrong
+    assert textbook_sat(a, b, unit=normals == "unit normals")  # a hit, which is wrong
     assert known < speed_against_accuracy.PROVEN_MARGINS[f"SAT, {normals}"]
 
 
@@ -404,6 +416,29 @@ def test_every_complete_method_is_right_where_nothing_is_near(work):
             assert np.array_equal(said > 0, right > 0), method
 
 
+@pytest.mark.parametrize("work", WORKLOADS)
+def test_a_method_answers_from_arrays_as_from_prepared_shapes_and_leaves_the_arrays_alone(work):
+    a, b = WORKLOADS[work](np.random.default_rng(2), 200)
+    kept = copy.deepcopy((a, b))
+    for method in all_methods(circles=isinstance(a, tuple)):
+        prepared = method.hits(method.prepare(a), method.prepare(b))
+        assert np.array_equal(method.from_arrays(a, b), prepared), method
+    assert all(map(np.array_equal, (*a, *b), (*kept[0], *kept[1])))
+
+
+def test_from_arrays_is_one_definition_in_the_study_and_in_the_bench(monkeypatch):
+    seen, real = set(), Method.from_arrays
+    monkeypatch.setattr(Method, "from_arrays", lambda self, a, b: seen.add(self.name) or real(self, a, b))
+    for work in (
+        lambda: list(bench._bench_hits(bench.plan_bench(20, 1, 0))),
+        lambda: exactness_cost.take_times(50, 1, QUICK),
+        lambda: speed_against_accuracy.take_times(50, 1, QUICK),
+    ):
+        seen.clear()
+        work()
+        assert seen >= {"satviz", "SAT, raw normals"}
+
+
 def test_gjk_counts_touching_and_concentric_shapes_as_hits():
     points = python_rivals.points_and_radius
     square = Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
@@ -430,6 +465,12 @@ def test_the_exact_turn_is_that_of_the_angle():
         assert c / 2**pose_error.BITS == pytest.approx(math.cos(angle), abs=1e-15)
         assert s / 2**pose_error.BITS == pytest.approx(math.sin(angle), abs=1e-15)
         assert abs(c * c + s * s - (1 << 2 * pose_error.BITS)) < 1 << pose_error.BITS + 8
+
+
+def test_the_error_of_one_turn_is_not_lost_in_rounding():
+    rows = pose_error.measure(20, QUICK)
+    (one,) = (r for r in rows if (r["format"], r["way"], r["distance"], r["steps"]) == ("float64", "steps", 1e3, 1))
+    assert 0 < one["low"] < one["median"] < one["worst"] < 2.0**-42  # two steps of float64 at 1 km
 
 
 def test_steps_cost_more_than_sat_and_the_angle_costs_less_than_steps():
@@ -529,11 +570,27 @@ def test_times_are_the_median_over_processes_with_the_spread_between_them():
     assert (row["ns"], row["ns_low"], row["ns_high"], row["ns_runs"]) == (6.0, 5.0, 9.0, [5.0, 9.0, 6.0])
 
 
-def test_the_interval_of_a_ratio_comes_from_drawing_whole_processes():
-    mid, low, high = timings.ratio_interval([10.0, 20.0, 40.0], [5.0, 10.0, 20.0])
-    assert (mid, low, high) == (2.0, 2.0, 2.0)  # a slow process is slow for both
-    mid, low, high = timings.ratio_interval([10.0, 11.0, 14.0, 10.0, 12.0], [5.0] * 5)
-    assert low < mid < high and low >= 2.0 and high <= 2.8
+def test_the_interval_of_a_ratio_compares_the_times_of_one_process():
+    assert timings.ratio_interval([10.0, 20.0, 40.0], [5.0, 10.0, 20.0]) == (2.0, 2.0, 2.0)  # slow for both
+    assert timings.ratio_interval([10.0, 11.0, 14.0, 10.0, 12.0], [5.0] * 5) == (2.2, 2.0, 2.8)
+    assert timings.interval_in_words(6) == "the 97 % interval over 6 processes"
+    assert timings.format_ratio((1.66, 1.5, 1.749)) == "1.7 times (1.5 to 1.7)"
+    assert timings.format_ratio((44.8, 9.6, 45.3)) == "45 times (9.6 to 45)"
+
+
+def covered(interval, true, samples):
+    """Return the share of the samples whose interval holds the true value."""
+    return np.mean([low <= true <= high for low, high in map(interval, samples)])
+
+
+def test_intervals_hold_the_true_value_as_often_as_they_say():
+    rng = np.random.default_rng(1)
+    times = rng.lognormal(0, 0.3, (2000, 6))
+    assert 0.96 < covered(lambda own: timings.ratio_interval(own, [0.5] * 6)[1:], 2.0, times) < 0.98
+    for n in 8, 9, 20, 60:
+        assert covered(lambda own: median_interval(own)[1:], 1.0, rng.lognormal(0, 1, (2000, n))) > 0.94, n
+    for rate in 0.5, 0.88, 0.01:
+        assert covered(lambda wrong: wilson_interval(int(wrong), 600), rate, rng.binomial(600, rate, 2000)) > 0.93, rate
 
 
 def test_a_quick_or_torn_run_is_stamped():
@@ -568,6 +625,13 @@ def test_a_title_is_computed_from_its_rows():
         for chart in (main, speed_against_accuracy.main_chart(slower, QUICK))
     )
     assert after == pytest.approx(3 * before, abs=0.2)
+
+
+@pytest.mark.parametrize(
+    "stem", [stem for stem in CHARTS if stem != "decision-table"]
+)  # which counts all of its scenes
+def test_a_title_has_the_interval_of_its_finding(stem):
+    assert re.search(r"\d\S*(\u00a0\S+)? to \d", CHARTS[stem].title)
 
 
 def test_the_headline_names_who_checked_the_answers():
@@ -645,6 +709,6 @@ def test_every_method_says_what_it_is():
 def test_the_title_of_the_stack_says_whether_float64_rests_as_still_as_exact_tests():
     stored = CHARTS["resting-stack"]
     assert "rests as still with float64" in stored.title
-    moved = [row | {"jitter": 0.3} if row["test"] == "float64" else row for row in stored.rows]
+    moved = [row | {"jitters": [0.2, 0.3]} if row["test"] == "float64" else row for row in stored.rows]
     title = resting_stack.chart(moved, Settings(quick=False, seed=1)).title.replace("\xa0", " ")
-    assert "rests less still with float64 (jitter 300 mm) than with exact tests" in title
+    assert "rests less still with float64 (jitter 200 mm to 300 mm) than with exact tests" in title

@@ -4,6 +4,7 @@ import pytest
 
 import satviz as sv
 from satviz.cli import main
+from satviz.pictures.caption import add_captions
 from satviz.pictures.curve import gap_at, unit_vector
 from satviz.pictures.float_geometry import range_along
 from satviz.pictures.moves import animation, in_between
@@ -83,6 +84,23 @@ def test_the_animation_of_the_triangles_takes_less_than_20_seconds_and_has_a_spe
     times = animation(pictures).times
     assert sum(times) < 20_000 - 2_000  # the last picture stays longer
     assert sum(animation(pictures, speed=2).times) == pytest.approx(sum(times) / 2, rel=0.02)
+
+
+@pytest.mark.parametrize("name", ["triangles", "aabb", "circles", "concave", "circle-polygon", "far-centers", "dart"])
+def test_an_animation_leaves_time_to_read_its_words_at_20_letters_a_second(name):
+    trace = sv.scene(name).record()
+    pictures = add_captions([sv.picture(trace, step) for step in sv.steps(trace)], brief=True)
+    shown = iter(zip(*animation(pictures), strict=True))
+    for picture in pictures:
+        text = picture.mark("caption").text
+        assert 3 < len(text) < 40
+        ms = 0
+        for frame, lasts in shown:  # the frames of a move have the words of the step that they lead to
+            assert frame.mark("caption").text == text
+            ms += lasts
+            if frame is picture:
+                break
+        assert ms >= 50 * len(text)
 
 
 @pytest.mark.parametrize("speed", ["0", "-1", "x", "nan", "21"])

@@ -3,7 +3,7 @@
 from .arrays import Shapes
 from .broad_phase import broad_phase_of, candidate_pairs
 from .collide import colliding_pairs, stream_colliding_pairs
-from .constructors import Circles, Polygons, concat, from_shapely
+from .constructors import Circles, Polygons, concat, from_padded, from_shapely
 from .moving import move, place
 from .narrow_phase import hits, relate
 
@@ -15,6 +15,7 @@ __all__ = [
     "candidate_pairs",
     "colliding_pairs",
     "concat",
+    "from_padded",
     "from_shapely",
     "hits",
     "move",

@@ -148,7 +148,8 @@ class Shapes:
     def count(self) -> NDArray[np.int64]:
         """Return the number of corners of each part, (N,) integers; a circle has one."""
         if "groups" not in vars(self):
-            return self._joined()[0]
+            rings = vars(self).get("rings")
+            return self._joined()[0] if rings is None else rings.start[1:] - rings.start[:-1]
         ((v, group),) = self.groups.items()
         return np.full(group.x.shape[1], v, np.int64)
 

@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..engine.convex_parts import parts
 from ..engine.geometry import InvalidShape
+from ..engine.polygon_validation import refuse_masked
 from ..engine.predicates import warn_if_flushed
 from ..engine.shapes import Polygon
 from . import validation
@@ -16,6 +17,13 @@ from .arrays import Group, Shapes, check_shapes
 from .engines import engine_for_checks
 from .outlines import convex_rings
 from .ragged import MAX_LANE_CORNERS, Rings, concat_rings
+
+# what an error line says of a concave polygon, by the argument `concave` of build_shapes
+WAYS_OUT = {
+    None: " with these coordinates: nothing was moved",
+    "separately": ": split it with satviz.parts first",
+    "refuse": ': split it with satviz.parts first, or pass concave="split", which remembers the polygon of each part',
+}
 
 
 class Circles(Shapes):
@@ -54,6 +62,11 @@ def _certified_circles(centers: object, radii: object) -> Group | None:
 def _is_carray(values: object, axes: int) -> TypeGuard[Array]:
     """Return whether this is a float64 array with `axes` axes, aligned, writable and contiguous in C order."""
     return type(values) is np.ndarray and values.dtype == np.float64 and values.ndim == axes and values.flags.carray
+
+
+def _is_index_array(values: object) -> TypeGuard[Indices]:
+    """Return whether this is a plain array of integers with one axis, as large as a pointer."""
+    return type(values) is np.ndarray and values.dtype == np.intp and values.ndim == 1 and values.flags.carray
 
 
 class Polygons(Shapes):
@@ -100,6 +113,78 @@ def from_shapely(geometries: Any, *, concave: str = "refuse") -> Polygons:
     outer = shapely.get_exterior_ring(array)
     start = np.concatenate([[0], np.cumsum(shapely.get_num_coordinates(outer))])
     return Polygons(shapely.get_coordinates(outer), offsets=start, concave=concave)
+
+
+def from_padded(corners: Any, counts: Any, radii: validation.Numbers) -> Shapes:
+    """Return a batch of circles and convex polygons that lie in arrays of one size, in scene units.
+
+    corners: (N, V, 2), of which shape i has the first counts[i]; what follows them is not read.  counts: (N,) integers,
+    1 for a circle, whose only corner is its center.  radii: (N,), 0 for polygons.  Corners as in Polygons; what is
+    given is copied.  InvalidShape names the first shape at fault.
+    """
+    if (
+        (_is_carray(corners, 3) and corners.shape[2] == 2 and _is_carray(radii, 1) and _is_index_array(counts))
+        and len(corners) == len(counts) == len(radii)
+        and (certified_padded := engine_for_checks(corners.size // 2).certified_padded) is not None
+    ):
+        warn_if_flushed()
+        if (rings := certified_padded(corners, counts, radii)) is not None:
+            return Shapes(rings=rings, radius=radii + 0.0)
+    return build_mixed(*_unpadded(corners, counts, radii), "separately")
+
+
+def _unpadded(corners: Any, counts: Any, radii: validation.Numbers) -> tuple[Array, Indices, Array]:
+    """Return ((M, 2) corners one after another, (N + 1,) their starts, radii) of padded arrays, with finite numbers."""
+    if not isinstance(corners, np.ndarray) or corners.ndim != 3 or corners.shape[2] != 2:
+        form = f"has the shape {corners.shape}" if isinstance(corners, np.ndarray) else f"is a {type(corners).__name__}"
+        raise InvalidShape(f"corners {form}: expected an (N, V, 2) array")
+    many = np.asanyarray(counts, None if np.size(counts) else np.intp)
+    refuse_masked(many, "counts")
+    radius = validation.numbers(radii, "radii", "radius", lambda i: f"shape {i}: radius") + 0.0  # a copy, no -0.0
+    n, most, _ = corners.shape
+    if many.dtype.kind not in "iu" or many.shape != (n,) or radius.shape != (n,):
+        raise InvalidShape(f"counts is {many.dtype} of the shape {many.shape} and radii has the shape {radius.shape}: "
+                           f"expected {n} integers and {n} radii")  # fmt: skip
+    good = (many >= 1) & (many <= most) & (radius >= 0) & ((many == 1) == (radius > 0))
+    if (bad := np.flatnonzero(~good)).size:
+        i = bad[0]
+        raise InvalidShape(f"shape {i} has {many[i]} corners and the radius {radius[i]}: a circle has 1 corner and a "
+                           f"positive radius, a polygon 3 to {most} corners and the radius 0")  # fmt: skip
+    start = np.concatenate([[0], np.cumsum(many, dtype=np.intp)])
+    name = corner_name(start, radius)
+    return validation.points(corners[np.arange(most) < many[:, None]], "corners", name), start, radius
+
+
+def corner_name(start: Indices, radius: Array) -> Callable[[int], str]:
+    """Return a function that names corner k of shapes that begin at `start`, for error messages."""
+
+    def name(k: int) -> str:
+        """Return the name of corner `k`."""
+        i = int(np.searchsorted(start, k, side="right")) - 1
+        return f"circle {i}: center" if radius[i] else f"polygon {i}: vertex {k - start[i]}"
+
+    return name
+
+
+def build_mixed(points: Array, start: Indices, radius: Array, concave: str | None) -> Shapes:
+    """Return a batch of circles, where the radius is positive, and polygons; other arguments as in build_shapes."""
+    circles = radius > 0
+    if len(radius) and circles.all():
+        x, y = points.T[:, None] + 0.0
+        return Shapes(groups={1: Group(x, y, radius)})
+    if not circles.any():
+        return build_shapes(points, start, "polygon {}".format, concave)
+    of = np.flatnonzero(~circles)
+    some = Rings(points[:, 0], points[:, 1], start).take(of)
+    polygons = build_shapes(np.stack(some[:2], axis=1), some.start, lambda i: f"polygon {of[i]}", concave)
+    count = np.ones(len(circles), np.int64)
+    count[of] = polygons.count
+    ends = np.concatenate([[0], np.cumsum(count)])
+    x, y = np.empty((2, ends[-1]))
+    is_center = np.repeat(circles, count)
+    for c, made, given in ((x, polygons.rings.x, points[:, 0]), (y, polygons.rings.y, points[:, 1])):
+        c[~is_center], c[is_center] = made, given[start[:-1][circles]] + 0.0
+    return Shapes(count, rings=Rings(x, y, ends), radius=radius)
 
 
 def concat(many: Iterable[Shapes]) -> Shapes:
@@ -184,7 +269,7 @@ def _certified_shapes(vertices: object, offsets: object = None) -> Shapes | None
         if corners < 3:
             return None
         start = np.arange(n + 1, dtype=np.intp) * corners
-    elif type(offsets) is np.ndarray and offsets.dtype == np.intp and offsets.ndim == 1 and offsets.flags.carray:
+    elif _is_index_array(offsets):
         start = offsets
         if not start.size or start[0] or start[-1] != len(vertices) or not (start[1:] >= start[:-1]).all():
             return None
@@ -200,7 +285,8 @@ def _certified_shapes(vertices: object, offsets: object = None) -> Shapes | None
 def build_shapes(points: Array, start: Indices, name: Callable[[int], str], concave: str | None) -> Shapes:
     """Return a batch of outlines, points[start[i]] to points[start[i + 1]]; name(i): outline i in error messages.
 
-    Those not certainly convex go through satviz.Polygon.
+    Those not certainly convex go through satviz.Polygon.  Concave ones are split for concave "split"; else InvalidShape
+    says so in the words of WAYS_OUT.
     """
     given = Rings(points[:, 0], points[:, 1], start)
     rings, plain = _convex_rings(points, given)
@@ -215,13 +301,8 @@ def build_shapes(points: Array, start: Indices, name: Callable[[int], str], conc
             polygon = Polygon(np.stack([given.x[part], given.y[part]], axis=1))
         except InvalidShape as error:
             raise InvalidShape(f"{name(i)}: {error}") from None
-        if concave is None:
-            raise InvalidShape(f"{name(i)} is not convex with these coordinates: nothing was moved")
-        if concave == "refuse":
-            raise InvalidShape(
-                f"{name(i)} is not convex: split it with satviz.parts first, "
-                'or pass concave="split", which remembers the polygon of each part'
-            )
+        if concave != "split":
+            raise InvalidShape(f"{name(i)} is not convex{WAYS_OUT[concave]}")
         found = parts(polygon)
         pieces += [np.asarray(piece.core) for piece in found]
         owners.append(np.full(len(found), i))

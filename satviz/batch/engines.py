@@ -22,8 +22,8 @@ class Engine(NamedTuple):
 
     The first four take columns of two groups, from one column on, and `exact_columns` decides the columns that they
     leave undecided; `indexed` takes pairs from anywhere in two batches; `candidate_pairs` (of few) and `grid` find
-    boxes that meet, `colliding_pairs` does the whole way for few shapes; `certified_group`, `certified_circles` and
-    `certified_rings` check shapes; `flatten` makes the Flat of a batch.
+    boxes that meet, `colliding_pairs` does the whole way for few shapes; `certified_group`, `certified_circles`,
+    `certified_rings` and `certified_padded` check shapes; `flatten` makes the Flat of a batch.
     """
 
     block: int  # columns at a time
@@ -38,6 +38,7 @@ class Engine(NamedTuple):
     certified_group: Callable[..., Any]
     certified_circles: Callable[..., Any]
     certified_rings: Callable[..., Any] | None = None
+    certified_padded: Callable[..., Any] | None = None
     flatten: Callable[..., Any] | None = None
     exact_columns: Kernel | None = None
     max_corners: int = sys.maxsize  # corners up to which polygons are evaluated side by side, in columns
@@ -82,6 +83,7 @@ def load_engine(name: str | None) -> Engine:
                 outlines_numba.certified_group,
                 outlines_numba.certified_circles,
                 outlines_numba.certified_rings,
+                outlines_numba.certified_padded,
                 few_numba.flatten,
                 indexed_numba.columns,
                 MAX_LANE_CORNERS,

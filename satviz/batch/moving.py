@@ -9,10 +9,10 @@ from ..engine.polygon_validation import refuse_masked
 from ..engine.predicates import warn_if_flushed
 from . import validation
 from .array_types import Array, Indices
-from .arrays import Group, Shapes, check_shapes
-from .constructors import build_shapes, number_polygons
+from .arrays import Shapes, check_shapes
+from .constructors import build_mixed, corner_name, number_polygons
 from .engines import engine_for_checks
-from .ragged import MAX_LANE_CORNERS, Rings
+from .ragged import MAX_LANE_CORNERS
 
 
 class Frame:
@@ -117,32 +117,11 @@ def _checked(frame: Frame, corners: Any) -> Shapes:
             return _same_topology(frame, number_polygons(corners, None, None))
         corners = corners.reshape(-1, 2)
 
-    def name(k: int) -> str:
-        """Return the name of corner `k` in error messages."""
-        i = int(np.searchsorted(frame.start, k, side="right")) - 1
-        return f"circle {i}: center" if frame.radius[i] else f"polygon {i}: vertex {k - frame.start[i]}"
-
+    name = corner_name(frame.start, frame.radius)
     points = validation.points(corners, "corners", lambda k: name(k) if k < total else f"corner {k}")
     if len(points) != total:
         raise InvalidShape(f"corners holds {len(points)} points: expected {_form(frame)}")
-    circles = frame.radius > 0
-    if total and circles.all():
-        x, y = points.T[:, None] + 0.0
-        return Shapes(groups={1: Group(x, y, frame.radius)})
-    if not circles.any():
-        return build_shapes(points, frame.start, "polygon {}".format, None)
-    rings = Rings(points[:, 0], points[:, 1], frame.start)
-    of = np.flatnonzero(~circles)
-    some = rings.take(of)
-    polygons = build_shapes(np.stack(some[:2], axis=1), some.start, lambda i: f"polygon {of[i]}", None)
-    count = np.ones(len(circles), np.int64)
-    count[of] = polygons.count
-    start = np.concatenate([[0], np.cumsum(count)])
-    x, y = np.empty((2, start[-1]))
-    is_center = np.repeat(circles, count)
-    for c, made, given in ((x, polygons.rings.x, points[:, 0]), (y, polygons.rings.y, points[:, 1])):
-        c[~is_center], c[is_center] = made, given[frame.start[:-1][circles]] + 0.0
-    return Shapes(count, rings=Rings(x, y, start), radius=frame.radius)
+    return build_mixed(points, frame.start, frame.radius, None)
 
 
 def _array_of_outlines(corners: Any) -> Any:

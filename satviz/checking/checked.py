@@ -141,6 +141,7 @@ class Checked:
             "right": self.right,
             "finding": self.finding,
             "sentence": self.sentence,
+            "mistake": "" if self.right else " ".join([*_likeness_lines(self.behaves_like)[1:], *self.notes][:1]),
             "text": str(self),
             "said": None if self.smallest is None else repr(self.said),
             "truth": None if self.smallest is None else true_in_words(self.smallest.truth, self.rules),
@@ -226,16 +227,16 @@ def _likeness_lines(likenesses: Sequence[Likeness]) -> list[str]:
     if not likenesses:
         return []
     first, *others = likenesses
-    same = f"{first.name}: “{first.claim}”: the same answer on {first.agrees} of {first.pairs} pairs."
+    same = f"{first.in_words}: the same answer on {first.agrees} of {first.pairs} pairs."
     if not first.is_close:
         return ["", f"No known mistake explains most of its wrong answers. The nearest is {same}"]
     lines = ["", f"It behaves like {same}"]
     if symptom := symptom_of(first.name):
         lines.append(f"In a game, something {symptom}.")
-    lines += [
-        f"Less like {other.name}: “{other.claim}”: it differs on {other.pairs - other.agrees} pairs."
-        for other in others[:2]
-    ]
+    for other in others[:2]:
+        differs = other.pairs - other.agrees
+        how = f"it differs on {differs} pairs." if differs else "these pairs do not tell the two mistakes apart."
+        lines.append(f"{'Less' if differs else 'Also'} like {other.in_words}: {how}")
     return lines
 
 
@@ -272,4 +273,4 @@ def scene_of(result: Result, likeness: str) -> Scene:
 def wrong_line(result: Result, rules: Rules) -> str:
     """Return one sentence: what the function said, and what is true."""
     said = in_words(result.answer, rules.returns)
-    return f"Your function says {said}. True: {true_in_words(result.truth, rules)}."
+    return f"Your function says {said}. The right answer: {true_in_words(result.truth, rules)}."

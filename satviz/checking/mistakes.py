@@ -33,6 +33,8 @@ SYMPTOMS: dict[str, tuple[str, ...]] = {
     "collides with nothing: a hit where there is space": (
         "aabb-not-upright",
         "one-overlap",
+        "one-sided-gap",
+        "bounding-circles",
         "one-shapes-normals",
         "half-the-normals",
         "open-outline",
@@ -44,6 +46,8 @@ SYMPTOMS: dict[str, tuple[str, ...]] = {
         "same-shape",
     ),
     "falls through: no hit where the shapes overlap": (
+        "corner-inside",
+        "edges-cross",
         "far-centers",
         "extremes-once",
         "mixed-signs",
@@ -57,7 +61,7 @@ SYMPTOMS: dict[str, tuple[str, ...]] = {
         "touch-as-apart",
     ),
     "sticks, or is not pushed out all the way": ("range-inside", "push-from-center", "repeated-vertex", "tile-seam"),
-    "is pushed the wrong way": ("push-from-center", "tile-seam", "sum-of-parts"),
+    "is pushed the wrong way": ("push-along-normal", "push-from-center", "tile-seam", "sum-of-parts"),
     "is pushed too far": ("raw-depth", "sum-of-parts", "repeated-vertex"),
 }
 SYMPTOMS = {words: tuple(n for n in names if n in NAMED) for words, names in SYMPTOMS.items()}
@@ -82,7 +86,8 @@ class Likeness(NamedTuple):
     """How much a function's answers are like those of a known mistake.
 
     `agrees`: on how many of the `pairs` both give the same answer, or both a right one; `wrong_alike`: on how many
-    of those that either is wrong about (`either_wrong`) both give the same wrong answer.
+    of those that either is wrong about (`either_wrong`) both give the same wrong answer; `words`: in which way the
+    mistake is made, where that is not the way of its failing case.
     """
 
     name: str
@@ -90,6 +95,7 @@ class Likeness(NamedTuple):
     pairs: int
     wrong_alike: int
     either_wrong: int
+    words: str = ""
 
     @property
     def is_close(self) -> bool:
@@ -101,6 +107,11 @@ class Likeness(NamedTuple):
         """Return the mistake as people say it."""
         return NAMED[self.name].claim
 
+    @property
+    def in_words(self) -> str:
+        """Return the name, the claim, and in which way it is made."""
+        return f"{self.name}: “{self.claim}”{self.words and f' ({self.words})'}"
+
     def __str__(self) -> str:
         return f"{self.name} on {self.agrees} of {self.pairs} pairs"
 
@@ -110,6 +121,7 @@ class Hypothesis(NamedTuple):
 
     name: str
     predict: Predict
+    words: str = ""
 
     def is_about(self, rules: Rules) -> bool:
         """Return whether the mistake can be seen in answers of this kind."""
@@ -195,7 +207,7 @@ def _likeness(hypothesis: Hypothesis, results: Sequence[Result], rules: Rules) -
         missed += not result.right and not equal
         if i == 11 and missed == 12:
             return None  # none of the first wrong answers is explained
-    return Likeness(hypothesis.name, agrees, len(results), alike, either) if alike else None
+    return Likeness(hypothesis.name, agrees, len(results), alike, either, hypothesis.words) if alike else None
 
 
 def _alike(one: Answer, other: Answer, kind: str, margin: float, one_is_right: bool) -> bool:

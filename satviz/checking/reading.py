@@ -1,18 +1,33 @@
 """The reader's function in a page: Python code in a worker of its own, and outcomes as JSON values."""
 
 import inspect
+import io
 import json
 from collections.abc import Callable
+from contextlib import redirect_stdout
 from typing import Any
 
 from ..engine.polygon_validation import short_repr
 from ..scenes.scenefile import shape_from
 from .answers import plain
-from .asking import ERROR, CalledHere, Outcome
+from .asking import ERROR, CalledHere, Outcome, error_line
 from .forms import as_points
 
 FILE = "your code"  # the file name in which errors count lines
 MAX_TEXT = 400  # letters of a line that comes from a worker
+MAX_PRINTED = 2000  # letters of what the code prints that are kept
+
+
+class Printed(io.StringIO):
+    """What the code prints, up to MAX_PRINTED letters."""
+
+    def write(self, text: str) -> int:
+        """Keep what there is space for, and take the rest as written."""
+        super().write(text[: MAX_PRINTED - self.tell()])
+        return len(text)
+
+    def close(self) -> None:
+        """Stay open: the code under test may close what it prints to."""
 
 
 class ReaderPython:
@@ -22,13 +37,20 @@ class ReaderPython:
         self.called: CalledHere | None = None
 
     def answer(self, content: dict[str, Any]) -> dict[str, Any]:
-        """Return the reply to a message: whether the function is there, or what came of one call."""
-        if content["kind"] == "define":
-            return self._define(content["code"])
+        """Return whether the function is there, or what came of one call, and what the code printed."""
+        with redirect_stdout(Printed()) as printed:
+            reply = self._define(content["code"]) if content["kind"] == "define" else self._call(content)
+        return {**reply, "printed": printed.getvalue()}
+
+    def _call(self, content: dict[str, Any]) -> dict[str, Any]:
+        """Return what comes of the function for the pair of a message."""
         a, b = shape_from(content["a"], "A"), shape_from(content["b"], "B")
         if self.called is None:
             return {"problem": ERROR, "line": "is not defined"}
-        return outcome_data(self.called.ask(a, b))
+        try:
+            return outcome_data(self.called.ask(a, b))
+        except BaseException as error:  # a KeyboardInterrupt of the code's own ends nothing here
+            return {"problem": ERROR, "line": error_line(error, self.called.fn)}
 
     def _define(self, code: str) -> dict[str, Any]:
         """Run the code, and keep its function `collide`, or its only function of two arguments."""

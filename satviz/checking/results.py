@@ -40,7 +40,7 @@ def judge(pair: Pair, outcome: Outcome, rules: Rules) -> Result:
     try:
         answer = read(outcome.value, rules.returns)
     except Unreadable as error:
-        line = "returns None" if outcome.value is None else str(error).replace("returned", "returns", 1)
+        line = "returns nothing" if outcome.value is None else str(error).replace("returned", "returns", 1)
         if outcome.value is None:
             line += ": every way through the function must end in a return"
         return Result(pair, outcome.value, None, truth, False, UNREADABLE, line)

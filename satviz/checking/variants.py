@@ -1,12 +1,13 @@
-"""Other ways in which people write a known mistake: (the name of its failing case, what such a function claims)."""
+"""Other ways in which people write a known mistake: (the name of its failing case, what it claims, in which way)."""
 
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
-from math import dist, hypot
+from math import dist, hypot, inf
 from operator import itemgetter
 
-from ..engine.axes import Axis, Choice, Chooser, directions, edge_normals, edge_normals_of_a, edge_normals_of_b
+from ..engine.axes import Axis, Choice, Chooser, directions, edge_normals, edge_normals_of_a, edge_normals_of_b, world
 from ..engine.geometry import Relation, Vec
+from ..engine.relate import relate
 from ..engine.sat import AxisTest, Projection, axis_tests, project
 from ..engine.shapes import Shape
 from ..engine.shortcut import Shortcut, move_along_axis
@@ -28,8 +29,12 @@ def by_shortcut(shortcut: Shortcut, a: Shape, b: Shape) -> tuple[Relation, Vec |
 
 def any_overlap(a: Shape, b: Shape) -> tuple[Relation, Vec | None]:
     """Return OVERLAPPING if the ranges meet on any edge normal: `any` written for `all`."""
-    gaps = [test.gap for test in axis_tests(a, b, edge_normals(a, b).axes)]
-    return (OVERLAPPING if gaps and min(gaps) < 0 else TOUCHING if gaps and min(gaps) == 0 else APART), None
+    return _by_largest([min((test.gap for test in axis_tests(a, b, edge_normals(a, b).axes)), default=1.0)]), None
+
+
+def _by_largest(gaps: Sequence[float]) -> Relation:
+    """Return the relation that the largest gap claims."""
+    return APART if max(gaps) > 0 else TOUCHING if max(gaps) == 0 else OVERLAPPING
 
 
 def raw_push(a: Shape, b: Shape, tests: Sequence[AxisTest]) -> Vec:
@@ -41,6 +46,58 @@ def raw_push(a: Shape, b: Shape, tests: Sequence[AxisTest]) -> Vec:
 def along_edges(a: Shape, b: Shape) -> Choice:
     """Return the directions of all edges as axes, without the quarter turn that makes a normal."""
     return directions(*(Vec(-axis.normal.y, axis.normal.x) for axis in edge_normals(a, b).axes))(a, b)
+
+
+def without_minus(a: Shape, b: Shape) -> Choice:
+    """Return for each edge (dx, dy) the axis along (dy, dx)."""
+    return directions(*(Vec(axis.normal.x, -axis.normal.y) for axis in edge_normals(a, b).axes))(a, b)
+
+
+def one_side_of_each_edge(sign: int, a: Shape, b: Shape) -> tuple[Relation, Vec | None]:
+    """Return APART if A ends before B begins on an edge's normal, turned left (`sign` 1) or right (-1) of the edge."""
+    gaps = []
+    for ring in a.vertices, b.vertices:
+        for p, q in zip(ring, (*ring[1:], *ring[:1])):
+            n = Vec(sign * (p.y - q.y), sign * (q.x - p.x))
+            on_a, on_b = ([n.x * v.x + n.y * v.y for v in shape.vertices] for shape in (a, b))
+            gaps.append(min(on_b) - max(on_a))
+    return _by_largest(gaps), None
+
+
+def push_by_edges(sign: int, one_sided: bool, a: Shape, b: Shape) -> tuple[Relation, Vec | None]:
+    """Return the right relation, and the push along an edge's normal as it comes, turned left or right of the edge.
+
+    `one_sided`: the depth on a normal is how far A's end lies beyond B's start, also where B's end is nearer.
+    """
+    best, push = inf, None
+    for ring in a.vertices, b.vertices:
+        for p, q in zip(ring, (*ring[1:], *ring[:1])):
+            length = hypot(q.x - p.x, q.y - p.y)
+            if not length:
+                continue  # a vertex that is listed twice is another mistake
+            n = Vec(sign * (p.y - q.y) / length, sign * (q.x - p.x) / length)
+            on_a, on_b = ([n.x * v.x + n.y * v.y for v in shape.vertices] for shape in (a, b))
+            depth = max(on_a) - min(on_b) if one_sided else min(max(on_a) - min(on_b), max(on_b) - min(on_a))
+            if depth < best:
+                best, push = depth, Vec(n.x * depth, n.y * depth)
+    relation = relate(a, b)
+    return relation, push if relation is OVERLAPPING else None
+
+
+def middle_inside(a: Shape, b: Shape) -> tuple[Relation, Vec | None]:
+    """Return OVERLAPPING if the middle of one convex polygon lies in the other."""
+    spots = (vertex_mean(a), b), (vertex_mean(b), a)
+    inside = any(
+        all(test <= 0 for test in (_beyond(axis, spot, shape) for axis in edge_normals(shape, shape).axes))
+        for spot, shape in spots
+    )
+    return (OVERLAPPING if inside else APART), None
+
+
+def _beyond(axis: Axis, spot: Vec, shape: Shape) -> float:
+    """Return how far a point lies outside the range of a shape on an axis, in units of the normal; else 0 or less."""
+    at, ends = (spot.x * axis.normal.x + spot.y * axis.normal.y) / axis.length, project(shape, axis).interval
+    return max(at - ends.hi, ends.lo - at)
 
 
 def first_half_rounded_up(a: Shape, b: Shape) -> Choice:
@@ -123,30 +180,37 @@ REACHES: tuple[Reach, ...] = (
 )
 
 
-def _variants() -> Iterator[tuple[str, Predict]]:
-    """Yield the name of each mistake with another way to write it."""
+def _variants() -> Iterator[tuple[str, Predict, str]]:
+    """Yield the name of each mistake with another way to write it, and what is different there, in words."""
 
-    def chosen(name: str, choose: Chooser) -> tuple[str, Predict]:
+    def chosen(name: str, choose: Chooser, words: str) -> tuple[str, Predict, str]:
         """Return the mistake with another choice of axes."""
-        return name, partial(by_shortcut, NAMED[name].shortcut._replace(choose=choose))
+        return name, partial(by_shortcut, NAMED[name].shortcut._replace(choose=choose)), words
 
-    yield chosen("one-shapes-normals", edge_normals_of_b)
-    yield chosen("one-overlap", only_x)
-    yield "one-overlap", any_overlap
-    yield chosen("line-for-axis", along_edges)
-    yield chosen("half-the-normals", first_half_rounded_up)
-    yield chosen("same-shape", one_for_equal_counts)
+    yield chosen("one-shapes-normals", edge_normals_of_b, "here those of B")
+    yield chosen("one-overlap", only_x, "here on the x axis")
+    yield "one-overlap", any_overlap, "here on any one of them"
+    for sign in (1, -1):
+        yield "one-sided-gap", partial(one_side_of_each_edge, sign), "here on the normal of each edge"
+        yield "one-sided-gap", partial(push_by_edges, sign, True), "here for the depth"
+        yield "push-along-normal", partial(push_by_edges, sign, False), ""
+    yield chosen("one-sided-gap", world, "here on x and y")
+    yield "corner-inside", middle_inside, "here the middle of one"
+    yield chosen("line-for-axis", along_edges, "here an edge is taken as an axis, without the quarter turn")
+    yield chosen("slipped-normal", without_minus, "here (dy, dx), without the minus")
+    yield chosen("half-the-normals", first_half_rounded_up, "here half of them, rounded up")
+    yield chosen("same-shape", one_for_equal_counts, "here for shapes with equally many corners")
     outward = NAMED["mixed-signs"].shortcut._replace(choose=edge_normals, measure=outward_from_each_middle)
-    yield "mixed-signs", partial(by_shortcut, outward)
+    yield "mixed-signs", partial(by_shortcut, outward), "here away from the middle of each shape"
     for step in (1, -1):
         few = NAMED["extremes-once"].shortcut._replace(measure=partial(one_extreme_each, step))
-        yield "extremes-once", partial(by_shortcut, few)
+        yield "extremes-once", partial(by_shortcut, few), ""
     raw = NAMED["raw-depth"].shortcut._replace(measure=raw_normals, push=raw_push)
-    yield "raw-depth", partial(by_shortcut, raw)
+    yield "raw-depth", partial(by_shortcut, raw), "here the normal of the move is as long as its edge, too"
     along_line = NAMED["push-from-center"].shortcut._replace(push=push_along_centers)
-    yield "push-from-center", partial(by_shortcut, along_line)
+    yield "push-from-center", partial(by_shortcut, along_line), "here along the line between the middles"
     for reach in REACHES:
-        yield "far-centers", partial(beyond_reach, reach)
+        yield "far-centers", partial(beyond_reach, reach), "here further than the reach of both shapes"
 
 
 VARIANTS = tuple(_variants())

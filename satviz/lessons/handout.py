@@ -125,8 +125,8 @@ def chapter_sheets(chapter: Chapter) -> tuple[Sheet, Sheet]:
 
 def _sheet(title: str, body: str) -> Sheet:
     """Return a sheet with a line for the reader's name."""
-    name = "" if title.endswith(SOLUTIONS) else '<p class="name">Name</p>'
-    return Sheet(title, f'<article class="sheet"><header><h1>{escape(title)}</h1>{name}</header>{body}</article>')
+    kind, name = ("sheet", '<p class="name">Name</p>') if not title.endswith(SOLUTIONS) else ("sheet solutions", "")
+    return Sheet(title, f'<article class="{kind}"><header><h1>{escape(title)}</h1>{name}</header>{body}</article>')
 
 
 def _title_of(scene: Scene) -> str:

@@ -7,12 +7,17 @@ from .letters import text_size, wrap_text
 from .marks import Mark, Picture
 
 MARGIN_PT = 12.0  # at both sides of a caption and below it
-MIN_STEP_MS, MS_PER_LETTER = 600, 7  # at speed 1; the article's triangles take less than 20 s
+MIN_STEP_MS, MS_PER_LETTER = 600, 7  # at speed 1, where a reader can stop and go back
+MIN_CAPTION_MS, MS_PER_CAPTION_LETTER = 300, 50  # in an animation: the time of a move, then 20 letters a second
 
 
-def add_captions(pictures: Sequence[Picture]) -> list[Picture]:
-    """Return the pictures with their sentences as captions; all grow by the height of the tallest caption."""
-    texts = [wrap_text(picture.sentence, picture.size[0] - 2 * MARGIN_PT) for picture in pictures]
+def add_captions(pictures: Sequence[Picture], *, brief: bool = False) -> list[Picture]:
+    """Return the pictures with their sentences as captions; all grow by the height of the tallest caption.
+
+    `brief`: a picture that says the same in a few words has these instead.
+    """
+    words = [(brief and picture.caption) or picture.sentence for picture in pictures]
+    texts = [wrap_text(text, picture.size[0] - 2 * MARGIN_PT) for text, picture in zip(words, pictures, strict=True)]
     space = max((text_size(text)[1] for text in texts), default=0.0) + MARGIN_PT
     return [_with_caption(picture, text, space) for picture, text in zip(pictures, texts, strict=True)]
 
@@ -20,6 +25,13 @@ def add_captions(pictures: Sequence[Picture]) -> list[Picture]:
 def reading_time_ms(sentence: str) -> int:
     """Return the milliseconds for which a picture with this sentence is shown in a playback at speed 1."""
     return MIN_STEP_MS + MS_PER_LETTER * len(sentence)
+
+
+def caption_time_ms(picture: Picture) -> int:
+    """Return the milliseconds for which a picture is shown in an animation at speed 1."""
+    if not picture.caption:
+        return reading_time_ms(picture.sentence)
+    return MIN_CAPTION_MS + MS_PER_CAPTION_LETTER * len(picture.caption)
 
 
 def with_words_below(picture: Picture, words: str) -> Picture:

@@ -28,7 +28,7 @@ from .letters import text_size, wrap_text
 from .marks import Mark, Picture
 from .panels import marks_moved_to
 from .sketch import RING_PT, Sketch
-from .stages import STAGES_BEFORE_AXIS, TEST_STAGES, Stage, Step, resolve_step, step_sentence
+from .stages import STAGES_BEFORE_AXIS, TEST_STAGES, Stage, Step, resolve_step, step_caption, step_sentence
 from .step_picture import LARGEST_PT
 
 CLAIMED, ACTUAL = "what the shortcut saw", "what is"
@@ -71,7 +71,8 @@ def picture(
     step = resolve_step(trace, step)
     panel, stacked = _panel_size(largest)
     pair = _claimed_step(trace, step, panel), _actual_panel(trace, panel)
-    return _join(trace, *pair, _space_for_all_steps(trace, panel), title, stacked=stacked)
+    drawn = _join(trace, *pair, _space_for_all_steps(trace, panel), title, stacked=stacked)
+    return drawn._replace(caption=step_caption(trace if step.pair is None else trace.pairs[step.pair], step))
 
 
 def _panel_size(largest: tuple[float, float]) -> tuple[tuple[float, float], bool]:

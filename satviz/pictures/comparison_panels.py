@@ -13,11 +13,12 @@ from ..engine import describe
 from ..engine.certificate import SeparatingLine
 from ..engine.geometry import Relation, Vec
 from ..engine.number_format import MINUS, number
+from ..engine.predicates import orient
 from ..engine.sat import AxisTest, axis_tests
 from ..engine.shapes import Shape, centroid
 from ..engine.trace import Trace, record
 from ..scenes.failing.move_space import convex_hull
-from ..scenes.failing.saved_work import MIN_SUPPORT_POINTS
+from ..scenes.failing.saved_work import MIN_SUPPORT_POINTS, corner_tests
 from ..scenes.failing.true_value import FLIGHT, contact_times, separating_angles
 from ..scenes.failing.true_value import distance as true_distance
 from ..scenes.failing.wrong_projections import FIRST_EDGE_OF_B
@@ -35,10 +36,10 @@ from .default_panels import (
     true_run,
 )
 from .draw_steps import draw_mtv, draw_separating_line
-from .float_geometry import bounding_box, midpoint, point_along
+from .float_geometry import bounding_box, midpoint, point_along, segments_cross
 from .layout import NARROW_PAD_PT, Group, Layout, arrange
 from .letters import text_size, wrap_text
-from .sketch import Sketch
+from .sketch import RING_PT, Sketch
 from .solid_panels import solid_panel
 
 DOT_COUNT = 12  # dots that stand for many shapes
@@ -259,6 +260,43 @@ def draw_axes_of_sat(trace: Trace, layout: Layout) -> Sketch:
     return sketch
 
 
+def draw_corners(trace: Trace, layout: Layout) -> Sketch:
+    """Draw a ring round every corner that lies outside the other polygon, and say how many lie in it."""
+    sketch, tests = draw_shapes(trace, layout), corner_tests(trace.a, trace.b)
+    for i, test in enumerate(tests):
+        (corner,) = min(test.a.points, test.b.points, key=len)
+        radius = layout.units(RING_PT)
+        sketch.add("corner", "disc", "gap" if test.gap > 0 else "overlap", corner, number=i, radius=radius)
+    inside = sum(test.gap <= 0 for test in tests)
+    if tests:
+        sketch.note("corners", f"{len(tests)} corners: {inside or 'none'} in the other shape", "gap", first=3)
+    return sketch
+
+
+def draw_edges(trace: Trace, layout: Layout) -> Sketch:
+    """Draw both shapes, and a ring round each point in which their edges cross or meet; say how many there are."""
+    sketch = draw_shapes(trace, layout)
+    borders = [list(pairwise(_closed_ring(shape))) for shape in (trace.a, trace.b) if not shape.core_is_point]
+    if len(borders) < 2:
+        return sketch
+    found = {p for s in borders[0] for t in borders[1] for p in _meeting_points(s, t)}
+    for i, p in enumerate(sorted(found)):
+        sketch.add("crossing", "disc", "overlap", p, number=i, radius=layout.units(RING_PT))
+    count = f"{len(borders[0])} edges and {len(borders[1])} edges"
+    sketch.note("crossings", f"{count}: {len(found) or 'no'} crossings", "gap", first=3)
+    return sketch
+
+
+def _meeting_points(s: tuple[Vec, Vec], t: tuple[Vec, Vec]) -> list[Vec]:
+    """Return where two segments cross, in float64, and the ends of each that lie on the other."""
+    (p, q), (u, v) = s, t
+    at_u, at_v = orient(p, q, u), orient(p, q, v)
+    if segments_cross(s, t):
+        k = at_u / (at_u - at_v)
+        return [Vec(u.x + (v.x - u.x) * k, u.y + (v.y - u.y) * k)]
+    return [c for c, edge in ((u, s), (v, s), (p, t), (q, t)) if _nearest_on_edge(c, edge) == c]
+
+
 def draw_two_frames(trace: Trace, layout: Layout) -> Sketch:
     """Draw A in this frame and, faintly, in the next one, and the gap on an axis in this frame."""
     test = trace.ended_by or trace.tests[0]
@@ -426,6 +464,8 @@ PANELS: dict[str, Panel] = {
     "line as axis": Panel(needs_claimed_tests, draw_line_as_axis),
     "push": Panel(needs_push, draw_push_alone),
     "way out": Panel(needs_push, draw_way_out),
+    "corners": Panel(_shapes_and, draw_corners),
+    "edges": Panel(_shapes_and, draw_edges),
     "fold": Panel(needs_fold, draw_fold),
     "solid boxes": solid_panel(actual=False),
     "solid boxes apart": solid_panel(actual=True),

@@ -157,14 +157,17 @@ def _draw_what_is_missing(sketch: Sketch, test: AxisTest) -> None:
 
 
 def _draw_missing_edges(sketch: Sketch, left_out: Sequence[Axis]) -> None:
-    """Draw the closing edges of both outlines in the colour of what is wrong, if these alone were left out."""
+    """Draw both outlines open, and the edges that close them as dotted lines, if these alone were left out."""
     closing = [(role, (0, len(shape.vertices) - 1)) for role, _, shape in sketch.roles()]
     if sorted((axis.source.shape or "", axis.source.ids) for axis in left_out) != closing:
         return
-    for _, name, shape in sketch.roles():
+    sketch.marks = [m._replace(weight="fill") if m.part == "outline" else m for m in sketch.marks]
+    for role, name, shape in sketch.roles():
+        sketch.add("open-outline", "bracket", role, *shape.vertices, owner=name)
         p, q = shape.vertices[0], shape.vertices[-1]
-        sketch.add("missing-edge", "segment", "wrong", p, q, owner=name, weight="strong")
-        sketch.label("missing-name", "missing edge", "wrong", midpoint(p, q), owner=name, optional=True, first=3)
+        sketch.add("missing-edge", "segment", role, p, q, owner=name, weight="faint")
+        text = "the edge that\nwas left out"
+        sketch.label("missing-name", text, role, midpoint(p, q), owner=name, optional=True, first=3)
 
 
 def claimed_tests(trace: Trace) -> list[AxisTest]:
@@ -233,6 +236,9 @@ def draw_proof(trace: Trace, layout: Layout) -> Sketch:
             draw_mtv(sketch, certificate.point, move)
     spot = meeting_point(trace, test) if trace.shortcut and trace.shortcut.touching_separates else ""
     remark = f"{spot} < {spot}: no" if spot and test.gap == 0 else ""
+    best = max(true_run(trace).tests, key=lambda other: other.gap)
+    if test.gap < best.gap and not isclose(test.gap, best.gap, rel_tol=1e-9):
+        remark = f"least on another axis: {describe.digits(true_run(trace), best).gap(best.gap)}"
     sketch.project(test, place, drops=False, interval=False, remark=remark)
     return sketch
 

@@ -6,7 +6,7 @@
 ```
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
 from math import cos, radians, sin
@@ -29,7 +29,6 @@ from .sketch import Sketch
 
 TURN_DEGREES = 60, 120, 180
 MAX_STOPS = 12  # points of B's border at which the turned A is drawn
-CIRCLE_STOPS = 8  # such points of a circle
 RIM_CORNERS = 48  # of a circle that is drawn as a polygon
 MAX_FAR_SIZES = 2.0  # shapes further from the origin than so many of their sizes are moved next to it
 ORIGIN = Vec(0.0, 0.0)
@@ -37,13 +36,18 @@ MAX_NAMED_CORNERS = 8  # of a difference whose corners get names such as "b1 - a
 
 
 class _Scene(NamedTuple):
-    """What all steps share: the run, how far both shapes were moved, the rings of B - A, the test, the stops."""
+    """What all steps share: the run, how far both shapes were moved, the rings of B - A, the test.
+
+    `border`: points all along B's border, the first one again at the end; `stops`: the numbers of those where the
+    turned A is drawn.
+    """
 
     run: Trace
     move: Vec
     rings: Sequence[Sequence[Vec]]
     test: AxisTest | None
-    stops: Sequence[Vec]
+    border: Sequence[Vec]
+    stops: Sequence[int]
 
 
 def difference_steps(what: SceneLike | Shape, b: Shape | None = None, *, title: str = "") -> tuple[Picture, ...]:
@@ -58,7 +62,7 @@ def difference_steps(what: SceneLike | Shape, b: Shape | None = None, *, title: 
     """
     scene = _scene(resolve(what, b).trace.truth)
     found = [_start(scene), *(_turned(scene, degrees) for degrees in TURN_DEGREES)]
-    found += [_slid(scene, i) for i in range(len(scene.stops))]
+    found += [_slid(scene, i) for i in scene.stops]
     found.append(_whole(scene))
     if scene.test:
         found.append(_on_axis(scene, scene.test))
@@ -78,9 +82,9 @@ def _scene(truth: Trace) -> _Scene:
     best = max(tests, key=lambda test: test.gap, default=None)
     test = _against_origin(best, rings[0]) if best else None
     run = replace(record(a, b), tests=(test,) if test else (), names=truth.names)
-    border = circle_points(b.center, b.radius, CIRCLE_STOPS) if isinstance(b, Circle) else list(b.corners)
-    stops = border[:: -(-len(border) // MAX_STOPS)]
-    return _Scene(run, move, rings, test, [*stops, stops[0]])
+    border = circle_points(b.center, b.radius, RIM_CORNERS) if isinstance(b, Circle) else list(b.corners)
+    stops = *range(0, len(border), -(-len(border) // MAX_STOPS)), len(border)
+    return _Scene(run, move, rings, test, [*border, border[0]], stops)
 
 
 def _against_origin(test: AxisTest, ring: Sequence[Vec]) -> AxisTest:
@@ -99,7 +103,7 @@ def _sketch(scene: _Scene, *, a_weight: str = "plain") -> Sketch:
     run = scene.run
     turned = [p for degrees in TURN_DEGREES for p in _rim(run.a, degrees)]
     spots = [ORIGIN, *turned, *(p for ring in scene.rings for p in ring)]
-    spots += [p for stop in scene.stops for p in _rim(run.a, 180, stop)]
+    spots += [p for stop in scene.border for p in _rim(run.a, 180, stop)]
     xs, ys = [p.x for p in spots], [p.y for p in spots]
     around = box(min(xs), min(ys), max(xs), max(ys))
     tests = [scene.test] if scene.test else []
@@ -144,12 +148,12 @@ def _turned(scene: _Scene, degrees: float) -> Picture:
 
 
 def _slid(scene: _Scene, i: int) -> Picture:
-    """Draw the turned A at stop `i` of its way along B's border, and all that it has covered."""
+    """Draw the turned A at point `i` of B's border, and all that it has covered on its way there."""
     sketch = _sketch(scene, a_weight="faint")
-    for n, ring in enumerate(_covered(scene, i)):
-        sketch.add("covered", "outline", "guide", *ring, number=n, weight="faint")
-    _turning(sketch, scene, f"{MINUS}A", 180, scene.stops[i])
-    sketch.add("stop", "dot", "ink", scene.stops[i])
+    if i:
+        sketch.add("covered", "outline", "guide", *_covered(scene, i), weight="fill")
+    _turning(sketch, scene, f"{MINUS}A", 180, scene.border[i])
+    sketch.add("stop", "dot", "ink", scene.border[i])
     if i:
         text = f"{MINUS}A slides along B's border: it covers each point that it passes, minus each point of A."
     else:
@@ -159,12 +163,16 @@ def _slid(scene: _Scene, i: int) -> Picture:
     return sketch.finish("", text)
 
 
-def _covered(scene: _Scene, i: int) -> Iterator[Sequence[Vec]]:
-    """Yield the rings that the turned A covers on its way to stop `i`, one for each part and piece of it."""
+def _covered(scene: _Scene, i: int) -> list[Vec]:
+    """Return the outline of all that the turned A covers on its way to point `i` of B's border.
+
+    It joins one convex ring for each part and piece of the way, and goes back the way it came from ring to ring, so
+    that a pen which fills it (by the nonzero rule) fills their union.
+    """
     pieces = parts(scene.run.a)
-    for p, q in pairwise(scene.stops[: i + 1]):
-        for part in pieces:
-            yield convex_hull((*_rim(part, 180, p), *_rim(part, 180, q)))
+    way = pairwise(scene.border[: i + 1])
+    rings = [convex_hull((*_rim(part, 180, p), *_rim(part, 180, q))) for p, q in way for part in pieces]
+    return [p for ring in rings for p in (*ring, ring[0])] + [ring[0] for ring in reversed(rings[:-1])]
 
 
 def _difference(sketch: Sketch, scene: _Scene) -> None:

@@ -57,10 +57,15 @@ def range_along(shape: Shape, direction: Vec) -> Interval:
 
 
 def gap_or_overlap(test: AxisTest) -> Interval:
-    """Return the interval between a test's two ranges if there is a gap, else the one both cover."""
+    """Return the interval between a test's two ranges if there is a gap, else the one both cover.
+
+    A shortcut may measure an overlap of ranges that are apart: then it is what lies between them, or the whole from
+    the start of one to the end of the other where the measured overlap is longer.
+    """
     a, b = test.a.interval, test.b.interval
     if test.gap < 0:
-        return Interval(max(a.lo, b.lo), min(a.hi, b.hi))
+        lo, hi = max(a.lo, b.lo), min(a.hi, b.hi)
+        return Interval(min(a.lo, b.lo), max(a.hi, b.hi)) if 0 < lo - hi < -test.gap else Interval(lo, hi)
     return Interval(a.hi, b.lo) if a.hi <= b.lo else Interval(b.hi, a.lo)
 
 

@@ -33,6 +33,7 @@ COVER_COST = 1e4  # of covering a label or a dot
 OUTSIDE_COST = 1e5  # of leaving the canvas
 STROKE_COST, FAINT_COST, GUIDE_COST, KEPT_FREE_COST = 300, 60, 40, 100  # of covering a line
 MAX_OPTIONAL_COST = 300  # an optional label whose best spot costs so much or more is left out
+MAX_LONGER_COST = 25  # the longer text of a label is not taken where it costs so much or more
 OTHER_SIDE_COST = 200  # of standing beyond the separating line
 WALL_COST = 150  # of standing beyond the label's own wall
 ANYWHERE_COST = 60  # of a spot that has nothing to do with the anchor
@@ -71,6 +72,7 @@ class LabelRequest(NamedTuple):
     wall: Segment | None = None  # the label belongs on its anchor's side of this line
     pieces: tuple[tuple[str, str], ...] = ()  # the text in pieces, each with its own role: (text, role)
     target: Vec | None = None  # what the label follows in a drag, where its anchor may change; else its anchor
+    longer: str = ""  # the text where there is clear space for it; never in a drag
 
     @property
     def key(self) -> LabelKey:
@@ -91,6 +93,7 @@ class LabelOptions(SharedOptions, total=False):
     wall: Segment | None
     pieces: tuple[tuple[str, str], ...]
     target: Vec | None
+    longer: str
 
 
 class LabelSpot(NamedTuple):
@@ -190,6 +193,7 @@ class LabelPlacer:
         """Return a label for each request that finds a place, with a line to its anchor if that is far."""
         found = []
         for r in requests:
+            r = self._with_longer_text(r)
             at = self._keep(r)
             if at is None:
                 r, at = self._place(r)
@@ -210,6 +214,15 @@ class LabelPlacer:
             else:
                 found.append(Mark(r.part, "label", r.role, (at,), *key, text=r.text, weight=r.weight))
         return found
+
+    def _with_longer_text(self, request: LabelRequest) -> LabelRequest:
+        """Return the request with its longer text if that is kept from another step or has clear space nearby."""
+        long = request._replace(text=request.longer, longer="", near=True, optional=True)
+        if not request.longer or self.memory is not None:
+            return request
+        if self.kept_spot(request) or self.kept_spot(long):
+            return long if self.kept_spot(long) else request
+        return long if self._best_spot(long)[1] < MAX_LONGER_COST else request
 
     def _pieces(self, request: LabelRequest, at: Vec) -> Iterator[Mark]:
         """Yield a label for each piece of a text of one line; together they stand centered at `at`."""

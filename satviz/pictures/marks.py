@@ -19,7 +19,7 @@ class Mark(NamedTuple):
     for each piece), arrow (tail, head), interval (the ends of a bar), bracket (a polyline), dot and label (one
     point; a label is centered on it, newlines part its lines).
     `role`: a colour of the theme.  `weight`: "plain", "strong" (what the step explains), "faint", "tint" (with a
-    stronger fill), "area" (a fill without a line) or "title".
+    stronger fill), "fill" or "area" (a fill without a line, "area" a stronger one) or "title".
     `start`: where a pen that moves marks begins to move its points: one point for each, or one for all.
     `panel`: its picture, where several pictures are drawn as one.
     """
@@ -70,6 +70,7 @@ class Picture(NamedTuple):
 
     `limits`: the part of the scene that is shown (x min, y min, x max, y max), in scene units; `size`: the width and
     height of the canvas in points.  `sentence`: what the picture shows, made from the trace; the alternative text.
+    `caption`: the same in a few words, which an animation has below its pictures; "" where there are no fewer.
     """
 
     marks: tuple[Mark, ...]
@@ -77,6 +78,7 @@ class Picture(NamedTuple):
     size: tuple[float, float]
     title: str
     sentence: str
+    caption: str = ""
 
     @property
     def scale(self) -> float:

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from ..engine.geometry import Vec
-from .caption import reading_time_ms
+from .caption import caption_time_ms
 from .marks import Mark, Picture
 
 MOVE_FRAMES, MOVE_FRAME_MS = 6, 50  # pictures between two steps, and how long each is shown
@@ -33,7 +33,7 @@ def animation(steps: Sequence[Picture], *, speed: float = 1.0) -> Animation:
             pictures.append(in_between(steps[number - 1], step, k / (MOVE_FRAMES + 1)))
             times.append(MOVE_FRAME_MS)
         pictures.append(step)
-        times.append(reading_time_ms(step.sentence) - frames * MOVE_FRAME_MS)
+        times.append(caption_time_ms(step) - frames * MOVE_FRAME_MS)
     return Animation(pictures, [max(20, round(ms / speed)) for ms in times])
 
 

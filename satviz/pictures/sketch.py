@@ -319,13 +319,13 @@ class Sketch(ShapeSketch):
         if not named:
             return
         out = place.out if role == "B" else Vec(-place.out.x, -place.out.y)
-        text = name
-        if numbers and not self.layout.brief:
-            text = range_label(name, self.digits(self.trace, test).ranges(test)["AB".index(role)])
+        whole = range_label(name, self.digits(self.trace, test).ranges(test)["AB".index(role)])
+        text = whole if numbers and not self.layout.brief else name
         p, q = (point_along(end, out, self.layout.units(BAR_PT)) for end in ends)  # a gutter between bar and label
         spot, *along = (Vec(p.x + (q.x - p.x) * f, p.y + (q.y - p.y) * f) for f in (0.5, 0.3, 0.7, 0.1, 0.9))
         options: LabelOptions = {"owner": name, "axis": self.axis_id(test), "along": tuple(along), "prefer": out}
         options["target"] = midpoint(*ends)
+        options["longer"] = whole if numbers else ""
         options["wall"] = place.ends  # the label stays on its own side of the axis
         self.label("range-name", text, role, spot, first=1, **options)
 

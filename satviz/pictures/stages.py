@@ -8,7 +8,7 @@ from enum import StrEnum
 from typing import NamedTuple, SupportsIndex
 
 from ..engine import describe
-from ..engine.axes import ANY, CENTROIDS, GIVEN, WORLD
+from ..engine.axes import ANY, CENTROIDS, FROM_EDGES, GIVEN, WORLD
 from ..engine.trace import Trace
 from ..scenes.resolve import EXPECT_RUN, SceneLike, resolve
 
@@ -88,3 +88,27 @@ def step_sentence(run: Trace, step: Step) -> str:
     if stage is Stage.PARTS:
         return describe.parts(run)
     return describe.scene(run) if stage is Stage.SCENE else run.sentence
+
+
+def step_caption(run: Trace, step: Step) -> str:
+    """Return what a step shows in a few words, as `step_sentence` says it in full."""
+    stage, a_and_b = step.stage, " and ".join(run.names)
+    if step.test is None:
+        words = {Stage.SCENE: f"Do {a_and_b} collide?", Stage.PARTS: "Cut into convex parts"}
+        found = f"Claimed: {run.claim}" if run.shortcut else f"{a_and_b} {describe.RELATION_PHRASES[run.relation]}"
+        return words.get(stage, found)
+    test, shapes = run.tests[step.test], (run.a, run.b)
+    first = first_dropped_role(run, step.test)
+    owner, other = run.names if first == "A" else run.names[::-1]
+    kind, name = test.source.kind, describe.axis_name(test.axis, shapes, run.names)
+    gap = describe.gap_in_words(test.gap, describe.digits(run, test))
+    words = {
+        Stage.EDGE: name.removeprefix("normal of ") if kind in FROM_EDGES else "The line between two points",
+        Stage.NORMAL: "Its normal" if kind in FROM_EDGES else "Its direction",
+        Stage.AXIS: f"Axis {step.test + 1}: {name}" if kind == WORLD else f"Axis {step.test + 1}, moved clear",
+        Stage.DROPS: f"Dropping {owner} onto it",
+        Stage.RANGE: f"The range of {owner}",
+        Stage.BOTH: f"The range of {other}",
+        Stage.GAP: f"{gap}: next axis" if step.test + 1 < len(run.tests) else gap,
+    }
+    return words[stage]

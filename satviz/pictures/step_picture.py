@@ -11,7 +11,7 @@ from .insets import add_insets
 from .layout import MAX_HEIGHT_PT, MAX_WIDTH_PT, Group, Layout, arrange
 from .marks import Mark, Picture
 from .sketch import Sketch
-from .stages import STAGES_BEFORE_AXIS, TEST_STAGES, Stage, Step, resolve_step, step_sentence
+from .stages import STAGES_BEFORE_AXIS, TEST_STAGES, Stage, Step, resolve_step, step_caption, step_sentence
 
 LARGEST_PT = MAX_WIDTH_PT, MAX_HEIGHT_PT
 
@@ -48,7 +48,8 @@ def _draw_step(trace: Trace, step: Step, layout: Layout, kept: Sequence[Mark], t
         draw_verdict(sketch, layout.places)
     else:
         sketch.shapes()
-    return sketch.finish(title, step_sentence(run, step), steady=step.stage is not Stage.VERDICT, kept=kept)
+    drawn = sketch.finish(title, step_sentence(run, step), steady=step.stage is not Stage.VERDICT, kept=kept)
+    return drawn._replace(caption=step_caption(run, step))
 
 
 @lru_cache(maxsize=64)

@@ -51,7 +51,7 @@ DOTS = 1.0, 2.2  # a guide line: a dot and a space, in line widths
 TEXT_PT = 11.0
 TITLE_TEXT_PT = 15.0  # the names of the shapes
 # lines cover each other in this order: guides, the shapes, then what the step explains
-LAYERS = {"guide": 0, "faint": 1, "plain": 2, "tint": 2, "area": 2, "strong": 3, "interval": 4, "bracket": 5}
+LAYERS = {"guide": 0, "faint": 1, "plain": 2, "tint": 2, "fill": 2, "area": 2, "strong": 3, "interval": 4, "bracket": 5}
 
 
 class Style(NamedTuple):
@@ -83,6 +83,8 @@ def style_of(kind: str, role: str, weight: str) -> Style:
     line = Style(kind, role, LAYERS.get(kind, LAYERS[weight]), OUTLINE_PT, opacity=FAINT_OPACITY if faint else 1.0)
     if kind == "outline" and weight == "area":
         return Style(kind, role, fill=FILL_OPACITY * 3)
+    if kind == "outline" and weight == "fill":
+        return Style(kind, role, fill=FILL_OPACITY)
     if kind == "outline" and role == "wrong":
         return Style(kind, role, fill=FILL_OPACITY * 2)  # an area without a line, so that adjacent areas show no seam
     if weight == "tint":
@@ -90,6 +92,8 @@ def style_of(kind: str, role: str, weight: str) -> Style:
     if kind in ("outline", "disc"):
         fill, width = (FILL_OPACITY / 3, GUIDE_PT) if faint else (FILL_OPACITY, OUTLINE_PT)
         return line._replace(width=width, dash=DASHES if role == "B" else (), fill=fill)
+    if kind == "bracket":
+        return line._replace(dash=DASHES if role == "B" else ())
     if kind == "interval":
         return line._replace(width=OVERLAP_BAR_PT if role == "overlap" else BAR_PT)
     if kind == "arrow":

@@ -24,8 +24,9 @@ from .sketch import Sketch
 from .stages import Stage, Step, step_sentence
 from .step_picture import step_layouts
 
-PANEL_PT = 340.0, 310.0  # a small picture beside another one
-INSET_PT = 270.0, 260.0  # the axis that was forgotten, beside the others
+# of pictures one below the other; as wide as a telephone's screen, so that no letter has to become smaller there
+PANEL_PT, LOW_PANEL_PT, INSET_PT = (390.0, 360.0), (390.0, 250.0), (390.0, 240.0)
+PANEL_SHRINK = 5.0  # there small shapes are better than small letters
 QUARTER_TURN_PART = 0.45  # of an edge's length: the radius of the arc of a quarter turn
 STRIP_WIDTH_PT = 230.0  # one of several small multiples
 MAX_FAILED_AXES = 3
@@ -101,7 +102,8 @@ def quarter_turn(trace: Trace, number: int, *, title: str = "") -> Picture:
 
 def all_tests(trace: Trace, *, title: str = "") -> Picture:
     """Draw all tests in one picture: every axis with both ranges, and the verdict if it is wrong."""
-    (layout,) = arrange([Group([trace.a, trace.b], trace.tests)])
+    groups = [Group([trace.a, trace.b], trace.tests)]
+    (layout,) = arrange(groups, largest=PANEL_PT, pad=NARROW_PAD_PT, shrink=PANEL_SHRINK)
     sketch = Sketch(trace, layout)
     if {test.source.kind for test in trace.tests} == {WORLD}:
         sketch.bounding_boxes()
@@ -114,7 +116,7 @@ def all_tests(trace: Trace, *, title: str = "") -> Picture:
     drawn = sketch.finish(title, f"{tests} {trace.sentence}")
     if not trace.false_hit:
         return drawn
-    return panel_grid([drawn, _missing_axis(trace)], 2, title=title, sentence=drawn.sentence)
+    return panel_grid([drawn, _missing_axis(trace)], 1, title=title, sentence=drawn.sentence)
 
 
 def _missing_axis(trace: Trace) -> Picture:
@@ -126,7 +128,7 @@ def _missing_axis(trace: Trace) -> Picture:
     sketch.shapes()
     sketch.edge(test)
     sketch.normal(test)
-    sketch.project(test, layout.places[0])
+    sketch.project(test, layout.places[0], numbers=False)
     name = describe.axis_name(test.axis, (trace.a, trace.b), trace.names)
     sketch.note("verdict", f"not tested: {name}", "ink", first=1)
     return sketch.finish("", "")
@@ -198,14 +200,14 @@ def panels_of_tests(trace: Trace, *, title: str = "") -> Picture:
     """Draw every test in a picture of its own: the axis, both ranges, and whether it separates."""
     shapes = trace.a, trace.b
     groups = [Group(shapes, [t], brief=True) for t in trace.tests]
-    layouts = arrange(groups, largest=PANEL_PT, least=PANEL_PT, pad=NARROW_PAD_PT, one_frame=True)
+    layouts = arrange(groups, largest=LOW_PANEL_PT, least=LOW_PANEL_PT, pad=NARROW_PAD_PT, one_frame=True)
     panels = []
     for i, (test, layout) in enumerate(zip(trace.tests, layouts, strict=True)):
         sketch = Sketch(trace, layout)
         sketch.shapes()
         sketch.edge(test)
         sketch.normal(test)
-        sketch.project(test, layout.places[0])
+        sketch.project(test, layout.places[0], numbers=False)
         says = "a gap" if test.separates else "no gap"
         name = describe.short_axis_name(test.axis, shapes, trace.names)
         kind = f"normal of {name}"
@@ -216,7 +218,7 @@ def panels_of_tests(trace: Trace, *, title: str = "") -> Picture:
         sketch.note("verdict", f"axis {i + 1}, {kind}: {says}", "ink", first=1)
         panels.append(sketch.finish("", ""))
     tests = " ".join(describe.test_sentence(trace, i) for i in range(len(trace.tests)))
-    drawn = panel_grid(panels, 2, title=title, sentence=f"{tests} {trace.sentence}")
+    drawn = panel_grid(panels, 1, title=title, sentence=f"{tests} {trace.sentence}")
     return with_headline(drawn, describe.verdict_in_brief(trace))
 
 
@@ -282,7 +284,7 @@ def failed_axes(trace: Trace, *, title: str = "") -> Picture:
         options: LabelOptions = {"axis": sketch.axis_id(test), "along": (place.at(place.lo),), "prefer": place.n}
         sketch.label("axis-caption", text, "ink", place.at(place.hi), first=1, **options)
         for role in "AB":
-            sketch.range(test, place, role)
+            sketch.range(test, place, role, numbers=False)
         sketch.gap(test, place, named=False)
         _draw_line_that_cuts(sketch, test)
     for n, pair in enumerate(record(trace.a, trace.b).pairs, 1):
@@ -329,7 +331,7 @@ def convex_parts(trace: Trace, *, title: str = "") -> Picture:
     """Draw each pair of convex parts in a panel of its own, with the axis that separates it; the parts have tints."""
     tests = [pair.separating for pair in trace.pairs]
     groups = [Group([trace.a, trace.b], [test] if test else []) for test in tests]
-    layouts = arrange(groups, largest=PANEL_PT, least=PANEL_PT, pad=NARROW_PAD_PT, one_frame=True)
+    layouts = arrange(groups, largest=LOW_PANEL_PT, least=LOW_PANEL_PT, pad=NARROW_PAD_PT, one_frame=True)
     panels = []
     for pair, test, layout in zip(trace.pairs, tests, layouts, strict=True):
         sketch = Sketch(pair, layout)
@@ -342,7 +344,7 @@ def convex_parts(trace: Trace, *, title: str = "") -> Picture:
         panels.append(sketch.finish("", "", steady=False))
     parts = [f"{n} is {describe.join_words([p for _, p in found])}" for n, found in _split_shapes(trace)]
     sentence = f"{'; '.join(parts)}. {' '.join(p.sentence for p in trace.pairs)} {trace.sentence}"
-    return panel_grid(panels, 2, title=title, sentence=sentence)
+    return panel_grid(panels, 1, title=title, sentence=sentence)
 
 
 def strip(pictures: Sequence[tuple[str, Picture]], *, title: str = "") -> Picture:

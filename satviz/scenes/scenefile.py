@@ -72,11 +72,10 @@ class Scene:
 
         A scene without a name is called `unnamed`.
         """
-        data = require_keys(
-            parse(text, MAX_CHARS), "the scene", {"satviz", "a", "b"}, {"name", "title", "axes", "every_axis"}
-        )
-        if data["satviz"] != "scene 1":
-            raise InvalidScene('"satviz" must be "scene 1", the name of the format')
+        data = parse(text, MAX_CHARS)
+        if isinstance(data, dict) and data.get("satviz") != "scene 1":
+            raise InvalidScene('a scene file says which format it has: write "satviz": "scene 1" into it')
+        require_keys(data, "the scene", {"satviz", "a", "b"}, {"name", "title", "axes", "every_axis"})
         return Scene(
             name=require_type(data.get("name", unnamed), "name", str),
             a=shape_from(data["a"], "a"),

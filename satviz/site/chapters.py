@@ -178,20 +178,27 @@ def programs(chapter: Chapter) -> dict[str, tuple[str, str]]:
                 imported |= {alias.name for alias in node.names}
         name = _checked_function(source)
         if name in opened:
-            imports_first = sorted(_used_by({name} | imported, known), key=lambda n: known[n].startswith("\n"))
+            words = {each: _words(code) for each, code in known.items()}
+            imports_first = sorted(used_by({name} | imported, words), key=lambda n: known[n].startswith("\n"))
             found[name] = heading, "".join(known[n] for n in imports_first).lstrip("\n")
     return found
 
 
-def _used_by(names: set[str], known: dict[str, str]) -> list[str]:
-    """Return these names and the known ones that they use, directly or not, in the order of `known`."""
+def used_by(names: set[str], known: dict[str, set[str]]) -> list[str]:
+    """Return these names and the known ones that they use, directly or not, in the order of `known`.
+
+    `known`: the words that stand in the code of each name.
+    """
     needed, new = set[str](), names
     while new:
         needed |= new
-        trees = [ast.parse(known[each]) for each in new]
-        used = {node.id for tree in trees for node in ast.walk(tree) if isinstance(node, ast.Name)}
-        new = (used & known.keys()) - needed
+        new = ({word for each in new for word in known[each]} & known.keys()) - needed
     return [each for each in known if each in needed]
+
+
+def _words(code: str) -> set[str]:
+    """Return the names that stand in some Python code."""
+    return {node.id for node in ast.walk(ast.parse(code)) if isinstance(node, ast.Name)}
 
 
 def _checked_function(source: str) -> str:

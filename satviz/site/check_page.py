@@ -1,7 +1,10 @@
 """The page "Is yours right?": an editor for the reader's function, and the scene where it is wrong."""
 
 import json
+import re
+from collections.abc import Iterable
 from html import escape
+from importlib.resources import files
 
 from ..checking.mistakes import SYMPTOMS
 from ..scenes.failing import NAMED
@@ -9,7 +12,7 @@ from ..scenes.link import link
 from ..scenes.named import scene
 from ..widgets.explorer_model import ExplorerModel
 from . import parts
-from .chapters import programs
+from .chapters import programs, used_by
 from .pages import POLICY, Frame, html_page
 
 PATH = "yours.html"
@@ -55,7 +58,9 @@ def check_page(frame: Frame) -> bytes:
         return "".join(f'<option value="{value}">{words}</option>' for value, words in choices.items())
 
     given = {name: program for chapter in frame.chapters for name, program in programs(chapter).items()}
-    data = json.dumps(SKELETONS | {name: code for name, (_, code) in given.items()}).replace("<", "\\u003c")
+    codes = {f"{name}-python": code for name, (_, code) in given.items()}
+    codes |= {f"{name}-javascript": code for name, code in javascript_programs(given).items()}
+    data = json.dumps(SKELETONS | codes).replace("<", "\\u003c")
     opened = "".join(
         f'<option id="{name}" value="{name}">{escape(heading)}</option>' for name, (heading, _) in given.items()
     )
@@ -74,6 +79,7 @@ mistake it behaves like. The test in the editor has such a mistake: it looks at 
 <label class="editor">Your function <textarea rows="13" spellcheck="false" autocapitalize="off" autocomplete="off"
 autocorrect="off" wrap="off" aria-describedby="editor-keys"></textarea></label>
 <p class="keys" id="editor-keys">Ctrl+Enter runs it. Tab indents; press Escape before Tab to leave the editor.</p>
+<p class="keys">The answer may also be a depth, or a move (x, y) that ends the overlap, with None or null for none.</p>
 <p class="choices"><label>Shapes <select name="kinds">{options(CHOICES)}</select></label>
 <label>Touching is <select name="touching">{options(TOUCHING)}</select></label>
 <button class="run" type="button" disabled>Run</button>
@@ -81,6 +87,7 @@ autocorrect="off" wrap="off" aria-describedby="editor-keys"></textarea></label>
 <p class="keys">Your code stays in this browser. It is not sent anywhere, and no link contains it.</p>
 <p class="check-status" role="status"></p>
 <p class="yours" hidden></p>
+<pre class="printed out" aria-label="what your code printed" tabindex="0" hidden></pre>
 <div class="found" hidden>{parts.explorer(ExplorerModel(scene("triangles")))}</div>
 <div class="report" hidden></div>
 <script type="application/json" class="skeletons">{data}</script>
@@ -90,6 +97,14 @@ autocorrect="off" wrap="off" aria-describedby="editor-keys"></textarea></label>
     description = "Write a collision test, and see the smallest scene where it is wrong."
     title = "Is yours right? Check your own function"
     return html_page(frame, PATH, title, body, description=description, kind="checks", policy=CHECK_POLICY)
+
+
+def javascript_programs(names: Iterable[str]) -> dict[str, str]:
+    """Return the programs of these names in JavaScript, each with all the functions that it uses."""
+    source = (files(__package__) / "browser" / "programs.js").read_text(encoding="utf-8")
+    known = {code[: code.index("(")]: f"function {code.strip()}\n" for code in source.split("export function ")[1:]}
+    words = {name: set(re.findall(r"\w+", code)) for name, code in known.items()}
+    return {name: "\n".join(known[each] for each in used_by({name}, words)) for name in names}
 
 
 def _symptoms() -> str:

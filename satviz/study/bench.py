@@ -353,22 +353,15 @@ def _bench_frames(plan: BenchPlan) -> Iterator[TimingRow]:
 
 
 def _bench_hits(plan: BenchPlan) -> Iterator[TimingRow]:
-    """Time the way from two raw arrays of boxes to which pairs hit, beside plain SAT that reads the arrays as they are.
+    """Time the way from two raw arrays of boxes to the answers, beside plain SAT that reads the arrays as they lie.
 
     Answers are checked by two exact oracles.
     """
     rng = np.random.default_rng(plan.seed)
     a, b = turned_boxes(rng, plan.pairs, 1.7), turned_boxes(rng, plan.pairs, 1.7)
-
-    def hits(*, engine: str) -> NDArray[np.bool_]:
-        """Return which pairs hit, from the raw arrays."""
-        return batch.hits(batch.Polygons(a), batch.Polygons(b), engine=engine)
-
-    jobs = _engine_jobs(hits)
-    if is_installed("numba"):
-        from .methods.scene_rivals import box_pairs_hit
-
-        jobs[PLAIN_SAT] = partial(box_pairs_hit, a, b)
+    labels = BENCHED_METHODS | {(COMPILED, "SAT, raw normals"): PLAIN_SAT}
+    jobs: Jobs = {label: partial(m.from_arrays, a, b) for m in all_methods()
+                  if (label := labels.get((m.language, m.name))) in (*ENGINES, PLAIN_SAT)}  # fmt: skip
     right = true_relations(a[: plan.checked], b[: plan.checked])
     answers = {label: job() for label, job in jobs.items()}
     for row in _time_jobs("arrays", f"hits of {plan.pairs:,} pairs of boxes", 0, jobs, plan.pairs, "ns", plan.rounds):

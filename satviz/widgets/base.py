@@ -77,7 +77,7 @@ class TraceWidget(anywidget.AnyWidget):
         if drawn:
             shown = Animation(drawn, [0] * len(drawn))
             if form.animated:
-                shown = (turning if self._model.turns else animation)(add_captions(drawn))
+                shown = (turning if self._model.turns else animation)(add_captions(drawn, brief=True))
             data = encode_frames(shown.pictures, form.name, times=shown.times)
             self.send({"kind": "file", "name": f"satviz.{form.name}", "mime": form.mime}, [data])
 

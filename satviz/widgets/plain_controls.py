@@ -16,14 +16,15 @@ from .base import LOCK, static_bundle
 class PlainPlayer(ui.VBox):  # type: ignore[misc]
     """A player with a slider, a play button and the picture, which is drawn again on one Figure for each step."""
 
-    def __init__(self, trace: Trace) -> None:
+    def __init__(self, trace: Trace, *, speed: float = 1.0) -> None:
         self.trace = trace
+        self.speed = speed
         last = len(steps(trace)) - 1
         self.figure, self.pen = canvas(picture(trace, 0).size, LIGHT)
         self.image = ui.Image(format="png", layout={"max_width": "100%", "object_fit": "contain"})
         self.sentence = ui.HTML()
         self.slider = ui.IntSlider(0, 0, last, description="step")
-        self.player = ui.Play(value=0, min=0, max=last, interval=reading_time_ms(picture(trace, 0).sentence))
+        self.player = ui.Play(value=0, min=0, max=last)
         ui.jslink((self.player, "value"), (self.slider, "value"))
         back, forward = (ui.Button(description=name, layout={"width": "80px"}) for name in ("back", "forward"))
         back.on_click(lambda _: self._move(-1))
@@ -44,7 +45,7 @@ class PlainPlayer(ui.VBox):  # type: ignore[misc]
             out = io.BytesIO()
             self.figure.savefig(out, format="png", dpi=96)
         self.image.value = out.getvalue()
-        self.player.interval = reading_time_ms(drawn.sentence)
+        self.player.interval = round(reading_time_ms(drawn.sentence) / self.speed)
         self.sentence.value = f"<p>{escape(drawn.sentence)}</p>"
 
     def __repr__(self) -> str:

@@ -1,5 +1,6 @@
 """sv.play: the steps of a trace, one by one."""
 
+from math import inf
 from typing import TYPE_CHECKING, Any, Literal, overload
 
 import traitlets
@@ -8,7 +9,7 @@ from ..engine.shapes import Shape
 from ..engine.trace import Trace
 from ..pictures import Picture, picture
 from ..pictures.comparison import refused_picture
-from ..pictures.playback import narrow_playbacks, playbacks, sweep_playback
+from ..pictures.playback import difference_playback, narrow_playbacks, playbacks, sweep_playback
 from ..render.script import javascript
 from ..scenes.link import fragment_of_trace
 from ..scenes.resolve import SceneLike, resolve
@@ -27,14 +28,19 @@ class Player(TraceWidget):
     shows: traitlets.List[dict[str, Any]] = traitlets.List().tag(sync=True)
     narrow: traitlets.List[dict[str, Any]] = traitlets.List().tag(sync=True)
     predict = traitlets.Bool(False).tag(sync=True)
+    speed = traitlets.Float(1.0).tag(sync=True)
     link = traitlets.Unicode("").tag(sync=True)
 
-    def __init__(self, trace: Trace, *, predict: bool = False, sweep: bool = False) -> None:
+    def __init__(
+        self, trace: Trace, *, predict: bool = False, sweep: bool = False, difference: bool = False, speed: float = 1.0
+    ) -> None:
+        own = sweep_playback if sweep else difference_playback if difference else None
         super().__init__(
-            PlayerModel(trace, turns=sweep),
-            shows=[sweep_playback(trace)] if sweep else playbacks(trace),
-            narrow=[] if sweep else narrow_playbacks(trace),
+            PlayerModel(trace, turns=sweep, difference=difference),
+            shows=[own(trace)] if own else playbacks(trace),
+            narrow=[] if own else narrow_playbacks(trace),
             predict=predict,
+            speed=speed,
             link=fragment_of_trace(trace),
         )
 
@@ -54,33 +60,63 @@ def play(
     predict: bool = False,
     pen: Literal["svg"] = "svg",
     sweep: bool = False,
+    difference: bool = False,
+    speed: float = 1.0,
 ) -> Player: ...
 
 
 @overload
 def play(
-    what: Trace | Scene | Shape, b: Shape | None = None, *, predict: bool = False, pen: Literal["matplotlib"]
+    what: Trace | Scene | Shape,
+    b: Shape | None = None,
+    *,
+    predict: bool = False,
+    pen: Literal["matplotlib"],
+    speed: float = 1.0,
 ) -> "PlainPlayer": ...
 
 
 @overload
 def play(
-    what: SceneLike | Shape, b: Shape | None = None, *, predict: bool = False, pen: str = "svg", sweep: bool = False
+    what: SceneLike | Shape,
+    b: Shape | None = None,
+    *,
+    predict: bool = False,
+    pen: str = "svg",
+    sweep: bool = False,
+    difference: bool = False,
+    speed: float = 1.0,
 ) -> Any: ...  # by name it may be a Picture: that of a scene that is refused
 
 
 def play(
-    what: SceneLike | Shape, b: Shape | None = None, *, predict: bool = False, pen: str = "svg", sweep: bool = False
+    what: SceneLike | Shape,
+    b: Shape | None = None,
+    *,
+    predict: bool = False,
+    pen: str = "svg",
+    sweep: bool = False,
+    difference: bool = False,
+    speed: float = 1.0,
 ) -> Any:
     """Return a player for a notebook: step, play, scrub, and with `predict` a question before each answer.
 
     `what` is a scene (or its name), two shapes, or a trace.  `pen` is "svg" (drawn in the browser) or
     "matplotlib" (plain ipywidgets controls, for places where anywidget does not load).
     A shortcut's run is drawn beside the truth, which would give the answers away, so `predict` asks about the
-    true run.  With `sweep` it plays an axis that turns, as `satviz.sweep` draws it.  Of a failing scene whose
-    outlines are refused, which has no steps, its Picture with the reason is returned.  ValueError for a scene that
-    cannot be drawn.
+    true run.  With `sweep` it plays an axis that turns, as `satviz.sweep` draws it, and with `difference` how B - A
+    comes about, as `satviz.difference_steps` does.  `speed`: how many times as fast it plays at first.
+    Of a failing scene whose outlines are refused, which has no steps, its Picture with the reason is returned.
+    ValueError for a scene that cannot be drawn.
     """
+    if not 0 < speed < inf:
+        raise ValueError(f"speed is {speed!r}: pass a number above 0, such as 0.5 for half as fast")
+    if sweep and difference:
+        raise ValueError("sweep and difference play different pictures: pass one of them")
+    if pen not in ("svg", "matplotlib"):
+        raise ValueError(f'pen is {pen!r}: choose "svg" or "matplotlib"')
+    if pen == "matplotlib" and (sweep or difference):
+        raise ValueError(f'{"sweep" if sweep else "difference"} needs pen="svg"')
     found = resolve(what, b)
     if found.refused:
         return refused_picture(found.refused)
@@ -88,11 +124,7 @@ def play(
     if predict and trace.shortcut:
         trace = trace.truth
     if pen == "svg":
-        return Player(trace, predict=predict, sweep=sweep)
-    if sweep:
-        raise ValueError('sweep needs pen="svg"')
-    if pen != "matplotlib":
-        raise ValueError(f'pen is {pen!r}: choose "svg" or "matplotlib"')
+        return Player(trace, predict=predict, sweep=sweep, difference=difference, speed=speed)
     from .plain_controls import PlainPlayer
 
-    return PlainPlayer(trace)
+    return PlainPlayer(trace, speed=speed)

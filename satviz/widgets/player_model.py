@@ -1,21 +1,28 @@
 """The player without the widget: the pictures of a trace, and those that a message asks to save."""
 
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from ..engine.trace import Trace
 from ..pictures import Picture, picture
+from ..pictures.difference_steps import difference_steps
 from ..pictures.playback import playback_steps
 from ..pictures.turning_axis import sweep
 
 
 class PlayerModel:
-    """A trace that is shown, as its steps or (`turns`) as an axis that turns, and the answers to its front end."""
+    """A trace that is shown, and the answers to its front end.
 
-    turns = False  # an axis turns, instead of the steps of the run
+    It is shown as its steps, or as an axis that turns (`turns`), or as B - A that comes about (`difference`).
+    """
 
-    def __init__(self, trace: Trace, *, turns: bool = False) -> None:
+    turns = False
+    _own: Callable[[Trace], Sequence[Picture]] | None = None  # what draws its pictures, if they are not the steps
+
+    def __init__(self, trace: Trace, *, turns: bool = False, difference: bool = False) -> None:
         self.trace = trace
         self.turns = turns
+        self._own = sweep if turns else difference_steps if difference else None
 
     def picture(self) -> Picture:
         """Return the picture to show where no front end runs: the last step."""
@@ -33,8 +40,8 @@ class PlayerModel:
         step = content.get("step")
         if not every_step and not isinstance(step, int):
             return [self.picture()]
-        if self.turns:
-            return [drawn for i, drawn in enumerate(sweep(self.trace)) if every_step or i == step]
+        if self._own:
+            return [drawn for i, drawn in enumerate(self._own(self.trace)) if every_step or i == step]
         trace = self.trace.without_early_exit() if content.get("which") else self.trace
         shown = playback_steps(trace)
         return [picture(trace, s) for i, s in enumerate(shown) if every_step or i == step]

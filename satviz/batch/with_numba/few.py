@@ -12,7 +12,7 @@ from ..arrays import Flat, Shapes
 from ..broad_rule import (
     ALL_PAIRS,
     GRID,
-    MAX_ALL_PAIRS,
+    MAX_ALL_PAIRS_NUMBA,
     MAX_CANDIDATES_PER_BOX,
     MAX_SWEEP_COMPARISONS,
     MAX_SWEEP_NUMBA,
@@ -24,8 +24,8 @@ from .indexed import fill_relations
 from .jit_cache import compiled
 
 MAX_SHAPES = 1 << 14  # above it blocks of pairs bound the memory, and Python no longer matters
-MAX_SHORT_SWEEP = 20  # comparisons a box up to which a plain loop is faster than marking first
 WORD_BYTES = 8  # marks that are read at once
+MAX_BUCKET = 32  # values in one bucket up to which insertion sorts fast
 MIN_CELL = 2.0**-48  # of the farthest coordinate: smaller cells run together
 
 
@@ -163,25 +163,27 @@ def _candidate_pairs(bounds: Array) -> tuple[Pairs, int, int, bool]:
     both compare too many boxes.
     """
     n = len(bounds)
-    if n <= MAX_ALL_PAIRS:
+    if n <= MAX_ALL_PAIRS_NUMBA:
         return _all_pairs(bounds), ALL_PAIRS, n * (n - 1) // 2, True
+    axis, most = sweep_axis(bounds), MAX_SWEEP_COMPARISONS * n
     if n <= MAX_SWEEP_NUMBA:
-        out, compared = _sweep(bounds, MAX_SHORT_SWEEP * n)
-        if compared <= MAX_SHORT_SWEEP * n:
-            return out, SWEEP, compared, True
-    else:
-        out, counted = _pairs_of_one_grid(bounds)
-        if counted:
-            return out, GRID, -1, True
-    axis = sweep_axis(bounds)
-    order, ends, compared = _sorted(bounds, axis)
-    if compared > MAX_SWEEP_COMPARISONS * n:
-        other_order, other_ends, other_compared = _sorted(bounds, 1 - axis)
+        out, compared = _sweep(bounds, axis)
+        if compared > most:
+            other_out, other_compared = _sweep(bounds, 1 - axis)
+            if other_compared < compared:
+                return other_out, SWEEP, other_compared, True
+        return out, SWEEP, compared, True
+    out, counted = _pairs_of_one_grid(bounds)
+    if counted:
+        return out, GRID, -1, True
+    compared = _count_comparisons(bounds, axis)
+    if compared > most:
+        other_compared = _count_comparisons(bounds, 1 - axis)
         if other_compared < compared:
-            axis, order, ends, compared = 1 - axis, other_order, other_ends, other_compared
-    if n > MAX_SWEEP_NUMBA and compared > MAX_SWEEP_COMPARISONS * n:
+            axis, compared = 1 - axis, other_compared
+    if compared > most:
         return np.empty((0, 2), np.intp), GRID, compared, False
-    return _sweep_far(bounds, axis, order, ends), SWEEP, compared, True
+    return _sweep(bounds, axis)[0], SWEEP, compared, True
 
 
 @compiled
@@ -204,104 +206,128 @@ def _pairs_of_one_grid(bounds: Array) -> tuple[Pairs, bool]:
     out = np.empty((4 * n, 2), np.intp)
     begin, found = fill_pairs(table[1], table[2], 0, True, table, out)
     while begin < n:
-        more = np.empty((2 * len(out), 2), np.intp)
-        more[:found] = out[:found]
-        begin, added = fill_pairs(table[1], table[2], begin, True, table, more[found:])
-        out, found = more, found + added
+        out = _longer(out, found)
+        begin, added = fill_pairs(table[1], table[2], begin, True, table, out[found:])
+        found += added
     return out[:found], True
 
 
 @compiled
 def _all_pairs(bounds: Array) -> Pairs:
-    """Return the pairs i < j of boxes that share a point, by comparing all."""
+    """Return the pairs i < j of boxes that share a point, in order, by comparing all.
+
+    For each box those that meet it are marked first, without a branch, which the compiler vectorises.
+    """
     n = len(bounds)
-    out = np.empty((n * (n - 1) // 2, 2), np.intp)
-    found = 0
-    for i in range(n):
-        x0, y0, x1, y1 = bounds[i, 0], bounds[i, 1], bounds[i, 2], bounds[i, 3]
-        for j in range(i + 1, n):
-            if x0 <= bounds[j, 2] and bounds[j, 0] <= x1 and y0 <= bounds[j, 3] and bounds[j, 1] <= y1:
-                out[found, 0], out[found, 1] = i, j
-                found += 1
+    x0, y0, x1, y1 = bounds[:, 0].copy(), bounds[:, 1].copy(), bounds[:, 2].copy(), bounds[:, 3].copy()
+    mask = np.empty((n // WORD_BYTES + 1) * WORD_BYTES, np.uint8)
+    words = mask.view(np.uint64)
+    out, found = np.empty((4 * n, 2), np.intp), 0
+    for i in range(n - 1):
+        first, width = i + 1, n - i - 1
+        left, bottom, right, top = x0[i], y0[i], x1[i], y1[i]
+        for m in range(width):
+            j = first + m
+            mask[m] = (x0[j] <= right) & (x1[j] >= left) & (y0[j] <= top) & (y1[j] >= bottom)
+        used = (width + WORD_BYTES - 1) // WORD_BYTES
+        mask[width : used * WORD_BYTES] = 0
+        if found + n > len(out):
+            out = _longer(out, found)
+        for w in range(used):
+            if words[w]:
+                for m in range(w * WORD_BYTES, (w + 1) * WORD_BYTES):
+                    out[found, 0], out[found, 1] = i, first + m
+                    found += mask[m]
     return out[:found]
 
 
 @compiled
-def _sweep(bounds: Array, most: int) -> tuple[Pairs, int]:
-    """Return (pairs i < j of boxes that share a point, how many were compared); stop after `most` comparisons."""
+def _longer(pairs: Pairs, found: int) -> Pairs:
+    """Return an array of twice the length that begins with the first `found` pairs."""
+    more = np.empty((2 * len(pairs), 2), np.intp)
+    more[:found] = pairs[:found]
+    return more
+
+
+@compiled
+def _sweep(bounds: Array, axis: int) -> tuple[Pairs, int]:
+    """Return (pairs i < j of boxes that share a point, how many were compared), by sorting and sweeping along an axis.
+
+    The boxes that follow a box are marked first, some at a time, without a branch, which the compiler vectorises.
+    """
     n = len(bounds)
-    axis = sweep_axis(bounds)
-    order = np.argsort(bounds[:, axis])
-    low, high, side_low, side_high = np.empty(n), np.empty(n), np.empty(n), np.empty(n)
+    order = _sorted(bounds[:, axis].copy())
+    low, high = np.full(n + WORD_BYTES, np.inf), np.empty(n)
+    side_low, side_high = np.empty(n + WORD_BYTES), np.empty(n + WORD_BYTES)
     for k in range(n):
         i = order[k]
         low[k], high[k] = bounds[i, axis], bounds[i, axis + 2]
         side_low[k], side_high[k] = bounds[i, 1 - axis], bounds[i, 3 - axis]
-    out = np.empty((4 * n, 2), np.intp)
-    found = compared = 0
+    side_low[n:], side_high[n:] = np.inf, -np.inf  # beyond the last box nothing meets
+    mask = np.empty(WORD_BYTES, np.uint8)
+    word = mask.view(np.uint64)
+    out, found, compared = np.empty((4 * n, 2), np.intp), 0, 0
     for k in range(n):
+        i, end, least, most = order[k], high[k], side_low[k], side_high[k]
         if found + n > len(out):
-            more = np.empty((2 * len(out), 2), np.intp)
-            more[:found] = out[:found]
-            out = more
+            out = _longer(out, found)
         m = k + 1
-        while m < n and low[m] <= high[k]:
-            if side_low[k] <= side_high[m] and side_low[m] <= side_high[k]:
-                i, j = order[k], order[m]
-                out[found, 0], out[found, 1] = min(i, j), max(i, j)
-                found += 1
-            m += 1
-        compared += m - k - 1
-        if compared > most:
-            break
+        while low[m] <= end:
+            reached = 0
+            for v in range(WORD_BYTES):
+                reached += low[m + v] <= end
+                mask[v] = (low[m + v] <= end) & (side_low[m + v] <= most) & (side_high[m + v] >= least)
+            if word[0]:
+                for v in range(WORD_BYTES):
+                    if mask[v]:
+                        j = order[m + v]
+                        out[found, 0], out[found, 1] = min(i, j), max(i, j)
+                        found += 1
+            compared += reached
+            m += WORD_BYTES
     return out[:found], compared
 
 
 @compiled
-def _sorted(bounds: Array, axis: int) -> tuple[Indices, Indices, int]:
-    """Return (boxes in the order of their lower sides, for each the place after the last it reaches, comparisons)."""
-    n = len(bounds)
-    order = np.argsort(bounds[:, axis])
-    low, high = np.empty(n), np.empty(n)
-    for k in range(n):
-        low[k], high[k] = bounds[order[k], axis], bounds[order[k], axis + 2]
-    ends = np.searchsorted(low, high, side="right")
-    return order, ends, ends.sum() - n * (n + 1) // 2
+def _sorted(values: Array) -> Indices:
+    """Return the order of some finite values: spread over as many buckets, then sorted by insertion.
+
+    Values that lie evenly are sorted in one pass; where nearly all share few buckets, as after one giant value,
+    comparing takes over.
+    """
+    n = values.size
+    least, most = values.min(), values.max()
+    per_unit = (n - 1) / (most - least)
+    if not 0 < per_unit < np.inf:
+        return np.argsort(values)
+    start, bucket = np.zeros(n + 2, np.int32), np.empty(n, np.int32)
+    for i in range(n):
+        bucket[i] = min(n - 1, int((values[i] - least) * per_unit))
+        start[bucket[i] + 2] += 1
+    if start.max() > MAX_BUCKET:
+        return np.argsort(values)
+    for b in range(n):
+        start[b + 2] += start[b + 1]
+    order = np.empty(n, np.intp)
+    for i in range(n):
+        order[start[bucket[i] + 1]] = i
+        start[bucket[i] + 1] += 1
+    for k in range(1, n):
+        i, to = order[k], k
+        while to > 0 and values[order[to - 1]] > values[i]:
+            order[to] = order[to - 1]
+            to -= 1
+        order[to] = i
+    return order
 
 
 @compiled
-def _sweep_far(bounds: Array, axis: int, order: Indices, ends: Indices) -> Pairs:
-    """Return the pairs i < j of sorted boxes that share a point; made for boxes that reach past many others.
-
-    Those that meet on the other axis are marked first, without a branch, which the compiler vectorises.
-    """
+def _count_comparisons(bounds: Array, axis: int) -> int:
+    """Return how many pairs of boxes a sweep along an axis compares."""
     n = len(bounds)
-    low, high = np.empty(n), np.empty(n)
-    for k in range(n):
-        low[k], high[k] = bounds[order[k], 1 - axis], bounds[order[k], 3 - axis]
-    mask = np.empty((n // WORD_BYTES + 1) * WORD_BYTES, np.uint8)
-    words = mask.view(np.uint64)
-    out = np.empty((4 * n, 2), np.intp)
-    found = 0
-    for k in range(n):
-        first, width = k + 1, ends[k] - k - 1
-        least, most = low[k], high[k]
-        for m in range(width):
-            mask[m] = (low[first + m] <= most) & (high[first + m] >= least)
-        used = (width + WORD_BYTES - 1) // WORD_BYTES
-        mask[width : used * WORD_BYTES] = 0
-        if found + n > len(out):
-            more = np.empty((2 * len(out), 2), np.intp)
-            more[:found] = out[:found]
-            out = more
-        for w in range(used):
-            if words[w]:
-                for m in range(w * WORD_BYTES, (w + 1) * WORD_BYTES):
-                    if mask[m]:
-                        i, j = order[k], order[first + m]
-                        out[found, 0], out[found, 1] = min(i, j), max(i, j)
-                        found += 1
-    return out[:found]
+    ends = np.searchsorted(np.sort(bounds[:, axis]), bounds[:, axis + 2], side="right")
+    count: int = ends.sum() - n * (n + 1) // 2
+    return count
 
 
 @compiled

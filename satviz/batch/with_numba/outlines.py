@@ -90,26 +90,52 @@ def certified_rings(points: Array, start: Indices, accept_centers: bool = False)
     """
     x, y, kept = np.empty(len(points)), np.empty(len(points)), np.empty(len(start), np.intp)
     doubtful = np.empty(len(start) - 1, np.intp)
-    found = _fill_rings(points, start, accept_centers, x, y, kept, doubtful)
-    x, y = x[: kept[-1]], y[: kept[-1]]
-    if len(x) < MIN_FULL * len(points):
-        x, y = x.copy(), y.copy()
-    return Rings(x, y, kept), doubtful[:found]
+    found = _fill_rings(points, start[:-1], start[1:], accept_centers, x, y, kept, doubtful)
+    return _rings_of(x, y, kept), doubtful[:found]
+
+
+def _rings_of(x: Array, y: Array, kept: Indices) -> Rings:
+    """Return outlines as Rings: x and y up to the last corner, copied where much memory would be unused."""
+    many = int(kept[-1])
+    return (
+        Rings(x[:many], y[:many], kept) if many >= MIN_FULL * len(x) else Rings(x[:many].copy(), y[:many].copy(), kept)
+    )
+
+
+def certified_padded(corners: Array, counts: Indices, radii: Array) -> Rings | None:
+    """Return shapes in padded arrays, as `from_padded` takes them, as Rings; None if one is not certified."""
+    n, most, _ = corners.shape
+    xy, kept = np.empty((2, n * most)), np.empty(n + 1, np.intp)
+    return _rings_of(xy[0], xy[1], kept) if _fill_padded(corners, counts, radii, xy, kept) else None
+
+
+@compiled
+def _fill_padded(corners: Array, counts: Indices, radii: Array, xy: Array, kept: Indices) -> bool:
+    """Fill `xy` with the corners of padded shapes, and `kept`, as `_fill_rings`; return False if one is in doubt."""
+    n, most, _ = corners.shape
+    first, end = np.empty(n, np.intp), np.empty(n, np.intp)
+    for i in range(n):
+        # a circle has one corner and a radius, a polygon has corners and none
+        if not (1 <= counts[i] <= most and 0 <= radii[i] < np.inf and (counts[i] == 1) == (radii[i] > 0)):
+            return False
+        first[i], end[i] = i * most, i * most + counts[i]
+    return _fill_rings(corners.reshape(-1, 2), first, end, True, xy[0], xy[1], kept, np.empty(n, np.intp)) == 0
 
 
 @compiled
 def _fill_rings(
-    points: Array, start: Indices, accept_centers: bool, x: Array, y: Array, kept: Indices, doubtful: Indices
-) -> int:
+    points: Array, start: Indices, end: Indices, accept_centers: bool,
+    x: Array, y: Array, kept: Indices, doubtful: Indices,
+) -> int:  # fmt: skip
     """Copy the outlines into x and y without repeated corners, counter-clockwise; return how many are `doubtful`.
 
-    kept: where each outline starts in x and y.  doubtful: the outlines that are not certified convex.
-    accept_centers: a single finite corner is a circle's center.
+    start, end: outline i has the points start[i] to end[i].  kept: where each outline starts in x and y.
+    doubtful: the outlines that are not certified convex.  accept_centers: a single finite corner is a circle's center.
     """
     kept[0] = found = to = 0
-    for i in range(start.size - 1):
+    for i in range(start.size):
         first = to
-        for j in range(start[i], start[i + 1]):
+        for j in range(start[i], end[i]):
             px, py = points[j, 0] + 0.0, points[j, 1] + 0.0  # -0.0 becomes 0.0
             if to == first or px != x[to - 1] or py != y[to - 1]:
                 x[to], y[to] = px, py
@@ -126,7 +152,7 @@ def _fill_rings(
             left += turn > 0
             right += turn < 0
             changes += _leads_right(dx, dy) != _leads_right(ex, ey)
-        if accept_centers and start[i + 1] - start[i] == 1 and np.isfinite(x[first]) and np.isfinite(y[first]):
+        if accept_centers and end[i] - start[i] == 1 and np.isfinite(x[first]) and np.isfinite(y[first]):
             pass
         elif corners < 3 or (left != corners and right != corners) or (corners > 4 and changes != 2):
             doubtful[found] = i

@@ -63,7 +63,7 @@ export class PasteBox {
   *parts(pasted) {
     const { sentence = "", questions = [], findings = [], shapes = [], pairs = [], refused } = pasted;
     yield element("p", { class: "sv-verdict" }, sentence);
-    for (const question of questions) yield this.question(question);
+    for (const question of questions) yield this.question(question, sentence);
     if (refused) yield drawn(refused);
     if (findings.length) yield element("ul", { class: "sv-findings" }, ...findings.map(finding));
     if (pairs.length > 1) yield element("div", { class: "sv-controls", role: "group", "aria-label": "pairs" }, ...pairs.map((pair, i) => this.pairButton(pair, i, pasted.pair ?? 0)), element("span", { class: "sv-note" }, pasted.note ?? ""));
@@ -75,11 +75,14 @@ export class PasteBox {
     yield fold("send it on", this.bundle(pasted));
   }
 
-  /** @param {PastedQuestion} question */
-  question({ asks, answers, matters }) {
+  /**
+   * @param {PastedQuestion} question
+   * @param {string} sentence the verdict, which can begin with the question
+   */
+  question({ asks, answers, matters }, sentence) {
     const buttons = answers.map(({ choice, meaning, gives }) => button(`${meaning}: ${gives}`, () => this.explain([...this.chosen, choice])));
     const taken = matters ? [] : [element("span", { class: "sv-note" }, `The first was taken: the relation is the same.`)];
-    return element("div", { class: "sv-question", role: "group", "aria-label": asks }, element("b", {}, asks), ...buttons, ...taken);
+    return element("div", { class: "sv-question", role: "group", "aria-label": asks }, ...(sentence.startsWith(asks) ? [] : [element("b", {}, asks)]), ...buttons, ...taken);
   }
 
   /**

@@ -10,8 +10,8 @@ import { Player } from "./player.js";
 function render({ model, el }) {
   /** @type {import("./player.js").RequestFile} */
   const requestFile = (form, step, which) => model.send({ kind: "save", form, step, which });
-  const [shows, narrow = [], predict, link, site, formats] = ["shows", "narrow", "predict", "link", "site", "formats"].map((name) => model.get(name));
-  const player = new Player(el.appendChild(element("div")), shows, { predict, narrow, formats, requestFile, link, site });
+  const [shows, narrow = [], predict, speed, link, site, formats] = ["shows", "narrow", "predict", "speed", "link", "site", "formats"].map((name) => model.get(name));
+  const player = new Player(el.appendChild(element("div")), shows, { predict, speed, narrow, formats, requestFile, link, site });
   /** @type {import("./messages.js").Listener} */
   const receive = (content, buffers) => {
     if (content.kind === "file") download(content, buffers);

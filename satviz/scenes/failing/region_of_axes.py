@@ -7,6 +7,7 @@ has and the other has not.  (A circle's round rim is a polygon of many corners.)
 
 from collections.abc import Sequence
 from itertools import pairwise
+from math import inf
 
 from ...engine.axes import EDGE, GIVEN, HULL, SLIP, WORLD, Axis
 from ...engine.geometry import Interval, Vec
@@ -66,7 +67,7 @@ def _moves_without_gap(a: Shape, b: Shape, shortcut: Shortcut, axis: Axis) -> li
     """Return the ranges of B's moves along the axis for which the shortcut finds no gap on it.
 
     A range can only end where a landing of A meets one of B, with its own sign or the opposite one.  Between two
-    neighbouring ends one measurement decides.
+    neighbouring ends, and beyond the outermost ones, one measurement decides.
     """
     u = axis.direction
     on_a, on_b = (project(shape, axis).landings for shape in (a, b))
@@ -76,8 +77,9 @@ def _moves_without_gap(a: Shape, b: Shape, shortcut: Shortcut, axis: Axis) -> li
         if end - ends[-1] > TOLERANCE * (every[-1] - every[0]):
             ends.append(end)
     found: list[Interval] = []
-    for lo, hi in pairwise(ends):
-        t = (lo + hi) / 2
+    far = every[-1] - every[0] or 1.0
+    for lo, hi in pairwise([-inf, *ends, inf]):
+        t = hi - far if lo == -inf else lo + far if hi == inf else (lo + hi) / 2
         (test,) = shortcut.tests(a, translated(b, Vec(u.x * t, u.y * t)), [axis])
         if shortcut.separates(test):
             continue

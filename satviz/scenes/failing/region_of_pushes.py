@@ -114,6 +114,13 @@ def region_of_push_to_mean(a: Shape, b: Shape, window: Window) -> RegionOrReason
     return wrong_number_region(a, b, window, wrong)
 
 
+def region_of_push_along_axis(a: Shape, b: Shape, window: Window) -> RegionOrReason:
+    """Return the moves where the MTV points against its axis, which points right or up, or why none is shown."""
+    if why := why_no_cells(a, b):
+        return why
+    return wrong_number_region(a, b, window, (ring for ring, _, n in _push_cells(a, b, window) if n < (0, 0)))
+
+
 def region_of_pieces(
     a: Shape,
     b: Shape,

@@ -1,6 +1,7 @@
 """Cases in which work is saved in the wrong place: fewer axes, a check in advance, fewer pairs, fewer vertices."""
 
-from math import comb, sqrt
+from math import comb, dist, sqrt
+from operator import itemgetter
 
 from ...engine.axes import (
     CENTERS,
@@ -13,7 +14,7 @@ from ...engine.axes import (
     needed,
 )
 from ...engine.geometry import Vec
-from ...engine.sat import AxisTest, project
+from ...engine.sat import AxisTest, Projection, project
 from ...engine.shapes import Circle, Polygon, Shape, centroid
 from ...engine.shortcut import Shortcut
 from ...engine.trace import Trace, record
@@ -21,11 +22,15 @@ from ..shape_tools import box, diamond
 from . import threed
 from .failure_case import FALSE_HIT, MISSED_HIT, WRONG_NUMBER, FailureCase, Panels
 from .move_space import (
+    ErrorRegion,
     RegionOrReason,
     Window,
     clip_to_half_plane,
     clip_to_window,
+    convex_hull,
+    hits_in_window,
     minkowski_difference,
+    subtract,
     window_ring,
     wrong_number_region,
 )
@@ -120,6 +125,125 @@ def region_of_few_evaluations(a: Shape, b: Shape, window: Window) -> RegionOrRea
     return wrong_number_region(a, b, window, found)
 
 
+def corner_tests(a: Shape, b: Shape) -> list[AxisTest]:
+    """Return a test for each corner of two polygons: of the other's edge normals, the one that it lies furthest out on.
+
+    One side of a test is the corner alone.  A corner lies in the other polygon, if that is convex, where the gap is
+    not positive.  Empty beside a circle.
+    """
+    if a.core_is_point or b.core_is_point:
+        return []
+    found = []
+    for edges_of in "AB":
+        normals = [axis for axis in edge_normals(a, b).axes if axis.source.shape == edges_of]
+        both = [(axis, project(a, axis), project(b, axis)) for axis in normals]
+        for i in range(len((b if edges_of == "A" else a).core)):
+            alone = [(x, p, _at(q, i)) if edges_of == "A" else (x, _at(p, i), q) for x, p, q in both]
+            found.append(max((measured_test(*test) for test in alone), key=lambda test: test.gap))
+    return found
+
+
+def _at(side: Projection, i: int) -> Projection:
+    """Return the projection of one corner alone."""
+    return Projection(side.points[i : i + 1], side.landings[i : i + 1])
+
+
+def innermost_corner(a: Shape, b: Shape) -> AxisTest | None:
+    """Return the test of the corner that lies deepest in the other polygon; None beside a circle."""
+    return min(corner_tests(a, b), key=lambda test: test.gap, default=None)
+
+
+def least_clearance(a: Shape, b: Shape) -> AxisTest | None:
+    """Return the test of the edge of one convex polygon that the other, strictly inside it, comes nearest to.
+
+    Its gap is how far that is.  None where neither lies strictly inside the other.
+    """
+    for edges_of in "AB" if a.is_convex and b.is_convex else "":
+        found = []
+        for axis in edge_normals(a, b).axes:
+            if axis.source.shape == edges_of:
+                p, q = project(a, axis), project(b, axis)
+                (lo, hi), (low, high) = (p.interval, q.interval) if edges_of == "A" else (q.interval, p.interval)
+                end, gap = min((lo, low - lo), (hi, hi - high), key=itemgetter(1))
+                near = [_at(side, side.landings.index(end)) if end in side.landings else side for side in (p, q)]
+                found.append(AxisTest(axis, near[0], near[1], gap))
+        least = min(found, key=lambda test: test.gap, default=None)
+        if least and least.gap > 0:
+            return least
+    return None
+
+
+def edge_axes(a: Shape, b: Shape) -> Choice:
+    """Return the axis of `least_clearance`, else all needed axes, as a Choice."""
+    test = least_clearance(a, b)
+    return Choice((test.axis,)) if test else needed(a, b)
+
+
+def edge_test(a: Shape, b: Shape, axis: Axis) -> AxisTest:
+    """Return the test of an axis; where one shape lies inside the other, with their borders alone."""
+    return least_clearance(a, b) or measured_test(axis, project(a, axis), project(b, axis))
+
+
+def region_inside(a: Shape, b: Shape, window: Window) -> RegionOrReason:
+    """Return the moves for which one polygon lies inside the other, or why none is shown."""
+    if a.core_is_point or b.core_is_point:
+        return "a circle has no edges"
+    if not (a.is_convex and b.is_convex):
+        return "a shape has a dent, so the other can lie between its edges and yet outside"
+    missed = []
+    for edges_of in "AB":
+        ring = window_ring(window)
+        for axis in edge_normals(a, b).axes:
+            if axis.source.shape == edges_of:
+                n, (p_lo, p_hi), (q_lo, q_hi) = axis.direction, project(a, axis).interval, project(b, axis).interval
+                lo, hi = sorted((p_lo - q_lo, p_hi - q_hi))
+                ring = () if (p_hi - p_lo < q_hi - q_lo) is (edges_of == "A") else ring
+                ring = clip_to_half_plane(clip_to_half_plane(ring, n, hi), Vec(-n.x, -n.y), -lo)
+        missed += [ring] if ring else []
+    return ErrorRegion((), tuple(missed), hits_in_window(a, b, window))
+
+
+def circle_round(shape: Shape) -> Circle:
+    """Return the circle about a shape's centroid through the vertex that is furthest from it."""
+    middle = centroid(shape)
+    return Circle(middle, max((dist(middle, vertex) for vertex in shape.vertices), default=shape.radius))
+
+
+def circles_round(a: Shape, b: Shape, axis: Axis) -> AxisTest:
+    """Return the test of an axis with the circles round both shapes."""
+    return measured_test(axis, *(project(circle_round(shape), axis) for shape in (a, b)))
+
+
+def region_of_circles_round(a: Shape, b: Shape, window: Window) -> RegionOrReason:
+    """Return the moves for which the circles round both shapes meet, and the shapes do not."""
+    hits = hits_in_window(a, b, window)
+    (ring,) = hits_in_window(circle_round(a), circle_round(b), window)
+    return ErrorRegion(tuple(subtract(ring, hits)), (), hits)
+
+
+def corner_axis(a: Shape, b: Shape) -> Choice:
+    """Return the axis of `innermost_corner`; beside a circle all needed axes, as a Choice."""
+    test = innermost_corner(a, b)
+    return Choice((test.axis,)) if test else needed(a, b)
+
+
+def corner_test(a: Shape, b: Shape, axis: Axis) -> AxisTest:
+    """Return the test of an axis with the innermost corner alone; beside a circle with both shapes."""
+    return innermost_corner(a, b) or measured_test(axis, project(a, axis), project(b, axis))
+
+
+def region_of_corners(a: Shape, b: Shape, window: Window) -> RegionOrReason:
+    """Return the moves for which the shapes meet without a corner of one in the other, or why none is shown."""
+    if a.core_is_point or b.core_is_point:
+        return "a circle has no corners"
+    if not (a.is_convex and b.is_convex):
+        return "a shape has a dent, where a corner may lie on the inner side of each edge and still outside"
+    at_a = [convex_hull(Vec(p.x - q.x, p.y - q.y) for q in b.core) for p in a.core]
+    at_b = [convex_hull(Vec(p.x - q.x, p.y - q.y) for p in a.core) for q in b.core]
+    hits = hits_in_window(a, b, window)
+    return ErrorRegion((), tuple(piece for hit in hits for piece in subtract(hit, [*at_a, *at_b])), hits)
+
+
 CENTERS_FAR_APART = Shortcut("far-centers", "the centers are far apart, so the shapes are", centers_first, within_reach)
 
 CASES = (
@@ -138,6 +262,26 @@ CASES = (
         MISSED_HIT,
         (box(-10, -0.5, 10, 0.5), box(9, -0.5, 10, 0.5)),
         error_region=region_of_far_centers,
+    ),
+    FailureCase(
+        Shortcut("corner-inside", "where two shapes meet, a corner of one lies in the other", corner_axis, corner_test),
+        MISSED_HIT,
+        (box(0, 1, 3, 2), box(1, 0, 2, 3)),
+        error_region=region_of_corners,
+        panels=Panels(claimed="corners"),
+    ),
+    FailureCase(
+        Shortcut("edges-cross", "where two shapes meet, their edges cross", edge_axes, edge_test),
+        MISSED_HIT,
+        (box(0, 0, 5, 4), box(2, 1, 3, 2)),
+        error_region=region_inside,
+        panels=Panels(claimed="edges"),
+    ),
+    FailureCase(
+        Shortcut("bounding-circles", "the circles round the shapes meet, so the shapes do", centers, circles_round),
+        FALSE_HIT,
+        (box(0, 0, 4, 1), box(0, 2, 4, 3)),
+        error_region=region_of_circles_round,
     ),
     FailureCase(
         Shortcut("many-pairs", "a thousand shapes, a thousand tests: threads will do it"),

@@ -28,7 +28,13 @@ from .move_space import (
     window_ring,
     wrong_number_region,
 )
-from .region_of_pushes import region_of_depth, region_of_pieces, region_of_push_to_mean, shared_lengths
+from .region_of_pushes import (
+    region_of_depth,
+    region_of_pieces,
+    region_of_push_along_axis,
+    region_of_push_to_mean,
+    shared_lengths,
+)
 from .wrong_steps import only_x
 
 # -- pushes
@@ -42,6 +48,15 @@ def push_from_center(a: Shape, b: Shape, tests: Sequence[AxisTest]) -> Vec:
     (px, py), (qx, qy), n = vertex_mean(a), vertex_mean(b), test.axis.direction
     length = copysign(test.gap, n.x * (qx / 2 - px / 2) + n.y * (qy / 2 - py / 2))  # as halves: none overflows
     return Vec(n.x * length, n.y * length)
+
+
+def push_along_axis(a: Shape, b: Shape, tests: Sequence[AxisTest]) -> Vec:
+    """Return a push of B by the depth along the right axis, in the direction in which the axis points."""
+    if not tests:
+        return Vec(0.0, 0.0)
+    test = max(tests, key=lambda test: test.gap)
+    n = test.axis.direction
+    return Vec(-test.gap * n.x, -test.gap * n.y)
 
 
 def overlap_after_push(trace: Trace) -> float:
@@ -164,6 +179,17 @@ CASES = (
         true_value=overlap_after_mtv,
         is_about_push=True,
         error_region=region_of_push_to_mean,
+        panels=Panels("push", "way out"),
+    ),
+    FailureCase(
+        Shortcut("push-along-normal", "the normal of the least overlap points the way out", push=push_along_axis),
+        WRONG_NUMBER,
+        (box(0, 0, 5, 3), box(-1, 1, 1, 2)),
+        quantity="overlap left:",
+        claimed_value=overlap_after_push,
+        true_value=overlap_after_mtv,
+        is_about_push=True,
+        error_region=region_of_push_along_axis,
         panels=Panels("push", "way out"),
     ),
     FailureCase(

@@ -25,6 +25,12 @@ def mixed_signs(a: Shape, b: Shape, axis: Axis) -> AxisTest:
     return measured_test(axis, p, q._replace(landings=tuple(-t + 0.0 for t in q.landings)))
 
 
+def a_before_b(a: Shape, b: Shape, axis: Axis) -> AxisTest:
+    """Return the test of an axis that finds a gap only where A's range ends before B's begins."""
+    p, q = project(a, axis), project(b, axis)
+    return AxisTest(axis, p, q, q.interval.lo - p.interval.hi)
+
+
 def without_signs(a: Shape, b: Shape, axis: Axis) -> AxisTest:
     """Return the test of an axis with the absolute value of every landing."""
     p, q = (side._replace(landings=tuple(map(abs, side.landings))) for side in (project(a, axis), project(b, axis)))
@@ -69,6 +75,11 @@ CASES = (
         Shortcut("mixed-signs", "a normal or its opposite, for each shape as it comes", edge_normals, mixed_signs),
         MISSED_HIT,
         (Polygon([(0, 0), (4, 0), (1, 3)]), box(1, 1, 2, 2)),
+    ),
+    FailureCase(
+        Shortcut("one-sided-gap", "they overlap on an axis unless A ends before B begins", needed, a_before_b),
+        FALSE_HIT,
+        (box(3, 0, 5, 2), box(0, 0.5, 2, 2.5)),
     ),
     FailureCase(
         Shortcut("unit-normals", "a normal must first be brought to length 1", edge_normals, unit_normals),

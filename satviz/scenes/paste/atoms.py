@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Sequence
+from fractions import Fraction
 from typing import Any
 
 from .tokens import MARK, NAME, OTHER, Token, number
@@ -39,7 +40,25 @@ IGNORED_NAMES = frozenset(  # words of a language before a value
         "with",
     ]
 )
+# An angle in terms of pi: its names are a closed list, and nothing else is worked out.
+_PI = r"(?:(?:[Mm]ath[fF]?|np|numpy|std::f(?:64|32)::consts)(?:\.|::))?(?:PI|pi|Pi)|M_PI|b2_pi|\u03c0"
+_ANGLE = re.compile(
+    rf"(?P<sign>-?)\s*(?:(?P<times>[0-9]+\.?[0-9]*|\.[0-9]+)f?\s*\*\s*)?(?:{_PI})"
+    r"(?:\s*(?P<by>[*/])\s*(?P<number>[0-9]+\.?[0-9]*|\.[0-9]+)f?)?"
+)
 OPERATORS = frozenset("+-*/%^\u2212")
+
+
+def angle(text: str) -> Fraction | None:
+    """Return the degrees of an angle in terms of pi, such as Math.PI / 4; None for anything else."""
+    found = _ANGLE.fullmatch(text)
+    if found is None:
+        return None
+    degrees = 180 * Fraction(found["times"] or 1)
+    number = Fraction(found["number"] or 1)
+    if not number:
+        return None
+    return (-1 if found["sign"] else 1) * (degrees * number if found["by"] == "*" else degrees / number)
 
 
 def is_mark(atom: Any, texts: tuple[str, ...]) -> bool:
@@ -47,10 +66,15 @@ def is_mark(atom: Any, texts: tuple[str, ...]) -> bool:
     return isinstance(atom, Token) and atom.kind == MARK and atom.text in texts
 
 
+def is_numeral(atom: Token) -> bool:
+    """Return whether a text in quotes is a number."""
+    return NUMERAL.fullmatch(atom.text[1:-1].strip()) is not None
+
+
 def text_value(atom: Token) -> Num | Name:
     """Return a text in quotes: a number that is written as text, or a name."""
     inner = atom.text[1:-1].strip()
-    if NUMERAL.fullmatch(inner):
+    if is_numeral(atom):
         return Num(atom.start, atom.end, *number(inner))
     return Name(atom.start, atom.end, atom.text[1:-1])
 

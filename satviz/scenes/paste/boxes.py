@@ -22,13 +22,14 @@ from .notations import (
     key,
 )
 from .points import ZERO, Points, Pt, places
-from .tree import Group, Name, Value
+from .tree import Group, Name, Num, Value
 
 SKETCH_MODES = {"corner": CORNER_SIZE, "corners": CORNER_CORNER, "center": CENTER_SIZE, "radius": CENTER_HALF}
 # What can be asked, and the words of `--as`.
 BOX_FORM, ANGLE, TURN, ORDER, PIVOT, CORNERS = "box", "angle", "turn", "order", "pivot", "corners"
 ROUND, RADIUS, DIAMETER = "round", "radius", "diameter"
 Y_UP, Y_DOWN, WIDTH_FIRST, HEIGHT_FIRST = "y-up", "y-down", "width-first", "height-first"
+EACH_VALUE, LAST_VALUE, TWICE = "each-value", "last-value", "twice"
 AROUND_CENTER, AROUND_CORNER, RELATIVE, ABSOLUTE = "around-center", "around-corner", "relative", "absolute"
 CHOICES: Mapping[str, tuple[str, ...]] = {
     BOX_FORM: (*ANY_BOX, X_THEN_Y),
@@ -38,8 +39,10 @@ CHOICES: Mapping[str, tuple[str, ...]] = {
     PIVOT: (AROUND_CENTER, AROUND_CORNER),
     CORNERS: (RELATIVE, ABSOLUTE),
     ROUND: (RADIUS, DIAMETER),
+    TWICE: (EACH_VALUE, LAST_VALUE),
 }
-ALL_CHOICES = tuple(choice for choices in CHOICES.values() for choice in choices)
+LEAVE_OUT = "leave-out"  # the shapes stand without what was not understood
+ALL_CHOICES = (*(choice for choices in CHOICES.values() for choice in choices), LEAVE_OUT)
 FULL_TURN = Fraction(63, 10)  # an angle beyond a full turn in radians is in degrees
 ONLY_IF_IT_MATTERS = (TURN, ORDER, ROUND)  # asked only where the answer changes
 CENTER_KEYS = ("center", "centre", "centroid", "middle", "cx", "xc", "centerx", "xcenter")
@@ -154,9 +157,14 @@ class Boxes(Points):
         if angle is None:
             return made
         pivot = ((xs[0] + xs[1]) / 2, (ys[0] + ys[1]) / 2)
-        if form == CORNER_SIZE and self.number(angle) and self._choose(PIVOT, CHOICES[PIVOT]) == AROUND_CORNER:
+        if form == CORNER_SIZE and self._turns(angle) and self._choose(PIVOT, CHOICES[PIVOT]) == AROUND_CORNER:
             pivot = (a, b)
         return self._turned(made, angle, unit, pivot)
+
+    def _turns(self, angle: Any) -> bool:
+        """Return whether an angle is not 0."""
+        given = self.resolve(angle)
+        return bool(given.turn if isinstance(given, Num) and given.turn is not None else self.number(angle))
 
     def pivot(self, shape: Read, place: Pt | None = None) -> Pt:
         """Return the point about which a call or a field turns a shape that was made before."""
@@ -170,8 +178,13 @@ class Boxes(Points):
 
     def _turned(self, shape: Read, angle: Any, unit: str, pivot: Pt | None) -> Read:
         """Return a shape turned by an angle about a pivot (None: the origin); the unit is asked where none is named."""
-        value = self.number(angle)
-        shape = replace(shape, used=shape.used | places(value))
+        given = self.resolve(angle)
+        if isinstance(given, Num) and given.turn is not None:  # Math.PI / 4
+            self.parts.append((given.start, given.end))
+            value, unit = given.turn, DEGREES
+        else:
+            value = self.number(angle)
+            shape = replace(shape, used=shape.used | places(value))
         if value == 0 or shape.is_circle:
             return shape
         if not unit:

@@ -153,6 +153,7 @@ class Calls(Keyed):
             turn = re.sub(r"\s|Math\.|\.0*(?!\d)", "", self.text[group.items[4].start : group.items[4].end]).lower()
             if self.number(group.items[3]) != 0 or turn not in FULL_TURNS:
                 raise Unreadable("an arc that is not a full circle: satviz takes polygons and circles")
+            self.parts.append((group.items[3].start, group.items[4].end))
             group = replace(group, items=group.items[:3])
         arguments, named = self._arguments(group)
         arguments, place, _ = self._body(arguments)
@@ -238,6 +239,9 @@ class Calls(Keyed):
         fifth = self.resolve(arguments[4]) if len(arguments) > 4 else None
         if isinstance(fifth, Num) and fifth.value is None:  # a color: 0xff0000
             arguments = arguments[:4]
+        last = self.resolve(arguments[-1]) if arguments else None
+        if isinstance(last, Num) and last.turn is not None:  # SetAsBox(1, 1, center, 0.5f * b2_pi)
+            arguments, angle = arguments[:-1], last
         says = [name for name in named.fields if key(name) and key(name) not in ("angle", "degrees", "radians")]
         if named.fields and (says or not arguments):
             return self._object(replace(named, start=group.start, end=group.end, rest=arguments), label, row)

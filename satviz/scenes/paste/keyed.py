@@ -105,7 +105,7 @@ class Keyed(Boxes):
         sides = all(side in {str(k).lower() for k in obj.fields} for side in "ltrb")
         if radius is not None and isinstance(self.resolve(radius), (Num, Bad)) and not sides:
             made = self._circle_of_keys(obj, place, label, row)
-            if angle is not None and self._is_number(angle):
+            if angle is not None and place is not None and self._is_number(angle):
                 made = replace(made, used=made.used | places(self.number(angle)))  # a circle stays as it is
             return [moved(made, offset) if offset else made]
         if four := self._box_of_keys(obj, place, center, row):

@@ -6,7 +6,7 @@ from fractions import Fraction
 from itertools import islice
 
 from ...engine.geometry import InvalidScene
-from .prose import fields, sentences
+from .prose import fields, keys, sentences
 from .svg_path import PATH_DATA, path_tokens
 from .tables import tables
 from .tokens import CLOSE, FIELD, MARK, MAX_TOKENS, NAME, NUMBER, OPEN, TOO_MANY, Token, tokens
@@ -16,7 +16,11 @@ _ELEMENT = re.compile(rf"<(circle|ellipse|rect|polygon|polyline|path)(?=[\s/>])(
 # of Tiled: the corners of a polygon are relative to the object that holds it
 _OBJECT = re.compile(rf"<object\b((?:[^<>\"']|{_QUOTED})*)>\s*(?=<(?:polygon|polyline|ellipse)\b)")
 _ATTRIBUTE = re.compile(rf"([\w:-]+)[ \t\r\n]*=[ \t\r\n]*({_QUOTED})")
-_BARE = re.compile(rf"([\"'`])({PATH_DATA.pattern})\1")
+# a line of path data alone, with a letter before its second pair
+_LINE = r"[ \t]*[Mm][ \t]*[-+.0-9][-+.,0-9eE \t]*[A-Za-z][-+.,0-9eE \tMmLlHhVvZzCcSsQqTtAa]*"
+_BARE = re.compile(rf"([\"'`])({PATH_DATA.pattern})\1|^()({_LINE})$", re.MULTILINE)
+_MOVED = re.compile(r"transform|rotate|scale|translate")
+_POINTS = re.compile(r"[-+.,0-9eE\s]*")
 _TRANSFORM = re.compile(r"(\w+)\s*\(([^()]*)\)")
 _VIEW = re.compile(r"\bviewBox\s*=\s*(?:\"[^\"<>]*\"|'[^'<>]*')", re.IGNORECASE)
 # The attributes that are numbers of a shape; 0 is what SVG takes for a place that is not given.
@@ -28,8 +32,8 @@ _NUMBERS = {
 _PLACES = frozenset(["x", "y", "cx", "cy"])
 
 
-def all_tokens(text: str) -> list[Token]:
-    """Return the tokens of a text, with SVG elements, path data and tables as calls and lists."""
+def all_tokens(text: str) -> tuple[list[Token], list[Token], list[tuple[int, int]]]:
+    """Return the tokens of a text, those with markup, path data and tables as calls and lists, and where these are."""
     plain = tokens(text)
     held = {m.end(): _attributes(m[1], m.start(1)) for m in _OBJECT.finditer(text)}
     parts = [(m.start(), m.end(), list(_element(m, held.get(m.start(), {})))) for m in _ELEMENT.finditer(text)]
@@ -41,17 +45,19 @@ def all_tokens(text: str) -> list[Token]:
         while end <= m.start():
             start, end = next(inside)
         if m.start() < start:
-            found = [_mark(OPEN, "[", m.start()), *path_tokens(m[2], m.start(2)), _mark(CLOSE, "]", m.end())]
+            data = 2 if m[2] is not None else 4
+            found = [_mark(OPEN, "[", m.start()), *path_tokens(m[data], m.start(data)), _mark(CLOSE, "]", m.end())]
+            found.append(_mark(MARK, ";", m.end()))
             parts.append((m.start(), m.end(), found))
     parts += [(m.start(), m.end(), []) for m in _VIEW.finditer(text)]
-    parts += [*tables(text), *sentences(text), *fields(text)]
+    parts += [*tables(text), *sentences(text), *fields(text), *keys(text)]
     if not parts:
-        return plain
+        return plain, plain, []
     parts.sort(key=lambda part: part[0])
     found = list(islice(_replaced(plain, parts), MAX_TOKENS + 1))
     if len(found) > MAX_TOKENS:
         raise InvalidScene(TOO_MANY)
-    return found
+    return plain, found, [(start, end) for start, end, _ in parts]
 
 
 def _replaced(plain: list[Token], parts: list[tuple[int, int, list[Token]]]) -> Iterator[Token]:
@@ -87,20 +93,23 @@ def _element(match: re.Match[str], holder: dict[str, tuple[str, int]]) -> Iterat
     yield _mark(OPEN, "(", match.start())
     if round_:
         for name in ("x", "y", "width", "height"):
-            yield from (*_inner(*holder[name]), _mark(MARK, ",", match.start()))
+            yield from (*_number(*holder[name]), _mark(MARK, ",", match.start()))
     elif tag == "path":
         yield from path_tokens(*found.get("d", ("", match.start())))
     elif tag in ("polygon", "polyline"):
-        for token in _inner(*found.get("points", ("", match.start()))):
+        points, at = found.get("points", ("", match.start()))
+        for token in _inner(points, at) if _POINTS.fullmatch(points) else [_broken(points, at)]:
             yield token
             yield _mark(MARK, ",", token.end)
     else:
         for name in _NUMBERS[tag]:
             if name in found:
-                yield from _pair(name, _inner(*found[name]))
+                yield from _pair(name, _number(*found[name]))
             elif name in _PLACES:
                 yield from _pair(name, [Token(NUMBER, "0", match.start(), match.start(), Fraction(0))])
     yield _mark(CLOSE, ")", match.end())
+    if _MOVED.search(found.get("style", ("", 0))[0]):
+        yield from _call("transform-style", [_broken(*found["style"])])
     if "transform" in found:
         yield from _changes(*found["transform"])
     if {"x", "y"} <= set(holder) and not round_:
@@ -122,7 +131,8 @@ def _pair(name: str, value: list[Token]) -> Iterator[Token]:
 def _changes(text: str, at: int) -> Iterator[Token]:
     """Yield the calls behind a shape that its transform stands for: a move is applied, all else is refused."""
     for m in _TRANSFORM.finditer(text):
-        values = _inner(m[2], at + m.start(2))
+        inside, begin = m[2], at + m.start(2)
+        values = _inner(inside, begin) if _POINTS.fullmatch(inside) else [_broken(inside, begin)]
         if m[1] == "translate" and len(values) == 1:
             values.append(Token(NUMBER, "0", values[0].end, values[0].end, Fraction(0)))
         if values:
@@ -142,6 +152,17 @@ def _call(name: str, values: list[Token]) -> Iterator[Token]:
 def _inner(text: str, at: int) -> list[Token]:
     """Return the numbers and words of an attribute."""
     return [t._replace(start=t.start + at, end=t.end + at) for t in tokens(text) if t.kind in (NUMBER, NAME)]
+
+
+def _number(text: str, at: int) -> list[Token]:
+    """Return the number of an attribute, or one that says why it is none."""
+    found = _inner(text, at)
+    return found if len(found) == 1 and found[0].text == text.strip() else [_broken(text, at)] if found else []
+
+
+def _broken(text: str, at: int) -> Token:
+    """Return a number without a value for what is none."""
+    return Token(NUMBER, text, at, at + len(text), None, f"{text[:40]!r} is not a number")
 
 
 def _mark(kind: str, text: str, at: int) -> Token:

@@ -53,6 +53,8 @@ class Names:
         self.used: set[int] = set()  # values that another one refers to by name
         self.remarks: list[str] = []
         self.problems: list[str] = []  # what could not be read
+        self.parts: list[tuple[int, int]] = []  # of a known form: from 0 to 2 * pi
+        self.named: list[tuple[int, int]] = []  # that a problem quotes
         self.counts: set[int] = set()  # where indices end: v[0].Set(1, 2)
 
     def _insert(self, pair: Pair) -> None:

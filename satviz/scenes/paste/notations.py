@@ -51,7 +51,8 @@ NOTATIONS = (
         "plt.plot ax.plot plt.fill ax.fill patch fillpolygon drawpolygon "
         "zip column_stack rbind newpolygonshape "
         "edgecollider polygoncollider2d addpoly "
-        "seq set z zm double[][] float32array float64array makepolygon fromvertices create_polygon convex newpolygon",
+        "seq set z zm tensor torch.tensor double[][] float32array float64array makepolygon fromvertices "
+        "create_polygon convex newpolygon",
         RING,
     ),
     Notation(
@@ -173,61 +174,7 @@ KEYS = {
     }.items()
     for name in names.split()
 }
-# Calls behind a shape that do not change it, that move it, and that turn it.
-HARMLESS = frozenset(
-    [
-        "topolygon",
-        "unwrap",
-        "into",
-        "tovec",
-        "to_vec",
-        "clone",
-        "copy",
-        "astype",
-        "reshape",
-        "tolist",
-        "to_owned",
-        "as_ref",
-        "expect",
-        "isvalid",
-        "is_valid",
-        "normalize",
-        "toarray",
-        "asarray",
-        "build",
-        "collect",
-        "iter",
-        "close",
-        "closepath",
-        "endfill",
-        "normalise",
-        "toimmutable",
-        "freeze",
-        "wkt",
-        "intersects",
-        "intersect",
-        "merge",
-        "union",
-        "colliderect",
-        "intersectsrect",
-        "overlaps",
-        "contains",
-        "touches",
-        "within",
-        "disjoint",
-        "equals",
-        "intersection",
-        "relate",
-        "crosses",
-        "covers",
-        "almostequals",
-        "intersectswith",
-        "intersects_with",
-        "collideswith",
-        "collides",
-        "distance",
-    ]
-)
+# Calls that move a shape, and that turn it.
 MOVES = frozenset(["translate", "translation", "setposition", "settranslation", "moveto", "setoffset", "set_position"])
 # Calls that move what has a place already by so much.
 SHIFTS = frozenset(["translate", "offset", "move_ip", "moveby", "move_by"])
@@ -253,6 +200,13 @@ LIST_WORDS = re.compile(
     r"poly|triangle|quad|path|hull|point|vert|shape|convex|outline|contour|coord|ring|geom|array|list|vec|tuple|line|\bc$",
     re.IGNORECASE,
 )
+
+# How words begin that name a shape or a list of corners.
+_STEMS = (
+    "poly tri quad path hull point pt vert shape convex outline contour coord ring geom array list vec tuple circle "
+    "ellipse rect box ball capsule arc cuboid obb aabb cylinder disc disk"
+)
+SHAPE_STEMS = (*_STEMS.split(),)
 
 
 def notation(name: str) -> Notation | None:

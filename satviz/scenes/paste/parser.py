@@ -13,11 +13,13 @@ from ...engine.geometry import InvalidScene
 from .atoms import (
     IGNORED_NAMES,
     OPERATORS,
+    angle,
     end_of,
     is_cast,
     is_hyphen,
     is_long,
     is_mark,
+    is_numeral,
     is_open,
     is_operator,
     is_pair,
@@ -25,36 +27,40 @@ from .atoms import (
     start_of,
     text_value,
 )
+from .harmless import CASTS
 from .markup import all_tokens
 from .tokens import CLOSE, FIELD, LINE, MARK, NAME, NUMBER, OPEN, OTHER, TEXT, Token, tokens
 from .tree import Bad, Group, Name, Num, Pair
 
+MAX_ANGLE = 50  # characters of an angle in terms of pi
 MAX_DEPTH = 24
 MAX_WORDS_BETWEEN = 60  # between a shape and the word that separates it from the next one
 LEAST = 3  # corners of an outline
 PAIRS = {"(": ")", "[": "]", "{": "}"}
 SEPARATORS = frozenset(["vs", "versus", "and", "against", "intersects", "overlaps", "touches", "collides"])
 ARROWS = frozenset(["->", "<->", "\u2192", "\u2194", "\u21d2"])
-# Types around one number.
-CASTS = frozenset(["np.float64", "np.float32", "np.int64", "np.int32", "numpy.float64", "Decimal", "double"])
 
 
 class Tree(NamedTuple):
-    """A text as one group of lines; sentences about brackets; where indices and lengths end; all its numbers."""
+    """A text as one group of lines; sentences about brackets; where indices and lengths end; all its numbers;
+    its tokens as they stand; and the parts that rows of tables, of markup and of sentences have."""
 
     root: Group
     remarks: list[str]
     indices: frozenset[int]
     numbers: list[Token]
+    tokens: list[Token]
+    parts: list[tuple[int, int]]
 
 
 def parse(text: str) -> Tree:
     """Return the tree of a text."""
-    found = all_tokens(text)
+    plain, found, parts = all_tokens(text)
     parser = _Parser(text, found)
     root = Group(0, len(text), parser.items("", 0))
-    numbers = [token for token in found if token.kind == NUMBER and token.start < token.end]
-    return Tree(root, parser.remarks, frozenset(parser.indices), numbers)
+    written = (token for token in found if token.kind == NUMBER or (token.kind == TEXT and is_numeral(token)))
+    numbers = [token for token in written if token.start < token.end]
+    return Tree(root, parser.remarks, frozenset(parser.indices), numbers, plain, parts)
 
 
 class _Parser:
@@ -267,6 +273,10 @@ class _Parser:
         """Return the value of atoms that contain no `=` and no `:`; a line can begin with a bullet."""
         first = next((i for i, a in enumerate(atoms) if not says_nothing(a)), len(atoms))
         atoms = atoms[first:]
+        start, end = (start_of(atoms[0]), end_of(atoms[-1])) if atoms else (0, 0)
+        degrees = angle(self.text[start:end]) if 0 < end - start < MAX_ANGLE else None
+        if degrees is not None:
+            return Num(start, end, None, f"{self.text[start:end]} is an angle", degrees)
         if len(atoms) > 1 and is_operator(atoms[0]) and not (isinstance(atoms[1], Token) and atoms[1].kind == NUMBER):
             touches = atoms[0].text in "+-\u2212" and end_of(atoms[0]) == start_of(atoms[1])
             signed = atoms[0].text != "+" and not (is_line and len(atoms) > 2)

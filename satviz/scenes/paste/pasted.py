@@ -16,17 +16,18 @@ from .. import minimal_test
 from ..link import link
 from ..scenefile import MAX_VERTICES, Scene
 from . import findings, others
-from .boxes import ALL_CHOICES, BOX_FORM, CHOICES, ONLY_IF_IT_MATTERS, Read
+from .boxes import ALL_CHOICES, BOX_FORM, CHOICES, LEAVE_OUT, ONLY_IF_IT_MATTERS, Read
 from .findings import KINDS, Finding, PastedShape, listed
 from .objects import as_text
 from .pair_findings import Pair, clear, of_pair
 from .parser import parse
 from .reading import Reader
 from .tree import Group
-from .unused import unused
+from .unused import rest
 
 MAX_SHAPES = 40
 MAX_TRACES = 60
+MAX_NAMED = 5  # parts that are not understood, in one line
 NOTHING = (
     "no shape was found: paste two shapes or more, as WKT, GeoJSON, JSON or lines of code, "
     "for example POLYGON((0 0, 4 0, 0 3)) and circle((5, 1), 2)"
@@ -37,7 +38,9 @@ ASKS = {
     "turn": "Does y point up or down? A positive angle turns the other way there.",
     "order": "Does the width come first, or the height?",
     "pivot": "Is the box turned around its center or around its corner?",
+    "twice": "A name has two values. Is each of them a shape, or only the last one?",
     "round": "Is the last number of the circle its radius or its diameter?",
+    "rest": "Not understood:",
     "corners": "Are the corners relative to the position, or absolute already?",
 }
 CHOICE_WORDS = {
@@ -58,6 +61,9 @@ CHOICE_WORDS = {
     "absolute": "corners absolute already",
     "radius": "the radius",
     "diameter": "the diameter",
+    "each-value": "each value of a name",
+    "last-value": "the last value of a name",
+    "leave-out": "the shapes as read, without it",
 }
 
 
@@ -70,7 +76,7 @@ class Answer(NamedTuple):
 
 
 class Question(NamedTuple):
-    """A place where two readings are possible; `matters`: they give different relations, so none was taken."""
+    """A place where two readings are possible, or that is not understood; `matters`: no reading was taken."""
 
     what: str
     asks: str
@@ -102,7 +108,7 @@ class Pasted:
 
     @property
     def open(self) -> bool:
-        """Return whether a question must be answered first, because the relation depends on it."""
+        """Return whether a question must be answered first: the relation depends on it, or a part is not understood."""
         return any(question.matters for question in self.questions)
 
     @property
@@ -119,6 +125,9 @@ class Pasted:
     def sentence(self) -> str:
         """Return the answer in one sentence."""
         if self.open:
+            for question in self.questions:
+                if question.what == "rest":
+                    return f"{question.asks} Write what results there, or take the shapes without it."
             count = max(len(question.answers) for question in self.questions if question.matters)
             words = {2: "Two", 3: "Three", 4: "Four"}.get(count, "Several")
             return f"{words} readings are possible, and they give different answers: choose one."
@@ -255,7 +264,8 @@ def paste(what: Any, as_: str | Sequence[str] = ()) -> Pasted:
 
     `what`: WKT, GeoJSON, JSON, or lines in Python, JavaScript, C, C++, C#, Java, Rust, Scala or GDScript; nothing in it
     is evaluated.  Or shapes of satviz, shapely or pymunk, lists and arrays.
-    `as_`: the readings to take where several are possible, such as "center-size" or "degrees, y-down".
+    `as_`: the readings to take where several are possible, such as "center-size" or "degrees, y-down";
+    "leave-out" takes the shapes without what was not understood.
     InvalidScene where nothing can be read, or for more than a megabyte, 40 shapes or 1,000 corners.
     """
     text = what if isinstance(what, str) else as_text(what)
@@ -269,10 +279,17 @@ def paste(what: Any, as_: str | Sequence[str] = ()) -> Pasted:
     reads = _checked(reader.read(tree.root), reader)
     shapes = _named(reads, text)
     questions = tuple(_questions(reader, tree.root, text, chosen))
-    made = Pasted(text, chosen, tuple(shapes), questions, (), ())
-    notes = [Finding("not-read", (), f"Not read: {problem}.") for problem in reader.problems[:5]]
+    missed, harmless = rest(tree, reads, text, reader)
+    notes = []
+    if missed := [*reader.problems[:5], *missed]:
+        if LEAVE_OUT in chosen:
+            notes = [Finding("left-out", (), f"Left out, as chosen: {_first(missed)}.")]
+        else:
+            questions = (_about_the_rest(missed, tree.root, text, chosen, reader), *questions)
     notes += [Finding("note", (), f"{remark[0].upper()}{remark[1:]}.") for remark in (*reader.remarks, *tree.remarks)]
-    notes += unused(tree._replace(indices=tree.indices | reader.counts), reads, text, reader.named)
+    if harmless:
+        notes.append(Finding("left-out", (), f"Left out, since no shape has them: {harmless}."))
+    made = Pasted(text, chosen, tuple(shapes), questions, (), ())
     if made.open:
         return replace(made, findings=tuple(notes))
     pairs = _pairs(shapes)
@@ -280,7 +297,7 @@ def paste(what: Any, as_: str | Sequence[str] = ()) -> Pasted:
     for pair in pairs[:MAX_TRACES]:
         found += of_pair(pair, decimals=isinstance(what, str))
     found = findings.merged([*found, *notes])
-    if pairs and not any(KINDS.index(finding.kind) < KINDS.index("clear") for finding in found):
+    if pairs and not missed and not any(KINDS.index(finding.kind) < KINDS.index("clear") for finding in found):
         found.append(clear(pairs[0]))
     found.sort(key=lambda finding: KINDS.index(finding.kind))
     return replace(made, pairs=tuple(pairs), findings=tuple(found))
@@ -336,6 +353,20 @@ def _questions(reader: Reader, root: Group, text: str, chosen: tuple[str, ...]) 
         matters = len(possible) > 1 or (bool(possible) and answers[0].gives not in possible)
         if matters or what not in ONLY_IF_IT_MATTERS:
             yield Question(what, ASKS[what], answers, matters)
+
+
+def _first(parts: Sequence[str]) -> str:
+    """Return parts that are not understood in one line, shortened."""
+    more = f"; and {len(parts) - MAX_NAMED} more" if len(parts) > MAX_NAMED else ""
+    return "; ".join(parts[:MAX_NAMED]) + more
+
+
+def _about_the_rest(missed: Sequence[str], root: Group, text: str, chosen: tuple[str, ...], reader: Reader) -> Question:
+    """Return the question whether the shapes stand without what was not understood."""
+    keeps = reader.keeps or BOX_FORM in reader.asked
+    gives = _gives(root, text, (*chosen, LEAVE_OUT), keeps=keeps)
+    answer = Answer(LEAVE_OUT, CHOICE_WORDS[LEAVE_OUT], gives)
+    return Question("rest", f"{ASKS['rest']} {_first(missed)}.", (answer,), matters=True)
 
 
 def _gives(root: Group, text: str, chosen: tuple[str, ...], *, keeps: bool) -> str:

@@ -4,8 +4,9 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
+from .harmless import HARMLESS
 from .names import Obj, Unreadable, short
-from .notations import HARMLESS, LIST_WORDS, POINT, RING, notation
+from .notations import LIST_WORDS, POINT, RING, notation
 from .statements import Statements
 from .tree import Group, Name, Num, Pair, Value
 

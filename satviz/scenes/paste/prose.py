@@ -8,6 +8,8 @@ from .tokens import CLOSE, MARK, NAME, NUMBER, OPEN, Token, tokens
 _N = r"[-+\u2212]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?"
 _PLACE = rf"(?:\([ ]?{_N}[ ]?,[ ]?{_N}[ ]?\)|\b(?:center|centre|at|position)[ ]{_N}[ ]?,[ ]?{_N})"
 _FILL = r"[ ,]{1,3}(?:(?:and|with|has|having|of|is|a|an|the|its|size)[ ,]{1,3}){0,4}"
+_P, _A = rf"\({_N}[ ]?,[ ]?{_N}\)", rf"(?:{_N}|\({_N}\))"
+_STYLE = r"(?:\[(?![^\]]*(?:scale|shift|rotate|slant|cm=))[^\]()\n]*\])?"  # of TikZ, without a change of place
 # One row for each kind of sentence, or of print: the call that it stands for, and its words.
 SENTENCES = (
     ("circle", re.compile(rf"{_PLACE}{_FILL}radius(?:[ ](?:of|is|=))?[ ]{_N}(?![\w.])", re.IGNORECASE)),
@@ -23,11 +25,13 @@ SENTENCES = (
     ("jts.env", re.compile(rf"Env\[{_N} : {_N}, {_N} : {_N}\]")),
     ("size.at", re.compile(rf"\[{_N} x {_N} from \({_N}, {_N}\)\]")),  # OpenCV
     ("size.at", re.compile(rf"(?<=Rect)\({_N}x{_N} at \({_N}, {_N}\)\)")),  # euclid
+    ("v2", re.compile(rf"\bV2 {_A} {_A}(?![\w.])")),  # Haskell
+    ("svg.polygon", re.compile(rf"\\(?:draw|fill|filldraw|path){_STYLE}\s*{_P}(?:\s*--\s*{_P})+\s*--\s*cycle")),  # TikZ
     ("circle", re.compile(rf"\({_N}[ ]?,[ ]?{_N}\)[ ]circle[ ]\({_N}\)")),
     ("image.rect", re.compile(rf"\({_N}[ ]?,[ ]?{_N}\)[ ]rectangle[ ]\({_N}[ ]?,[ ]?{_N}\)")),
     ("rect", re.compile(rf"{_PLACE}{_FILL}{_N}[ ]?[x\u00d7][ ]?{_N}(?![\w.])", re.IGNORECASE)),
 )
-_NUMBER = re.compile(_N)
+_NUMBER = re.compile(rf"(?<!\bV){_N}")
 
 
 _FIELD = re.compile(rf"<([A-Za-z]\w*)>\s*({_N})\s*</\1>")
@@ -50,6 +54,23 @@ def fields(text: str) -> Iterator[tuple[int, int, list[Token]]]:
         )
 
 
+# Keys with other signs than = and a colon: [x] => 0 of PHP and :x 0 of Clojure.  A number is a place in a list.
+_KEYS = re.compile(
+    r"(?:\[(?P<php>\w+)\]|(?P<export>\b\d+))\s*=>(?=\s*(?:[Aa]rray\b|[-\d\[]))"
+    r"|(?<=[{\s]):(?P<clojure>[a-z]\w*)(?=\s+[-.\d\[{])"
+)
+
+
+def keys(text: str) -> Iterator[tuple[int, int, list[Token]]]:
+    """Yield (start, end, tokens) for each key of PHP or Clojure."""
+    for match in _KEYS.finditer(text):
+        name, at = match["php"] or match["export"] or match["clojure"], match.start()
+        found = [Token(MARK, ",", at, at)]
+        if not name.isdigit():
+            found += [Token(NAME, name, at, at), Token(MARK, ":", at, at)]
+        yield at, match.end(), found
+
+
 def sentences(text: str) -> Iterator[tuple[int, int, list[Token]]]:
     """Yield (start, end, tokens) for each shape in a sentence, with the tokens of a call."""
     for name, pattern in SENTENCES:
@@ -63,11 +84,13 @@ def _call(name: str, match: re.Match[str]) -> Iterator[Token]:
     yield Token(MARK, ";", at, at)
     yield Token(NAME, name, at, at)
     yield Token(OPEN, "(", at, at)
-    yield Token(OPEN, "(", at, at)
-    for i, part in enumerate(_NUMBER.finditer(match[0])):
+    nested = name != "svg.polygon"
+    if nested:
+        yield Token(OPEN, "(", at, at)
+    for i, part in enumerate(_NUMBER.finditer(match[0], match[0].find("]") + 1 if not nested else 0)):
         (number,) = tokens(part[0])
         yield number._replace(kind=NUMBER, start=at + part.start(), end=at + part.end())
-        if i == 1:
+        if i == 1 and nested:
             yield Token(CLOSE, ")", at + part.end(), at + part.end())
         yield Token(MARK, ",", at + part.end(), at + part.end())
     yield Token(CLOSE, ")", match.end(), match.end())

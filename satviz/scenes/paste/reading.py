@@ -8,10 +8,14 @@ from typing import Any
 from .axis_lists import joined, numbers_of, pairs_of_lists
 from .boxes import (
     BOX_FORM,
+    CHOICES,
+    LAST_VALUE,
+    TWICE,
     Read,
     moved,
 )
 from .calls import Calls
+from .harmless import HARMLESS
 from .names import Obj, Unreadable, is_block, short
 from .notations import (
     ANY_BOX,
@@ -24,7 +28,6 @@ from .notations import (
     CORNER_OR_CENTER,
     CORNER_SIZE,
     ELLIPSE,
-    HARMLESS,
     MANY,
     MOVE,
     MOVES,
@@ -43,6 +46,8 @@ from .points import ZERO, Pt, angle_of, places
 from .statements import ATTACHERS
 from .tree import Bad, Group, Name, Num, Pair, Value
 
+_SECTION = re.compile(r"^\[[A-Za-z]", re.MULTILINE)
+_ASSIGNED = re.compile(r"[ \t+-]*(?:\w+[ \t*&]+){0,4}[\w.]+(?:\[\w*\])?[ \t]*:?=[ \t]*(?:new[ \t]+)?")  # Rect a =
 MAX_PROBLEMS = 50  # of what is not read; fewer are shown
 
 
@@ -82,7 +87,17 @@ class Reader(Calls):
         for points, lists in self.axes:
             if any(id(each) in self.used for each in lists):
                 self.used.add(id(points))
-        return [shape for owner, shape in found if owner not in self.used]
+        kept = [(owner, shape) for owner, shape in found if owner not in self.used]
+        earlier = {id(v) for values in self.env.earlier.values() for v in values if self._is_assigned(v)}
+        if any(owner in earlier for owner, _ in kept) and self._choose(TWICE, CHOICES[TWICE]) == LAST_VALUE:
+            self.parts += [(shape.start, shape.end) for owner, shape in kept if owner in earlier]
+            kept = [(owner, shape) for owner, shape in kept if owner not in earlier]
+        return [shape for _, shape in kept]
+
+    def _is_assigned(self, value: Any) -> bool:
+        """Return whether a value stands behind a sign that assigns, and not in a log: a: (0, 0, 4, 4)."""
+        begin = self.text.rfind("\n", 0, value.start) + 1
+        return bool(_ASSIGNED.fullmatch(self.text, begin, value.start)) and not _SECTION.search(self.text, value.end)
 
     def _begin(self, value: Any) -> int:
         """Return where a value, or the first field of an object, begins."""
@@ -106,7 +121,7 @@ class Reader(Calls):
         except Unreadable as error:
             where = f"{label}: " if label else ""
             part = short(self.text[value.start : value.end]) if isinstance(value, Value) else ""
-            if isinstance(value, Value) and not part.endswith("..."):
+            if isinstance(value, Value):
                 self.named.append((value.start, value.end))
             text = f"{where}{error} (in {part})"
             if len(self.problems) < MAX_PROBLEMS and text not in self.problems:
@@ -246,9 +261,6 @@ class Reader(Calls):
             return self._object(self.as_object(group), label)
         if "circle" in group.name.lower() and (circles := self._centers_and_radii(group.items, label)):
             return circles
-        said = self.text[group.start : group.end] if any(isinstance(v, Bad) for v in group.items) else ""
-        if group.bracket in ("[", "(") and re.search(r"\bfor\s+[(\w]", said):
-            raise Unreadable("a comprehension, which is not evaluated")
         outline = self.ring(group)
         if outline is not None and len(outline) > 2:
             return [self._outline(outline, group, label)]

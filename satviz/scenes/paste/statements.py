@@ -17,7 +17,6 @@ PENS = frozenset(["moveto", "lineto", "vertex", "curvevertex"])
 PEN_STARTS = frozenset(["moveto", "beginpath", "beginshape", "endshape", "closepath", "endpath"])
 ATTACHERS = frozenset(["addshape", "add_shape", "createfixture", "create_fixture", "addfixture", "setshape"])
 # Calls that only sketches of Processing and p5.js have.
-_STEP = re.compile(r"(?:\+\+|--)?(?P<name>\w[\w.>-]*?)(?:\+\+|--)?")  # x++
 _SKETCH = re.compile(r"\b(?:rectMode|ellipseMode|createCanvas|beginShape|noStroke|strokeWeight|ellipse|quad)\(")
 _MODE = re.compile(r"\b(rect|ellipse)Mode\(\s*(\w+)\s*\)")
 # Names such as x1, rect_w, ballRadius and bx: whose number it is, and which.
@@ -41,7 +40,6 @@ class Statements(Names):
     def __init__(self, text: str) -> None:
         super().__init__(text)
         self.runs: list[Run] = []
-        self.named: list[tuple[int, int]] = []  # where short parts stand that a problem quotes in full
         self.taken: set[int] = set()  # values that a run has
         # rectMode(CENTER): what it is of, where it stands, and the mode
         self.modes = [(m[1], m.start(), m[2].lower()) for m in _MODE.finditer(text)]
@@ -79,7 +77,7 @@ class Statements(Names):
         i = 0
         while i < len(items):
             item, i = items[i], i + 1
-            if isinstance(item, Pair) and key(item.path[-1]) == "points" and _is_row_of_points(item.value):
+            if isinstance(item, Pair) and _is_points(item.path[-1]) and _is_row_of_points(item.value):
                 rows = [item.value]
                 while i < len(items) and _is_row_of_points(items[i]):
                     rows.append(items[i])
@@ -103,9 +101,6 @@ class Statements(Names):
             self._number(item)
             self._go_on(item)
         elif isinstance(item, Bad):
-            part = self.text[item.start : item.end]
-            if (step := _STEP.fullmatch(part)) and re.split(r"\W+", step["name"])[0] in self.env.fields:
-                self.problems.append(f"{short(part)} is not evaluated: write the number that results")
             for inner in item.inside:
                 self._line(inner)
         elif isinstance(item, Group):
@@ -260,9 +255,14 @@ def _owner(name: str) -> tuple[str, str]:
     return "", ""
 
 
+def _is_points(name: str | int) -> bool:
+    """Return whether a key holds corners: points, and m_Points and m_Paths of Unity."""
+    return key(name) == "points" or str(name).lower() in ("m_points", "m_paths")
+
+
 def _is_row_of_points(value: Any) -> bool:
     """Return whether a value is a bracket with two numbers and no name."""
-    return isinstance(value, Group) and not value.name and len(value.items) == 2 and _are_numbers(value)
+    return isinstance(value, Group) and not value.name and _is_point(value)
 
 
 def _are_numbers(item: Group) -> bool:

@@ -7,6 +7,7 @@ from fractions import Fraction
 from .tokens import CLOSE, MARK, NUMBER, OPEN, Token, number
 
 _PART = re.compile(r"[A-Za-z]|[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?")
+_REST = re.compile(r"[\s,]*")
 PATH_DATA = re.compile(r"\s*[Mm][\s,]*[-+.]?[0-9][\s0-9.,+\-eEMmLlHhVvZzCcSsQqTtAa]*")
 _TAKES = {"M": 2, "L": 2, "H": 1, "V": 1}
 CURVES = "a path with a curve: satviz takes polygons and circles"
@@ -35,6 +36,8 @@ def _corners(data: str, at: int) -> tuple[list[tuple[Token, Token]], str]:
     x = y = Fraction(0)
     command, closed = "", False
     given: list[Token] = []
+    if _REST.fullmatch(_PART.sub("", data)) is None:
+        return [], BROKEN
     for part in _PART.finditer(data):
         if part[0].isalpha():
             if given:

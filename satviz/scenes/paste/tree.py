@@ -19,6 +19,7 @@ class Num(Value):
 
     value: Fraction | None
     why: str = ""
+    turn: Fraction | None = None  # of an angle in terms of pi, such as Math.PI / 4: its degrees
 
 
 @dataclass(slots=True)

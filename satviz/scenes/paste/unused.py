@@ -1,17 +1,19 @@
-"""What became of each number of a text: one that stands in no shape is named, with the key or the call before it."""
+"""What no shape has of a text: numbers, with the key or the call before them, and what is not understood."""
 
 import re
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from itertools import accumulate, groupby, takewhile
-from operator import itemgetter
+from itertools import groupby, pairwise, takewhile
 from typing import Any, NamedTuple
 
+from .account import Account, within
 from .boxes import Read
-from .findings import Finding
-from .notations import MOVE, POINT, SHAPE_WORDS, key, notation
+from .harmless import words
+from .names import Names, Obj, short
+from .notations import POINT, SHAPE_STEMS, notation
 from .parser import Tree
+from .tokens import NAME, NUMBER
 from .tree import Bad, Group, Num, Pair
 
 MAX_NAMED = 6  # keys that are named in a line, and numbers without a key
@@ -25,11 +27,13 @@ CHANGING = """
 """
 # Words in a key, or in the name of a call, that say that the numbers are none of a shape.
 HARMLESS = """
-    velocity speed bounds axes force torque gravity mass inertia density friction restitution color colour fill stroke
+    velocity speed axes force torque gravity mass inertia density friction restitution color colour fill stroke
     alpha opacity window canvas screen viewport viewbox svg area count length index id label layer category mask group
     time timestamp step size_t sleep stiffness damping damp slop constraint render print printf println log assert
     prev previous impulse motion tolerance epsilon eps expected distance camera image version line error warn info
     background strokeweight fps framerate
+    type srid iscrowd score ts bbox rows capacity make satviz contact vx vy vz fixture moment
+    linewidth zindex
 """
 CHANGING_WORDS, HARMLESS_WORDS = frozenset(CHANGING.split()), frozenset(HARMLESS.split())
 
@@ -43,39 +47,48 @@ class Left(NamedTuple):
     value: Fraction | None
 
 
-def unused(tree: Tree, reads: Sequence[Read], text: str, named: Sequence[tuple[int, int]]) -> Iterator[Finding]:
-    """Yield the findings about numbers of a text that no shape uses: not applied, or left out.
+class Rest(NamedTuple):
+    """What no shape has: numbers and other parts that are not understood, and numbers that are known to be harmless."""
 
-    `named`: (start, end) of the parts that other findings already call unread.
-    """
-    used = frozenset().union(*(read.used for read in reads)) | tree.indices
+    missed: list[str]
+    harmless: str
+
+
+def rest(tree: Tree, reads: Sequence[Read], text: str, reader: Names) -> Rest:
+    """Return what no shape has of a text."""
+    used = frozenset().union(*(read.used for read in reads)) | tree.indices | reader.counts
     known = {left.end: left for left in _walk(tree, tree.root, "")}
+    before = {b.end: a.text for a, b in pairwise(tree.tokens) if a.kind == NAME and b.kind == NUMBER}
     for token in tree.numbers:
-        known.setdefault(token.end, Left(token.start, token.end, "", token.value))
-    unread = dict(_unread(tree, tree.root, used))
-    spans = sorted(named)
-    reach = list(accumulate((end for _, end in spans), max, initial=0))  # how far the first k parts reach
-    unnamed = (v for v in known.values() if v.start >= reach[bisect_right(spans, v.start, key=itemgetter(0))])
-    rest = sorted((left for left in unnamed if left.end not in used), key=lambda left: left.start)
-    not_read = [left._replace(key=unread[left.end]) for left in rest if left.end in unread]
-    read = [left for left in rest if left.end not in unread]
-    changing: list[Left] = []
-    others: list[Left] = []
-    for _, group in groupby(read, key=_base):
+        known.setdefault(token.end, Left(token.start, token.end, before.get(token.end, ""), token.value))
+    left = sorted((v for v in known.values() if v.end not in used), key=lambda v: v.start)
+    places = sorted(used - tree.indices)
+    variables = {str(name) for name, value in reader.env.fields.items() if _holds(places, value)}
+    objects = {str(name): value for name, value in reader.env.fields.items() if isinstance(value, Obj)}
+    changed = {name for name, value in objects.items() if any(_holds(places, v) for v in value.rest)}
+    account = Account(text, tree.tokens, places, variables, [*tree.parts, *reader.parts], changed)
+    parts = account.run()
+    quoted = within(reader.named, parts)
+    parts = [part for part in parts if part not in quoted]
+    inside = within([*reader.named, *parts, *reader.parts], left)
+    left = [v for v in left if v not in inside and v.end not in account.counts]
+    harmless: list[Left] = []
+    missed = [(part.start, short(text[part.start : part.end])) for part in parts]
+    for _, group in groupby(left, key=_base):
         row = list(group)
-        changes = any(_changes(left, any(r.start <= left.start < r.end for r in reads)) for left in row)
-        (changing if changes else others).extend(row)
-    if not_read:
-        yield Finding("not-read", (), f"Not read: {_named(not_read, text)}.")
-    if changing:
-        yield Finding(
-            "not-applied",
-            (),
-            f"Not applied to a shape: {_named(changing, text)}.",
-            "Write the numbers that result; this answer is for the shapes without it.",
-        )
-    if others:
-        yield Finding("left-out", (), f"Left out, since no shape has them: {_named(others, text)}.")
+        if all(map(_is_harmless, row)):
+            harmless += row
+        else:
+            missed.append((row[0].start, _named(row, text)))
+    return Rest([said for _, said in sorted(missed)], _named(harmless, text) if harmless else "")
+
+
+def _holds(places: Sequence[int], value: Any) -> bool:
+    """Return whether one of these places lies within a value."""
+    if isinstance(value, Obj):
+        return any(_holds(places, v) for v in (*value.fields.values(), *value.rest))
+    at = bisect_right(places, value.start)
+    return at < len(places) and places[at] <= value.end
 
 
 def _walk(tree: Tree, value: Any, name: str) -> Iterator[Left]:
@@ -101,44 +114,15 @@ def _walk(tree: Tree, value: Any, name: str) -> Iterator[Left]:
             yield from _walk(tree, arguments, method)
 
 
-def _unread(tree: Tree, value: Any, used: frozenset[int]) -> Iterator[tuple[int, str]]:
-    """Yield (end of a number, name) for each call that makes a shape of which no number was read."""
-    if isinstance(value, Pair):
-        yield from _unread(tree, value.value, used)
-    elif isinstance(value, Bad):
-        for inner in value.inside:
-            yield from _unread(tree, inner, used)
-    elif isinstance(value, Group):
-        inside = [left.end for left in _walk(tree, value, "")]
-        if SHAPE_WORDS.search(value.name) and inside and not used & frozenset(inside):
-            yield from ((end, value.name) for end in inside)
-            return
-        for inner in (*value.items, *(arguments for _, arguments in value.methods)):
-            yield from _unread(tree, inner, used)
-
-
-def _words(name: str) -> frozenset[str]:
-    """Return the words of a key, without case: rigidBody.maxSpeed has rigid, body, max, speed."""
-    parts = re.split(r"[^A-Za-z0-9]+", name)
-    camel = (word for part in parts for word in re.findall(r"[A-Z]?[a-z0-9]+|[A-Z]+(?![a-z])", part))
-    return frozenset(word.lower() for word in (*parts, *camel))
-
-
-def _changes(left: Left, inside: bool) -> bool:
-    """Return whether a number that was left out would change a shape, by its key and its value.
-
-    `inside`: the number stands in the text of a shape, where every key in the tables of `notations` would change it.
-    """
-    words = _words(left.key.removeprefix("svg."))
-    same = left.value == (1 if any("scal" in word or word == "zoom" for word in words) else 0)
-    known = {key(part.split(" ")[0]) for part in left.key.split(".") if len(part) > 1 or inside or part != left.key} - {
-        ""
-    }
-    known -= set() if inside else {"points"}
-    row = notation(left.key) if left.key else None
-    moving = row is not None and row.kind == MOVE
-    changes = bool(words & CHANGING_WORDS or moving) and not same
-    return (changes or (bool(known) and (inside or not same))) and not words & HARMLESS_WORDS
+def _is_harmless(left: Left) -> bool:
+    """Return whether a number that no shape has changes none, by its key: a mass, or a scale of 1."""
+    said, last = words(left.key.removeprefix("svg.")), words(left.key.split(".")[-1])
+    if "moment" in said or left.key == "pymunk.Body" or "bounds" in left.key.split("."):
+        return True
+    if any(word.startswith(SHAPE_STEMS) for word in last) and not last & CHANGING_WORDS:
+        return False
+    same = left.value == (1 if any("scal" in word or word == "zoom" for word in said) else 0)
+    return bool(said & HARMLESS_WORDS) or (same and bool(said & CHANGING_WORDS))
 
 
 def _base(left: Left) -> str:

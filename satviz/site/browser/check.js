@@ -8,7 +8,7 @@ import { NO_ANSWER, Reader } from "./reader.js";
 /** @import { Language, Outcome, Pair } from "./reader.js" */
 /** @import { ScenePlace } from "./scene_place.js" */
 /** @typedef {{ name: string, claim: string, agrees: number, pairs: number }} Likeness */
-/** @typedef {{ kind: "checked", right: boolean, finding: string, sentence: string, text: string, link: string | null, behaves_like: Likeness[] }} Checked */
+/** @typedef {{ kind: "checked", right: boolean, finding: string, sentence: string, mistake: string, text: string, link: string | null, behaves_like: Likeness[] }} Checked */
 /** @typedef {{ kind: "judged", right: boolean, said: string, truth: string, answers: boolean }} Judged */
 /** @typedef {Checked | Judged | { kind: "ask", pairs: Pair[] }} Reply */
 
@@ -44,12 +44,13 @@ export class CheckPage {
     this.status = find(root, ".check-status");
     this.report = find(root, ".report");
     this.live = find(root, ".yours");
+    this.printed = find(root, ".printed");
     this.found = find(root, ".found");
     this.skeletons = JSON.parse(find(root, ".skeletons").textContent ?? "{}");
     python.models.set("check", this);
     this.run.addEventListener("click", () => (this.running ? this.stop() : this.check()));
     this.forget.addEventListener("click", () => this.forgetCode());
-    for (const radio of root.querySelectorAll('[name="language"]')) radio.addEventListener("change", () => this.openProgram(""));
+    for (const radio of root.querySelectorAll('[name="language"]')) radio.addEventListener("change", () => this.openProgram(this.program.value));
     this.program.addEventListener("change", () => this.openProgram(this.program.value));
     addEventListener("hashchange", () => this.openProgram(location.hash.slice(1)));
     this.editor.addEventListener("input", () => keep(this.opened, this.editor.value));
@@ -65,17 +66,16 @@ export class CheckPage {
     return /** @type {HTMLInputElement} */ (find(this.root, '[name="language"]:checked')).value === "javascript" ? "javascript" : "python";
   }
 
-  /** What stands in the editor: the name of a given program, or the language of the reader's own. */
+  /** What stands in the editor: a given program in this language, or the reader's own. */
   get opened() {
-    return this.program.value || this.language;
+    return this.program.value ? `${this.program.value}-${this.language}` : this.language;
   }
 
   // Each program is kept by itself, so a given one never takes the place of the reader's own.
-  /** @param {string} name Of a given program, all of which are Python; otherwise the reader's own is opened. */
+  /** @param {string} name Of a given program; otherwise the reader's own is opened. */
   openProgram(name) {
     const given = [...this.program.options].some(({ value }) => value && value === name);
     this.program.value = given ? name : "";
-    if (given) find(this.root, '[value="python"]').checked = true;
     this.editor.value = kept(this.opened) ?? this.skeletons[this.opened];
   }
 
@@ -124,15 +124,19 @@ export class CheckPage {
     this.running = true;
     this.run.textContent = "Stop";
     this.reader?.stop();
-    this.live.hidden = this.report.hidden = this.found.hidden = true;
+    this.live.hidden = this.printed.hidden = this.report.hidden = this.found.hidden = true;
     this.say(this.language === "python" ? "Python starts for your code." : "Your code starts.");
     const reader = new Reader(this.language, this.editor.value, this.pythonScript);
     this.reader = reader;
-    const why = await reader.define();
-    if (why) this.say(why);
-    else await this.ask(reader);
-    this.running = false;
-    this.run.textContent = "Run";
+    try {
+      const why = await reader.define();
+      this.showPrinted(reader.printed);
+      if (why) this.say(why);
+      else await this.ask(reader);
+    } finally {
+      this.running = false;
+      this.run.textContent = "Run";
+    }
   }
 
   /** @param {Reader} reader */
@@ -180,7 +184,7 @@ export class CheckPage {
 
   /** @param {Checked} checked */
   show(checked) {
-    this.say(checked.sentence);
+    this.say(`${checked.sentence} ${checked.mistake}`.trim());
     const mistake = checked.behaves_like[0];
     const link = mistake && element("a", { href: `scene.html#${mistake.name}` }, "See this mistake in the explorer");
     this.report.replaceChildren(element("pre", { class: "out", tabindex: "0" }, checked.text), ...(link ? [element("p", {}, link)] : []));
@@ -189,7 +193,7 @@ export class CheckPage {
     if (!checked.link) return;
     this.place.root.dataset.hash = checked.link;
     this.place.open();
-    this.status.scrollIntoView({ block: "nearest" });
+    this.status.scrollIntoView({ block: matchMedia("(max-width: 700px)").matches ? "start" : "nearest" }); // with the picture
   }
 
   /** @param {State} state The explorer's: its shapes are given to the reader's function, the newest only. */
@@ -211,14 +215,21 @@ export class CheckPage {
     }
     this.judging = true;
     const outcome = await this.reader.call(pair);
+    this.showPrinted(this.reader.printed + (outcome.printed ?? ""));
     this.python.send("check", { kind: "judge", ...pair, outcome });
+  }
+
+  /** @param {string} text */
+  showPrinted(text) {
+    this.printed.hidden = !text;
+    this.printed.textContent = `printed:\n${text}`;
   }
 
   /** @param {Judged} judged */
   showAnswer({ right, said, truth, answers }) {
     this.live.hidden = false;
     this.live.className = right ? "yours right" : "yours wrong";
-    this.live.textContent = `${right ? "✓" : "✗"} Your function ${answers ? `says: ${said}` : said}${said.endsWith("?") ? "" : "."} True: ${truth}.`;
+    this.live.textContent = `${right ? "✓" : "✗"} Your function ${answers ? `says: ${said}` : said}${said.endsWith("?") ? "" : "."} The right answer: ${truth}.`;
   }
 }
 

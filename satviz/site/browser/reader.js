@@ -4,12 +4,13 @@
 import { answerPairs } from "./answer_pairs.js";
 import { shutOff } from "./shut_off.js";
 
-/** @typedef {{ value?: unknown, problem?: string, line?: string }} Outcome */
+/** @typedef {{ value?: unknown, problem?: string, line?: string, printed?: string }} Outcome `printed`: what the function printed. */
 /** @typedef {{ a: unknown, b: unknown }} Pair Shapes as in a scene file. */
 /** @typedef {"python" | "javascript"} Language */
 
 const CALL_MS = 2000; // that one call may take
 const START_MS = 60000; // that Python may take to start; a script starts at once
+const MAX_LETTERS = 20000; // of an answer with all that was printed
 export const NO_ANSWER = "no answer";
 
 export class Reader {
@@ -24,6 +25,7 @@ export class Reader {
     /** @type {((data: any) => void) | null} */
     this.waiting = null;
     this.ended = false;
+    this.printed = ""; // by the code itself, before its function is called
     const source = language === "python" ? `import ${JSON.stringify(new URL(pythonScript, location.href).href)};` : harness(code);
     // A worker made from such an address obeys the policy of this page, also where a server sends no policy.
     this.url = language === "python" ? URL.createObjectURL(new Blob([source], { type: "text/javascript" })) : `data:text/javascript;charset=utf-8,${encodeURIComponent(source)}`;
@@ -45,6 +47,7 @@ export class Reader {
       this.worker.postMessage({ place: "reader", content: { kind: "define", code: this.code } });
     }
     const found = await this.next(this.language === "python" ? START_MS / 4 : CALL_MS);
+    this.printed = String(found.printed ?? "");
     return found.problem ? "The code does not come to its end: an endless loop?" : String(found.why ?? "");
   }
 
@@ -79,8 +82,8 @@ export class Reader {
   receive(data) {
     if (this.language === "python") {
       if (data?.ready || data?.failed) this.settle(data.failed ? { failed: String(data.failed) } : {});
-      else if (typeof data?.text === "string") this.settle(JSON.parse(data.text));
-    } else this.settle(typeof data === "string" ? JSON.parse(data) : {});
+      else if (typeof data?.text === "string") this.settle(outcomeFrom(data.text));
+    } else this.settle(typeof data === "string" ? outcomeFrom(data) : {});
   }
 
   /** @param {any} data */
@@ -97,10 +100,27 @@ export class Reader {
   }
 }
 
-const BEFORE = `(${shutOff})();\n(${answerPairs})();\nself.satvizCollide = (() => {\n`;
-const HARNESS_LINES = BEFORE.split("\n").length - 1;
+/**
+ * @param {string} text Of the worker, where the reader's code may have forged it.
+ * @returns {Record<string, any>}
+ */
+function outcomeFrom(text) {
+  if (text.length > MAX_LETTERS) return { problem: "error", line: `answers with more than ${MAX_LETTERS} letters` };
+  try {
+    return JSON.parse(text) ?? {};
+  } catch {
+    return { problem: "error", line: "answers with a message that is not an outcome" };
+  }
+}
 
-/** @param {string} code */
+const FILE = "your-code"; // the name of the reader's script in the stack of an error
+const before = (/** @type {number} */ lines) => `(${shutOff})();\n(${answerPairs})("${FILE}", ${lines});\nself.satvizCollide = (() => {\n`;
+const HARNESS_LINES = before(0).split("\n").length - 1;
+const FUNCTION_OF_TWO = /(?:function\s+|(?:const|let|var)\s+)([A-Za-z_$][\w$]*)\s*(?:=\s*(?:function\s*)?)?\(\s*[\w$]+\s*,\s*[\w$]+\s*\)/g;
+
+/** @param {string} code Its function `collide` is called, or the last one of two arguments. */
 function harness(code) {
-  return `${BEFORE}${code}\n;return typeof collide === "function" ? collide : null;\n})();`;
+  const names = [...code.matchAll(FUNCTION_OF_TWO)].map((found) => found[1]);
+  const name = names.includes("collide") ? "collide" : (names.at(-1) ?? "collide");
+  return `${before(HARNESS_LINES)}${code}\n;return typeof ${name} === "function" ? ${name} : null;\n})();\n//# sourceURL=${FILE}`;
 }

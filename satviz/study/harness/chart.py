@@ -5,6 +5,7 @@ import io
 import json
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
+from statistics import median
 from textwrap import wrap
 from typing import Any, NamedTuple, cast
 
@@ -177,23 +178,27 @@ def family_colour(theme: Theme, family: str, *, text: bool = False) -> str:
 
 
 def draw_time_curves(
-    ax: Axes, theme: Theme, xs: Sequence[float], rows: Sequence[JsonRow], styles: Mapping[str, tuple[str, str]]
+    ax: Axes,
+    theme: Theme,
+    xs: Sequence[float],
+    rows: Sequence[JsonRow],
+    styles: Mapping[tuple[str, str], tuple[str, str, str]],
 ) -> None:
-    """Draw a curve of times for each method over xs, with bars for quartiles, and write its name at its end.
+    """Draw curves of times over xs, with bars for the spread of the processes, and write the label of each at its end.
 
-    `styles`: (family, line style) by method; methods without rows are left out.
+    `styles`: (label, family, line style) by method and column; methods without rows are left out.
     """
     ends = []
-    for name, (family, style) in styles.items():
+    ax.set_yscale("log")
+    for (name, column), (label, family, style) in styles.items():
         own = [row for row in rows if row["method"] == name]
         if not own:
             continue
         shade = family_colour(theme, family)
-        ax.plot(xs, [row["ns"] for row in own], color=shade, ls=style, lw=1.8, marker="o", ms=4)
-        for x, row in zip(xs, own, strict=True):
-            ax.plot([x, x], [row["ns_low"], row["ns_high"]], color=shade, lw=1)
-        ends.append((xs[-1], own[-1]["ns"], name, family_colour(theme, family, text=True)))
-    ax.set_yscale("log")
+        ax.plot(xs, [row[column] for row in own], color=shade, ls=style, lw=1.8, marker="o", ms=4)
+        low, high = ([row[f"{column}_{end}"] for row in own] for end in ("low", "high"))
+        ax.vlines(xs, low, high, shade, lw=1)
+        ends.append((xs[-1], own[-1][column], label, family_colour(theme, family, text=True)))
     set_time_ticks(ax.yaxis, ax.get_ylim())
     label_ends(ax, ends)
 
@@ -338,6 +343,16 @@ def _shared_area(one: Sequence[float], other: Sequence[float]) -> float:
     """Return the area that two boxes (x0, y0, x1, y1) share, in square points."""
     wide, high = (min(one[k + 2], other[k + 2]) - max(one[k], other[k]) for k in (0, 1))
     return max(0.0, wide) * max(0.0, high)
+
+
+def median_interval(values: Iterable[float]) -> tuple[float, float, float]:
+    """Return (median, low, high) of a sample of 8 or more; low and high are 95 % bounds of the median of the whole.
+
+    Of n values about n / 2 are below the median, give or take 0.98 n ** 0.5 (the binomial distribution).
+    """
+    found = sorted(values)
+    first = int(len(found) / 2 - 0.98 * len(found) ** 0.5) - 1
+    return median(found), found[first], found[-1 - first]
 
 
 def wilson_interval(wrong: int, total: int) -> tuple[float, float]:

@@ -1,7 +1,7 @@
 """Times as columns of rows, repeated in whole processes, with the spread between these.
 
 Two processes can differ more than the rounds of one: memory lies elsewhere, the machine is busier.  So each process is
-a cell of its own, and an interval comes from drawing processes with replacement (bootstrap).
+a cell of its own, and intervals come from the spread between processes.
 """
 
 import gc
@@ -12,13 +12,10 @@ from statistics import median
 from time import thread_time
 from typing import Any
 
-import numpy as np
-
 from ...advice.timing import time_in_turn
 from .cells import Cell, JsonRow, Settings
 
 BUSY_SPREAD = 0.25  # processes further apart than this share of their median: the machine was busy
-DRAWS = 2000  # of the bootstrap
 
 
 def in_new_process(work: Callable[..., Any], *arguments: Any) -> Any:
@@ -29,18 +26,15 @@ def in_new_process(work: Callable[..., Any], *arguments: Any) -> Any:
 
 def cells_by_process(name: str, work: Callable[..., Any], arguments: tuple[Any, ...], settings: Settings) -> list[Cell]:
     """Return a timed cell for each process in which `work` is done."""
-    processes = range(2 if settings.quick else 5)
+    processes = range(2 if settings.quick else 6)
     return [Cell(f"{name}-{k}-times", in_new_process, (work, *arguments), timed=True) for k in processes]
 
 
 def time_jobs(jobs: Mapping[str, Callable[[], Any]], rounds: int, items: Mapping[str, int]) -> dict[str, float]:
     """Return for each job its median CPU time per item in ns; `items`: how many items a job does."""
     gc.collect()
-    gc.freeze()  # otherwise the collection after each round would visit all shapes again
-    try:
-        return {name: t.median for name, t in time_in_turn(jobs, rounds, items, thread_time).items()}
-    finally:
-        gc.unfreeze()
+    gc.freeze()  # otherwise each later collection would visit all shapes and modules again; the process ends soon
+    return {name: t.median for name, t in time_in_turn(jobs, rounds, items, thread_time).items()}
 
 
 def over_processes(found: Mapping[str, Any], name: str, columns: Sequence[str] = ("ns",)) -> list[JsonRow]:
@@ -60,13 +54,24 @@ def over_processes(found: Mapping[str, Any], name: str, columns: Sequence[str] =
 
 
 def ratio_interval(own: Sequence[float], other: Sequence[float]) -> tuple[float, float, float]:
-    """Return (ratio, low, high): the ratio of medians over processes and its 95 % interval by bootstrap."""
-    rng = np.random.default_rng(len(own))
-    x, y = np.array(own), np.array(other)
-    drawn = rng.integers(0, len(x), (DRAWS, len(x)))  # a process keeps both of its times
-    ratios = np.median(x[drawn], axis=1) / np.median(y[drawn], axis=1)
-    low, high = np.percentile(ratios, [2.5, 97.5])
-    return float(np.median(x) / np.median(y)), float(low), float(high)
+    """Return the median, the least and the largest over the processes of the ratio of two times of one process.
+
+    The median of all possible processes lies between the least and the largest unless all n processes fell on one side
+    of it, so with a probability of 1 - 2 / 2**n.  A bootstrap of so few processes covers less than it says.
+    """
+    ratios = [x / y for x, y in zip(own, other, strict=True)]
+    return median(ratios), min(ratios), max(ratios)
+
+
+def interval_in_words(processes: int) -> str:
+    """Return which interval `ratio_interval` gives from so many processes: "the 97 % interval over 6 processes"."""
+    return f"the {1 - 2 / 2**processes:.0%} interval over {processes} processes".replace("%", " %")
+
+
+def format_ratio(ratio: tuple[float, float, float]) -> str:
+    """Return a ratio and its interval in words: "1.7 times (1.5 to 1.8)"; without decimals from 10 on."""
+    middle, low, high = (f"{value:.{0 if value >= 10 else 1}f}" for value in ratio)
+    return f"{middle} times ({low} to {high})"
 
 
 def timing_warning(rows: Sequence[JsonRow], settings: Settings) -> str:

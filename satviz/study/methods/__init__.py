@@ -18,7 +18,7 @@ from ...engine.relate import relate
 from ...engine.shapes import Circle, Polygon, Shape
 from .. import truth
 from ..harness.machine import is_installed
-from ..workloads.generators import Side, is_padded, unpadded_rings
+from ..workloads.generators import Side, unpadded_rings
 from . import libraries, numpy_rivals, python_rivals
 
 COMPILED, NUMPY, PYTHON = "compiled", "NumPy", "Python"
@@ -36,8 +36,8 @@ class Method(NamedTuple):
     """One way to answer pairs: `hits(prepare(side_a), prepare(side_b))` returns the answers.
 
     `language`: the language of its loop over pairs.  `family`: the group that decides its colour in charts; "exact" is
-    exact by construction for all float64.  `circles`: whether it takes circles too.  `one`: prepares one shape of the
-    engine; None if `prepare` does not go through the engine's shapes.
+    exact by construction for all float64.  `circles`: whether it takes circles too.  `prepare_once`: a quicker way to
+    prepare shapes that are tested only once, where there is one.
     """
 
     name: str
@@ -46,11 +46,12 @@ class Method(NamedTuple):
     prepare: Callable[[Side], Any]
     hits: Callable[[Any, Any], Any]
     circles: bool = False
-    one: Callable[[Shape], Any] | None = None
+    prepare_once: Callable[[Side], Any] | None = None
 
-    def prepare_from(self, side: Side, shapes: list[Shape]) -> Any:
-        """Return what `prepare(side)` returns, made from `shapes`, the engine's shapes of that side."""
-        return [self.one(shape) for shape in shapes] if self.one else self.prepare(side)
+    def from_arrays(self, a: Side, b: Side) -> Any:
+        """Return the answers to all pairs of the raw arrays `a` and `b`, each shape made anew and tested once."""
+        prepare = self.prepare_once or self.prepare
+        return self.hits(prepare(a), prepare(b))
 
 
 def installed_engines() -> Iterator[tuple[str, str]]:
@@ -73,10 +74,9 @@ def true_relations(a: Side, b: Side) -> NDArray[np.int8]:
 
 def answers_by_method(methods: Iterable[Method], a: Side, b: Side) -> Iterator[tuple[Method, Answers]]:
     """Yield each method with its answers to all pairs."""
-    shapes_a, shapes_b = engine_shapes(a), engine_shapes(b)
     for method in methods:
         with np.errstate(all="ignore"):
-            yield method, np.asarray(method.hits(method.prepare_from(a, shapes_a), method.prepare_from(b, shapes_b)))
+            yield method, np.asarray(method.hits(method.prepare(a), method.prepare(b)))
 
 
 def wrong_answers(answers: Answers, right: NDArray[np.int8]) -> NDArray[np.bool_]:
@@ -100,9 +100,7 @@ def engine_shapes(side: Side) -> list[Shape]:
 
 def batch_shapes(side: Side) -> batch.Shapes:
     """Return the shapes of a workload's side as batch.Polygons or batch.Circles."""
-    if isinstance(side, tuple):
-        return batch.Circles(*side)
-    return batch.Polygons(unpadded_rings(side) if is_padded(side) else side.copy())
+    return batch.Circles(*side) if isinstance(side, tuple) else batch.Polygons(side)
 
 
 def _numba_methods() -> Iterator[Method]:
@@ -120,7 +118,10 @@ def _numba_methods() -> Iterator[Method]:
             kernel_for(len(a.x), len(b.x))(a.x, a.y, b.x, b.y, out)
             return out.view(np.bool_)
 
-        return Method(name, COMPILED, family, partial(numpy_rivals.to_columns, dtype=dtype), hits)
+        # float64 is read as it lies; float32 has to be copied anyway
+        once = numpy_rivals.as_columns if dtype is np.float64 else None
+        columns = partial(numpy_rivals.to_columns, dtype=dtype)
+        return Method(name, COMPILED, family, columns, hits, prepare_once=once)
 
     def sat(name: str, family: str, form: int, tolerance: float = 0.0, dtype: Any = np.float64) -> Method:
         """Return SAT as a Method; its kernel takes the tolerance in the format of the columns."""
@@ -132,13 +133,13 @@ def _numba_methods() -> Iterator[Method]:
 
         return on_columns(name, family, kernel_for, dtype)
 
-    def on_bounds(name: str, bound: Callable[..., Any], kernel: Callable[..., None], *options: Any) -> Method:
-        """Return the Method of a kernel on bounding volumes, which `bound(x, y, *options)` makes of a side."""
+    def on_bounds(name: str, bound: Callable[..., Any], kernel: Callable[..., None]) -> Method:
+        """Return the Method of a kernel on bounding volumes, which `bound(x, y)` makes of a side."""
 
         def prepare(side: Side) -> Any:
             """Return the bounding volumes of a workload's side."""
-            columns = numpy_rivals.to_columns(side)
-            return bound(columns.x, columns.y, *options)
+            columns = numpy_rivals.as_columns(side)
+            return bound(columns.x, columns.y)
 
         def hits(a: Any, b: Any) -> Answers:
             """Return for each pair whether the bounding volumes hit."""
@@ -153,7 +154,6 @@ def _numba_methods() -> Iterator[Method]:
         return numba_rivals.gjk_kernel(numba_rivals.unrolled(va), numba_rivals.unrolled(vb))
 
     relation = partial(batch.relate, engine="numba")
-    xy = np.array([(1.0, 0.0), (0.0, 1.0)])
     yield Method("satviz", COMPILED, "exact", batch_shapes, relation, circles=True)
     yield sat("SAT, raw normals", "float SAT", numba_rivals.PLAIN)
     yield sat("SAT, unit normals", "float SAT", numba_rivals.UNIT)
@@ -161,37 +161,28 @@ def _numba_methods() -> Iterator[Method]:
     yield sat("SAT, tolerance 1e-9", "tolerance", numba_rivals.WITH_TOLERANCE, TOLERANCE)
     yield on_columns("GJK", "GJK", gjk)
     yield on_bounds("bounding circles", numba_rivals.enclosing_circles, numba_rivals.circles_hit)
-    yield on_bounds("AABB", numba_rivals.ranges_on_directions, numba_rivals.boxes_hit, xy)
+    yield on_bounds("AABB", numba_rivals.upright_boxes, numba_rivals.boxes_hit)
     yield on_bounds("oriented boxes", numba_rivals.oriented_boxes, numba_rivals.oriented_boxes_hit)
 
 
 def _numpy_methods() -> Iterator[Method]:
     """Yield the methods whose loops run in NumPy."""
 
-    def sat_on(name: str, family: str, axes: numpy_rivals.AxisChoice) -> Method:
-        """Return textbook SAT in NumPy as a Method; `axes(a, b)` yields the axes that it tests."""
-        hits = partial(numpy_rivals.sat_hits, axes=axes)
-        return Method(name, NUMPY, family, numpy_rivals.to_columns, hits, circles=True)
-
     yield Method("satviz", NUMPY, "exact", batch_shapes, partial(batch.relate, engine="numpy"), circles=True)
-    yield sat_on("SAT, raw normals", "float SAT", numpy_rivals.sat_axes)
-    yield sat_on("SAT, unit normals", "float SAT", numpy_rivals.with_unit_length(numpy_rivals.sat_axes))
+    columns, hits = numpy_rivals.to_columns, numpy_rivals.sat_hits
+    yield Method("SAT, unit normals", NUMPY, "float SAT", columns, hits, circles=True)
 
 
 def _python_methods() -> Iterator[Method]:
     """Yield the methods in plain Python, which answer one pair at a time."""
 
-    def one_by_one(name: str, family: str, test: Callable[[Any, Any], Any], one: Callable[[Shape], Any]) -> Method:
-        """Return the Method that prepares each shape by `one` and answers each pair by `test`."""
-        return Method(
-            name, PYTHON, family, lambda side: [one(shape) for shape in engine_shapes(side)],
-            libraries.one_by_one(test), circles=True, one=one,
-        )  # fmt: skip
+    def points(side: Side) -> list[python_rivals.PointsAndRadius]:
+        """Return each shape of a workload's side as points and a radius."""
+        return [python_rivals.points_and_radius(shape) for shape in engine_shapes(side)]
 
-    yield one_by_one("satviz", "exact", relate, lambda shape: shape)
-    points = python_rivals.points_and_radius
-    yield one_by_one("SAT, unit normals", "float SAT", partial(python_rivals.sat, unit=True), points)
-    yield one_by_one("GJK", "GJK", python_rivals.gjk, points)
+    one_by_one = libraries.one_by_one
+    yield Method("satviz", PYTHON, "exact", engine_shapes, one_by_one(relate), circles=True)
+    yield Method("GJK", PYTHON, "GJK", points, one_by_one(python_rivals.gjk), circles=True)
 
 
 def _library_methods() -> Iterator[Method]:

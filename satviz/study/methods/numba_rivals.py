@@ -69,8 +69,9 @@ def enclosing_circles(x: Array, y: Array) -> Array:
             cx, cy = cx + x[v, i], cy + y[v, i]
         cx, cy = cx / x.shape[0], cy / x.shape[0]
         for v in range(x.shape[0]):
-            far = max(far, np.hypot(x[v, i] - cx, y[v, i] - cy))
-        kept[0, i], kept[1, i], kept[2, i] = cx, cy, far
+            dx, dy = x[v, i] - cx, y[v, i] - cy
+            far = max(far, dx * dx + dy * dy)
+        kept[0, i], kept[1, i], kept[2, i] = cx, cy, np.sqrt(far)
     return kept
 
 
@@ -83,16 +84,16 @@ def circles_hit(a: Array, b: Array, out: Out) -> None:
 
 
 @compiled
-def ranges_on_directions(x: Array, y: Array, directions: Array) -> Array:
-    """Return each polygon's range on each of the (k, 2) directions, as two rows (low, high) for each."""
-    kept = np.empty((2 * len(directions), x.shape[1]))
-    for k in range(len(directions)):
-        for i in range(x.shape[1]):
-            low, high = np.inf, -np.inf
-            for v in range(x.shape[0]):
-                landing = x[v, i] * directions[k, 0] + y[v, i] * directions[k, 1]
-                low, high = min(low, landing), max(high, landing)
-            kept[2 * k, i], kept[2 * k + 1, i] = low, high
+def upright_boxes(x: Array, y: Array) -> Array:
+    """Return rows (low x, high x, low y, high y): each polygon's upright box."""
+    kept = np.empty((4, x.shape[1]))
+    for i in range(x.shape[1]):
+        x0 = x1 = x[0, i]
+        y0 = y1 = y[0, i]
+        for v in range(1, x.shape[0]):
+            x0, x1 = min(x0, x[v, i]), max(x1, x[v, i])
+            y0, y1 = min(y0, y[v, i]), max(y1, y[v, i])
+        kept[0, i], kept[1, i], kept[2, i], kept[3, i] = x0, x1, y0, y1
     return kept
 
 

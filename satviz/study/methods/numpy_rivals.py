@@ -1,9 +1,9 @@
-"""Textbook SAT on many pairs with NumPy, as it is usually written: one loop over a choice of axes, in blocks.
+"""Textbook SAT on many pairs with NumPy, as it is usually written: one loop over the axes, in blocks.
 
 It stays beside the models of `satviz/advice` as a rival: its own time is what the study measures.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -27,78 +27,55 @@ class Columns(NamedTuple):
     r: Array | None
 
 
-class PairAxes(NamedTuple):
-    """One axis for each pair: its direction (nx, ny) and the length of that; a number is the same for all pairs."""
-
-    nx: Array | float
-    ny: Array | float
-    length: Array | float
-
-
-AxisChoice = Callable[[Columns, Columns], Iterator[PairAxes]]
+def as_columns(side: Side) -> Columns:
+    """Return the shapes of a workload's side as Columns that are views: nothing is copied."""
+    at, r = side if isinstance(side, tuple) else (side, None)
+    at = at[:, None] if at.ndim == 2 else at
+    return Columns(at[:, :, 0].T, at[:, :, 1].T, r)
 
 
 def to_columns(side: Side, dtype: type = np.float64) -> Columns:
-    """Return the shapes of a workload's side as Columns, with coordinates of type `dtype`."""
-    at, r = side if isinstance(side, tuple) else (side, None)
-    at = at[:, None] if at.ndim == 2 else at
-    x, y = (np.ascontiguousarray(at[:, :, i].T, dtype=dtype) for i in (0, 1))  # type: ignore[var-annotated]
+    """Return the shapes of a workload's side as Columns of their own, with coordinates of type `dtype`."""
+    x, y, r = as_columns(side)
+    x, y = (np.ascontiguousarray(column, dtype=dtype) for column in (x, y))
     return Columns(x, y, None if r is None else r.astype(dtype))
 
 
-def sat_hits(a: Columns, b: Columns, axes: AxisChoice) -> Hits:
-    """Return for each pair whether it hits: none of the axes that `axes(a, b)` yields leaves a gap."""
+def sat_hits(a: Columns, b: Columns) -> Hits:
+    """Return for each pair whether it hits: no axis of length 1 leaves a gap."""
     found = np.ones(a.x.shape[1], bool)
     with np.errstate(all="ignore"):
         for start in range(0, len(found), BLOCK_PAIRS):
             p, q = (_block(side, start) for side in (a, b))
-            for axis in axes(p, q):
-                lo_a, hi_a = project(p, axis)
-                lo_b, hi_b = project(q, axis)
-                # a repeated corner's edge has no direction: its gap is 0 or NaN, which separates nothing
+            for nx, ny in sat_axes(p, q):
+                length = np.sqrt(nx * nx + ny * ny)
+                nx, ny = nx / length, ny / length
+                lo_a, hi_a = project(p, nx, ny)
+                lo_b, hi_b = project(q, nx, ny)
+                # a repeated corner's edge has no direction: its gap is NaN, which separates nothing
                 found[start : start + BLOCK_PAIRS] &= ~(np.maximum(lo_a - hi_b, lo_b - hi_a) > 0)
     return found
 
 
-def project(c: Columns, axis: PairAxes) -> tuple[Array, Array]:
-    """Return (low, high): the range of each shape on the axis of its pair."""
-    nx, ny, length = axis
+def project(c: Columns, nx: Array, ny: Array) -> tuple[Array, Array]:
+    """Return (low, high): the range of each shape on the axis (nx, ny) of its pair, of length 1."""
     lo = hi = c.x[0] * nx + c.y[0] * ny
     for x, y in zip(c.x[1:], c.y[1:]):
         landing = x * nx + y * ny
         lo, hi = np.minimum(lo, landing), np.maximum(hi, landing)
-    return (lo, hi) if c.r is None else (lo - c.r * length, hi + c.r * length)
+    return (lo, hi) if c.r is None else (lo - c.r, hi + c.r)
 
 
-def edge_normals(a: Columns, b: Columns) -> Iterator[PairAxes]:
-    """Yield every edge normal, those of A first, not normalised."""
-    circles = a.r is not None or b.r is not None
+def sat_axes(a: Columns, b: Columns) -> Iterator[tuple[Array, Array]]:
+    """Yield the axes of SAT: edge normals, and for circles the axis from the center to the nearest vertex or center."""
     for c in (a, b):
         for i in range(len(c.x) if len(c.x) > 1 else 0):
-            nx, ny = c.y[i] - c.y[i - 1], c.x[i - 1] - c.x[i]
-            yield PairAxes(nx, ny, np.hypot(nx, ny) if circles else 1.0)
-
-
-def sat_axes(a: Columns, b: Columns) -> Iterator[PairAxes]:
-    """Yield the axes of SAT: edge normals, and for circles the axis from the center to the nearest vertex or center."""
-    yield from edge_normals(a, b)
+            yield c.y[i] - c.y[i - 1], c.x[i - 1] - c.x[i]
     if a.r is not None or b.r is not None:
         circle, ring = (a, b) if a.r is not None else (b, a)
         x, y = ring.x - circle.x, ring.y - circle.y
         nearest = (x * x + y * y).argmin(axis=0), np.arange(x.shape[1])
-        yield PairAxes(x[nearest], y[nearest], np.hypot(x[nearest], y[nearest]))
-
-
-def with_unit_length(choice: AxisChoice) -> AxisChoice:
-    """Return a function that yields the axes of `choice`, each divided by its length."""
-
-    def normalised(a: Columns, b: Columns) -> Iterator[PairAxes]:
-        """Yield the axes of `choice` with length 1."""
-        for nx, ny, _ in choice(a, b):
-            length = np.sqrt(nx * nx + ny * ny)
-            yield PairAxes(nx / length, ny / length, 1.0)
-
-    return normalised
+        yield x[nearest], y[nearest]
 
 
 def _block(c: Columns, start: int) -> Columns:

@@ -1,61 +1,22 @@
-"""Rival methods for one pair at a time in plain Python, as they are usually written: floats without error bounds.
+"""GJK for one pair at a time in plain Python, as it is usually written: floats without error bounds.
 
 A shape here is (points, radius): a polygon's corners with radius 0, or a circle's center with its radius.
 """
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from math import hypot, inf, sqrt
+from collections.abc import Sequence
+from math import hypot, inf
 
 from ...engine.shapes import Circle, Shape
 
 Points = Sequence[tuple[float, float]]
 PointsAndRadius = tuple[Points, float]
 Simplex = list[tuple[float, float]]
-AxisChoice = Callable[[PointsAndRadius, PointsAndRadius], Iterable[tuple[float, float]]]
 MAX_GJK_STEPS = 64  # rounding can make GJK cycle
 
 
 def points_and_radius(shape: Shape) -> PointsAndRadius:
     """Return a polygon as (its corners, 0), or a circle as ((its center,), its radius)."""
     return ((shape.center,), shape.radius) if isinstance(shape, Circle) else (shape.corners, 0.0)
-
-
-def edge_normals(a: PointsAndRadius, b: PointsAndRadius) -> Iterator[tuple[float, float]]:
-    """Yield every edge normal, those of A first, not normalised."""
-    for points, _ in (a, b):
-        if len(points) > 1:
-            px, py = points[-1]
-            for qx, qy in points:
-                yield qy - py, px - qx
-                px, py = qx, qy
-
-
-def sat_axes(a: PointsAndRadius, b: PointsAndRadius) -> Iterator[tuple[float, float]]:
-    """Yield the axes of SAT: edge normals, and for circles the axis from the center to the nearest vertex or center."""
-    yield from edge_normals(a, b)
-    if a[1] or b[1]:
-        (((cx, cy),), _), (ring, _) = (a, b) if a[1] else (b, a)
-        yield min(((x - cx, y - cy) for x, y in ring), key=lambda v: v[0] * v[0] + v[1] * v[1])
-
-
-def sat(a: PointsAndRadius, b: PointsAndRadius, choice: AxisChoice = sat_axes, *, unit: bool = False) -> bool:
-    """Return whether two shapes hit: no axis of `choice` leaves a gap (textbook SAT); `unit`: normalise each axis."""
-    for nx, ny in choice(a, b):
-        length = sqrt(nx * nx + ny * ny)
-        if unit and length:
-            nx, ny, length = nx / length, ny / length, 1.0
-        lo_a, hi_a = project(a, nx, ny, length)
-        lo_b, hi_b = project(b, nx, ny, length)
-        if max(lo_a - hi_b, lo_b - hi_a) > 0:
-            return False
-    return True
-
-
-def project(shape: PointsAndRadius, nx: float, ny: float, length: float) -> tuple[float, float]:
-    """Return (low, high): the range of a shape on the axis (nx, ny); `length`: the length of (nx, ny)."""
-    points, r = shape
-    landings = [x * nx + y * ny for x, y in points]
-    return min(landings) - r * length, max(landings) + r * length
 
 
 def gjk(a: PointsAndRadius, b: PointsAndRadius) -> bool:

@@ -60,8 +60,10 @@ def batch_of(sides: Sequence[Side]) -> batch.Shapes:
 
 
 def _satviz_pairs(frame: Frame, engine: str) -> NDArray[np.intp]:
-    """Return the pairs that satviz finds."""
-    return batch.colliding_pairs(batch_of(frame.sides), engine=engine)
+    """Return the pairs that satviz finds; numba reads shapes of several kinds from the rivals' padded arrays."""
+    padded = engine == "numba" and len(frame.sides) > 1
+    made = batch.from_padded(*frame.padded) if padded else batch_of(frame.sides)
+    return batch.colliding_pairs(made, engine=engine)
 
 
 class MovedBatch:

@@ -99,40 +99,31 @@ def _scene_kernel(kind: int, sweep: bool) -> Callable[..., Ints]:
                 elif kind == MIXED:
                     total += mixed_hit(near, near_counts, near_radii, i, met[k])
                 else:
-                    total += polygons_hit(near, i, near, met[k], kind)
+                    total += polygons_hit(near, i, met[k], kind)
         return found[:total]
 
     return kernel
 
 
 @inlined
-def polygons_hit(a: Array, i: int, b: Array, j: int, corners: int) -> bool:
-    """Return whether polygon i of `a` hits polygon j of `b`: no edge has all corners of the other beyond it."""
-    return bool(max(_clearance(a, i, b, j, corners), _clearance(b, j, a, i, corners)) <= 0)
+def polygons_hit(at: Array, i: int, j: int, corners: int) -> bool:
+    """Return whether two polygons hit: no edge of either has all corners of the other beyond it."""
+    return bool(max(_clearance(at, i, j, corners), _clearance(at, j, i, corners)) <= 0)
 
 
 @inlined
-def _clearance(a: Array, i: int, b: Array, j: int, corners: int) -> float:
-    """Return how far the corners of b[j] lie beyond that edge of a[i] that is best for this, times its length."""
+def _clearance(at: Array, i: int, j: int, corners: int) -> float:
+    """Return how far polygon j lies beyond that edge of polygon i that is best for this, times the edge's length."""
     best = -np.inf
     for e in range(corners):
         f = (e + 1) % corners
-        ex, ey = a[i, e, 0], a[i, e, 1]
-        nx, ny = a[i, f, 1] - ey, ex - a[i, f, 0]
+        ex, ey = at[i, e, 0], at[i, e, 1]
+        nx, ny = at[i, f, 1] - ey, ex - at[i, f, 0]
         least = np.inf
         for v in range(corners):
-            least = min(least, nx * b[j, v, 0] + ny * b[j, v, 1])
+            least = min(least, nx * at[j, v, 0] + ny * at[j, v, 1])
         best = max(best, least - (nx * ex + ny * ey))
     return best
-
-
-@compiled
-def box_pairs_hit(a: Array, b: Array) -> NDArray[np.bool_]:
-    """Return for each pair of (N, 4, 2) boxes whether it hits, by plain SAT; an array is read once, as it lies."""
-    out = np.empty(len(a), np.bool_)
-    for i in range(len(a)):
-        out[i] = polygons_hit(a, i, b, i, 4)
-    return out
 
 
 @compiled

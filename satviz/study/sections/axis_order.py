@@ -108,7 +108,7 @@ def rows(found: dict[str, Any]) -> dict[str, list[JsonRow]]:
 def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     """Return the chart of the mean number of axes tested, by order."""
     by_order = {row["order"]: row for row in rows}
-    tested = {name: f"{row['tested']:.1f}" for name, row in by_order.items()}
+    tested = {name: f"{row['tested']:.2f} ({row['low']:.2f} to {row['high']:.2f})" for name, row in by_order.items()}
     paths, apart = rows[0]["paths"], rows[0]["apart"]
     title = (
         f"Axes tested until one separates: {tested[SHUFFLED]} shuffled, {tested[LAST_FIRST]} with the last separating "

@@ -1,9 +1,9 @@
 """Corners: time against the number of corners, for several ways to go through two outlines.
 
-Question: which way suits outlines of many corners?  Workload: pairs of regular polygons, half of them apart; a
-sample is checked by both oracles.  Methods: SAT with every corner and with a search for the support point, rotating
-calipers, GJK, satviz and shapely.  The claim is refuted by a method whose time grows by another power of the number of
-corners.
+Question: which way suits outlines of many corners?  Workload: pairs of regular polygons, half of them apart; a sample
+is checked by both oracles.  Methods: SAT with every corner and with a search for the support point, rotating calipers,
+GJK, satviz and shapely.  The claim is refuted if, from 64 corners on, twice the corners take SAT on every corner less
+than three times as long, or calipers or GJK more than that.
 """
 
 from collections.abc import Callable, Sequence
@@ -27,25 +27,38 @@ from ..harness.chart import (
     head_height,
 )
 from ..harness.machine import is_installed
-from ..harness.timings import cells_by_process, over_processes, time_jobs, timing_warning
+from ..harness.timings import (
+    cells_by_process,
+    format_ratio,
+    interval_in_words,
+    over_processes,
+    ratio_interval,
+    time_jobs,
+    timing_warning,
+)
 from ..methods import libraries, true_relations
 from ..workloads.generators import Array, Rings, apart_pairs, overlapping_pairs
 
 CORNER_COUNTS = (3, 4, 8, 16, 32, 64, 128, 256)
-LINE_STYLES = {
-    "SAT, every corner": ("float SAT", "-"),
-    "SAT, support search": ("float SAT", "--"),
-    "rotating calipers": ("float SAT", ":"),
-    "GJK": ("GJK", "-"),
-    "satviz": ("exact", "-"),
-    "shapely": ("library", "-"),
+QUICK_COUNTS = (4, 16, 64, 256)  # fewer kernels to compile
+LINE_STYLES = {  # by (method, column): (label, family, line style)
+    (name, "ns"): (name, family, style)
+    for name, family, style in (
+        ("SAT, every corner", "float SAT", "-"),
+        ("SAT, support search", "float SAT", "--"),
+        ("rotating calipers", "float SAT", ":"),
+        ("GJK", "GJK", "-"),
+        ("satviz", "exact", "-"),
+        ("shapely", "library", "-"),
+    )
 }
 
 
 def cells(settings: Settings) -> list[Cell]:
     """Return a cell that counts wrong answers, and a cell for each process that times the methods."""
-    arguments = ((10_000, 3) if settings.quick else (200_000, 5)) + (settings,)
-    counted = Cell("corners-count", count_errors, (400 if settings.quick else 4000, settings))
+    counts = QUICK_COUNTS if settings.quick else CORNER_COUNTS
+    arguments = ((10_000, 3) if settings.quick else (200_000, 5)) + (counts, settings)
+    counted = Cell("corners-count", count_errors, (400 if settings.quick else 4000, counts, settings))
     return [counted, *cells_by_process("corners", take_times, arguments, settings)]
 
 
@@ -58,13 +71,13 @@ def mixed_pairs(n: int, v: int, settings: Settings) -> tuple[Rings, Rings]:
     return a[order], b[order]
 
 
-def count_errors(corners: int, settings: Settings) -> list[JsonRow]:
+def count_errors(corners: int, counts: Sequence[int], settings: Settings) -> list[JsonRow]:
     """Return for each method and corner count its wrong answers on some pairs, which both oracles check.
 
     `corners`: corners in all, so that there are fewer pairs where each has more corners.
     """
     found = []
-    for v in CORNER_COUNTS:
+    for v in counts:
         a, b = mixed_pairs(max(4, corners // v), v, settings)
         right = true_relations(a, b)
         found += [{"corners": v, "method": name, "pairs": len(a), "wrong": int((job() != (right > 0)).sum())}
@@ -100,10 +113,10 @@ def ready_jobs(a: Rings, b: Rings) -> dict[str, Callable[[], Any]]:
     return jobs
 
 
-def take_times(corners: int, rounds: int, settings: Settings) -> list[JsonRow]:
+def take_times(corners: int, rounds: int, counts: Sequence[int], settings: Settings) -> list[JsonRow]:
     """Return for each method and corner count the ns per pair of regular v-gons; `corners`: as in `count_errors`."""
     found = []
-    for v in CORNER_COUNTS:
+    for v in counts:
         n = max(100, corners // v)
         jobs = ready_jobs(*mixed_pairs(n, v, settings))
         times = time_jobs(jobs, rounds, dict.fromkeys(jobs, n))
@@ -119,14 +132,19 @@ def rows(found: dict[str, Any]) -> dict[str, list[JsonRow]]:
 
 def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     """Return the chart of time against corners; both scales are logarithmic, so a slope is an exponent."""
-    ns = {(row["method"], row["corners"]): row["ns"] for row in rows}
-    names = [name for name in LINE_STYLES if (name, CORNER_COUNTS[-1]) in ns]
-    factors = {name: (ns[name, CORNER_COUNTS[-1]] / ns[name, 64]) ** 0.5 for name in names}  # two doublings after 64
+    by = {(row["method"], row["corners"]): row for row in rows}
+    names = [name for name, _ in LINE_STYLES if any(row["method"] == name for row in rows)]
+    counts = sorted({row["corners"] for row in rows})
+    factors = dict[str, str]()
+    for name in names:  # two doublings after 64
+        last, first = (by[name, v]["ns_runs"] for v in (256, 64))
+        middle, low, high = (ratio**0.5 for ratio in ratio_interval(last, first))
+        factors[name] = format_ratio((middle, low, high))
     title = "Time against corners"
     if "GJK" in factors:
         title = "From 64 corners on, twice the corners take SAT on every corner "
-        title += f"{factors['SAT, every corner']:.1f} times as long, GJK {factors['GJK']:.1f} "
-        title += f"and calipers {factors['rotating calipers']:.1f}"
+        title += f"{factors['SAT, every corner']} as long, GJK {factors['GJK']} "
+        title += f"and calipers {factors['rotating calipers']}"
 
     lines = ("Time for a pair of regular polygons, half of them apart. Bars: the spread of the processes.",)
     head = head_height(title, lines)
@@ -137,15 +155,16 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
         draw_headline(fig, theme, title, *lines)
         ax = add_axes(fig, (56 / WIDTH, 54 / size[1], 188 / WIDTH, 246 / size[1]), theme)
         ax.set_xscale("log")
-        draw_time_curves(ax, theme, CORNER_COUNTS, rows, LINE_STYLES)
+        draw_time_curves(ax, theme, counts, rows, LINE_STYLES)
         ax.set_xlabel("corners of each polygon")
-        ax.set_xticks(CORNER_COUNTS[1:], [str(v) for v in CORNER_COUNTS[1:]], fontsize=TEXT_POINTS)
+        ticks = [v for v in counts if v > 3]
+        ax.set_xticks(ticks, [str(v) for v in ticks], fontsize=TEXT_POINTS)
         ax.xaxis.minorticks_off()
 
-    text = ""
+    text = f"In brackets: {interval_in_words(len(rows[0]['ns_runs']))}. "
     for name in names:
-        times = [f"{format_time(ns[name, v])} with {v} corners" for v in (CORNER_COUNTS[0], 32, CORNER_COUNTS[-1])]
-        text += f"{name}: {', '.join(times)}; twice the corners take {factors[name]:.1f} times as long (64 to 256). "
+        times = [f"{format_time(by[name, v]['ns'])} with {v} corners" for v in (4, 64, 256)]
+        text += f"{name}: {', '.join(times)}; twice the corners take {factors[name]} as long (64 to 256). "
     text += f"Wrong answers: {sum(row['wrong'] for row in rows)} of {sum(row['pairs'] for row in rows):,}, "
     text += "checked by two exact oracles."
     return Chart("corners", title, size, draw, rows, text, timing_warning(rows, settings))

@@ -14,7 +14,8 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from ... import batch
-from ...advice.advising import advise
+from ...advice.advising_batches import recommend_batch
+from ...advice.records import anywhere, best
 from ...pictures import Theme
 from ..harness.cells import Cell, JsonRow, Settings
 from ..harness.chart import TEXT_LETTER, TEXT_LINE, TEXT_POINTS, WIDTH, Chart, draw_headline, format_time, head_height
@@ -64,15 +65,12 @@ def recommend(n: int, settings: Settings) -> list[JsonRow]:
     }
     table: list[JsonRow] = []
     for words, shapes in scenes.items():
-        found = advise(shapes)
-        model, search = found.model, found.summary.search
-        row: JsonRow = {"have": words, "shapes": len(shapes), "kind": _kind(model.kind, shapes), "model": model.name}
-        row |= {"search": search.name if search else "", "relative_margin": found.summary.relative_margin}
-        table.append({**row, "proven": True, "anywhere": found.anywhere.name})
-    moving = table[3]["anywhere"]
-    unknown = {"have": "anything that moves: positions not known before", "shapes": 0, "kind": "exact", "search": ""}
-    table.append({**unknown, "model": moving, "relative_margin": 0.0, "proven": True, "anywhere": moving})
-    return table
+        # with NumPy: for so few pairs it is done before numba has compiled its kernels
+        summary, results, _ = recommend_batch(shapes, None, None, engine="numpy")
+        model = best(results).model
+        table.append({"have": words, "kind": _kind(model.kind, shapes), "model": model.name})
+        moving = anywhere(summary, results).name  # the last scene has turned boxes, so it needs most
+    return [*table, {"have": "anything that moves: positions not known before", "kind": "exact", "model": moving}]
 
 
 def _kind(kind: str, shapes: batch.Shapes) -> str:
@@ -85,9 +83,8 @@ def rows(found: dict[str, Any]) -> dict[str, list[JsonRow]]:
     measured = {row["method"]: row for row in summaries(found)}
     if not measured.keys() >= set(MEASURED.values()):
         return {}
-    sparks = {"have": "sparks and crowds, where a wrong hit costs nothing", "shapes": 0, "kind": "circles",
-              "model": "bounding circles", "search": "", "relative_margin": 0.0, "proven": False,
-              "anywhere": "", "wrong_metres": measured["bounding circles"]["metres"]}  # fmt: skip
+    sparks = {"have": "sparks and crowds, where a wrong hit costs nothing", "kind": "circles",
+              "model": "bounding circles", "wrong_metres": measured["bounding circles"]["metres"]}  # fmt: skip
     table = []
     for row in (*({**row, "wrong_metres": 0.0} for row in found["decision"]), sparks):
         timed = measured[MEASURED[row["kind"]]]
@@ -114,25 +111,26 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     def draw(fig: Figure, theme: Theme) -> None:
         """Draw the table, a line between rows."""
         draw_headline(fig, theme, title, *lines)
-        style: dict[str, Any] = {"fontsize": TEXT_POINTS, "va": "top", "parse_math": False, "linespacing": 1.15}
-        down = head + 8
-        for words, left, width in COLUMNS:
-            heading = "\n".join(wrap(words, int(width / TEXT_LETTER)))
-            fig.text(left / WIDTH, 1 - down / size[1], heading, color=theme.roles["guide"], **style)
+        style: dict[str, Any] = {"fontsize": TEXT_POINTS, "va": "baseline", "parse_math": False}
+
+        def cell(words: str, column: int, down: float, role: str, weight: str = "normal") -> None:
+            """Write one field of the table; `down`: its first line's distance from the top in points."""
+            _, left, width = COLUMNS[column]
+            shade = theme.text.get(role, theme.roles[role])
+            for n, line in enumerate(wrap(words, int(width / TEXT_LETTER))):
+                y = 1 - (down + n * TEXT_LINE) / size[1]
+                fig.text(left / WIDTH, y, line, color=shade, fontweight=weight, **style)
+
+        down = head + 8 + TEXT_POINTS
+        for k, (words, _, _) in enumerate(COLUMNS):
+            cell(words, k, down, "guide")
         down += 34
-        for own, row, height in zip(table, rows, heights, strict=True):
-            fig.add_artist(_rule(theme, down - 4, size))
-            for k, (words, (_, left, width)) in enumerate(zip(own, COLUMNS, strict=True)):
-                role = (
-                    "exact"
-                    if k == 1 and row["kind"] == "exact"
-                    else "wrong"
-                    if k == 3 and row["wrong_metres"]
-                    else "ink"
-                )
-                lines_of = "\n".join(wrap(words, int(width / TEXT_LETTER)))
-                fig.text(left / WIDTH, 1 - down / size[1], lines_of, color=theme.text.get(role, theme.roles[role]),
-                         fontweight="bold" if k == 1 else "normal", **style)  # fmt: skip
+        for (have, model, time, wrong), row, height in zip(table, rows, heights, strict=True):
+            fig.add_artist(_rule(theme, down - 4 - TEXT_POINTS, size))
+            cell(have, 0, down, "ink")
+            cell(model, 1, down, "exact" if row["kind"] == "exact" else "ink", "bold")
+            cell(time, 2, down, "ink")
+            cell(wrong, 3, down, "wrong" if row["wrong_metres"] else "ink")
             down += height
 
     text = f"{title}. " + " ".join(f"{own[0][0].upper()}{own[0][1:]}: {own[1]}, {own[2]}." for own in table)

@@ -1,7 +1,7 @@
 """The price of exactness: satviz against plain SAT in float64, where more and more pairs touch, and beside an outlier.
 
-Question: what does an exact answer cost more than a float answer?  Workload: pairs of triangles, a share of which touch
-exactly, and the same with one triangle 2^k times as large.  Methods: plain SAT and satviz, for the answer alone and
+Question: what does an exact answer cost more than a float answer?  Workload: pairs of 4-gons, a share of which touch
+exactly, and the same with one 4-gon 2^k times as large.  Methods: plain SAT and satviz, for the answer alone and
 from the arrays; shapely.  The claim is refuted by a workload of such pairs on which satviz takes longer than the
 chart's largest price.
 """
@@ -21,19 +21,25 @@ from ..harness.chart import (
     Chart,
     add_axes,
     draw_headline,
-    family_colour,
+    draw_time_curves,
     format_time,
     head_height,
-    label_ends,
-    set_time_ticks,
 )
-from ..harness.timings import cells_by_process, over_processes, ratio_interval, time_jobs, timing_warning
-from ..methods import COMPILED, VECTORISED, Method, all_methods
+from ..harness.timings import (
+    cells_by_process,
+    format_ratio,
+    interval_in_words,
+    over_processes,
+    ratio_interval,
+    time_jobs,
+    timing_warning,
+)
+from ..methods import COMPILED, VECTORISED, all_methods
 from ..workloads.generators import Rings, ngons
-from ..workloads.hard_pairs import touching_triangles
+from ..workloads.hard_pairs import touching_quadrilaterals
 
 TOUCHING_SHARES = (0.0, 0.001, 0.01, 0.1, 1.0)
-OUTLIERS = (5, 10, 20)  # log2 of how much larger one triangle is
+OUTLIERS = (5, 10, 20)  # log2 of how much larger one 4-gon is
 TICKS = {0.0: "0%", 0.001: "0.1%", 0.01: "1%", 0.1: "10%", 1.0: "100%", 5: "2⁵", 10: "2¹⁰", 20: "2²⁰"}
 PLAIN, EXACT = "SAT, raw normals", "satviz"
 LINES = {  # by (method, column): (label, family, line style)
@@ -53,9 +59,9 @@ def cells(settings: Settings) -> list[Cell]:
 
 
 def workloads(n: int, rng: np.random.Generator) -> dict[tuple[str, float], tuple[Rings, Rings]]:
-    """Return pairs of triangles by (what changes, how much)."""
-    random_a, random_b = ngons(rng, n, 3, 0.9), ngons(rng, n, 3, 0.9)
-    touching_a, touching_b = touching_triangles(rng, n)
+    """Return pairs of 4-gons by (what changes, how much)."""
+    random_a, random_b = ngons(rng, n, 4, 1.2), ngons(rng, n, 4, 1.2)
+    touching_a, touching_b = touching_quadrilaterals(rng, n)
     order, found = rng.permutation(n), {}
     for share in TOUCHING_SHARES:
         a, b, chosen = random_a.copy(), random_b.copy(), order[: round(share * n)]
@@ -73,13 +79,9 @@ def take_times(n: int, rounds: int, settings: Settings) -> list[JsonRow]:
     timed = []
     methods = {m.name: m for m in all_methods() if m.language == COMPILED and (m.name, "ns") in LINES}
 
-    def whole(method: Method, a: Rings, b: Rings) -> Any:
-        """Prepare both sides of the pairs and answer."""
-        return method.hits(method.prepare(a), method.prepare(b))
-
     for (what, much), (a, b) in workloads(n, settings.rng("price")).items():
         jobs = {f"{name}/ns": partial(m.hits, m.prepare(a), m.prepare(b)) for name, m in methods.items()}
-        jobs |= {f"{name}/whole": partial(whole, methods[name], a, b) for name, key in LINES if key == "whole"}
+        jobs |= {f"{name}/whole": partial(methods[name].from_arrays, a, b) for name, key in LINES if key == "whole"}
         times = time_jobs(jobs, rounds, dict.fromkeys(jobs, n))
         timed += [{"what": what, "much": much, "method": name, "pairs": n, "ns": times[f"{name}/ns"],
                   "whole": times.get(f"{name}/whole", 0.0)} for name in methods]  # fmt: skip
@@ -96,17 +98,17 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     """Return the chart of two panels: times against the share of touching pairs, and against the outlier's size."""
     by = {(row["what"], row["much"], row["method"]): row for row in rows}
 
-    def ratio(what: str, much: float, column: str = "ns") -> tuple[float, float, float]:
-        """Return how many times as long as plain SAT satviz takes, with its interval."""
+    def ratio(what: str, much: float, column: str = "ns") -> str:
+        """Return how many times as long as plain SAT satviz takes, with its interval, in words."""
         own, plain = (by[what, much, name][f"{column}_runs"] for name in (EXACT, PLAIN))
-        return ratio_interval(own, plain)
+        return format_ratio(ratio_interval(own, plain))
 
-    none, every, outlier = ratio("touching", 0.0), ratio("touching", 1.0), ratio("outlier", float(OUTLIERS[-1]))
     title = (
-        f"An exact answer takes {none[0]:.1f} times as long as plain SAT where no pair touches, {every[0]:.0f} times "
-        f"where all do, and {outlier[0]:.1f} times beside one shape that is a million times as large"
+        f"An exact answer takes {ratio('touching', 0.0)} as long as plain SAT where no pair touches, "
+        f"{ratio('touching', 1.0)} where all do, and {ratio('outlier', float(OUTLIERS[-1]))} beside one shape that is "
+        "a million times as large"
     )
-    lines = (f"Time for a pair of {rows[0]['pairs']:,} pairs of triangles. Bars: the spread of the processes.",)
+    lines = (f"Time for a pair of {rows[0]['pairs']:,} pairs of 4-gons. Bars: the spread of the processes.",)
     head = head_height(title, lines)
     size = WIDTH, head + 470
 
@@ -117,36 +119,25 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
         limits = min(shown) / 1.5, max(shown) * 1.5
         panels = (
             ("touching", TOUCHING_SHARES, 284.0, "share of pairs that touch"),
-            ("outlier", OUTLIERS, 58.0, "how many times as large one triangle is"),
+            ("outlier", OUTLIERS, 58.0, "how many times as large one 4-gon is"),
         )
         for what, steps, bottom, words in panels:
             ax = add_axes(fig, (56 / WIDTH, bottom / size[1], 196 / WIDTH, 176 / size[1]), theme)
-            ax.set(yscale="log", ylim=limits)
-            ends = []
-            for (name, column), (label, family, style) in LINES.items():
-                own = [by[what, float(much), name] for much in steps if (what, float(much), name) in by]
-                if not own:
-                    continue
-                shade = family_colour(theme, family)
-                ax.plot(range(len(own)), [r[column] for r in own], color=shade, ls=style, lw=1.8, marker="o", ms=4)
-                for x, row in enumerate(own):
-                    ax.plot([x, x], [row[f"{column}_low"], row[f"{column}_high"]], color=shade, lw=1)
-                ends.append((len(own) - 1, own[-1][column], label, family_colour(theme, family, text=True)))
+            ax.set(ylim=limits)
+            own = [row for row in rows if row["what"] == what]
+            draw_time_curves(ax, theme, range(len(steps)), own, LINES)
             names = [TICKS[step] for step in steps]
             ax.set_xticks(range(len(steps)), names)
             ax.set_xlabel(words, fontsize=TEXT_POINTS)
-            set_time_ticks(ax.yaxis, limits)
-            label_ends(ax, ends)
 
-    text = f"{title}. satviz against plain SAT, with the 95 % interval over {len(rows[0]['ns_runs'])} processes: "
+    text = f"{title}. satviz against plain SAT, with {interval_in_words(len(rows[0]['ns_runs']))}: "
     ratios = []
     for what, steps in ("touching", TOUCHING_SHARES), ("outlier", OUTLIERS):
         for much in steps:
             for column, kind in ("ns", "the answer"), ("whole", "from the arrays"):
-                mid, low, high = ratio(what, float(much), column)
-                words = f"{much:.1%} touching" if what == "touching" else f"one triangle 2^{much} times as large"
+                words = f"{much:.1%} touching" if what == "touching" else f"one 4-gon 2^{much} times as large"
                 plain, exact = (by[what, float(much), name][column] for name in (PLAIN, EXACT))
-                ratios.append(f"{words}, {kind}: {mid:.1f} times ({low:.1f} to {high:.1f}), {format_time(exact)} "
+                ratios.append(f"{words}, {kind}: {ratio(what, float(much), column)}, {format_time(exact)} "
                             f"against {format_time(plain)}")  # fmt: skip
     text += f"{'; '.join(ratios)}. {VECTORISED}"
     return Chart("price-of-exactness", title, size, draw, rows, text, timing_warning(rows, settings))

@@ -25,7 +25,7 @@ from ...engine.trace import record
 from ...pictures import Theme
 from .. import truth
 from ..harness.cells import Cell, JsonRow, Settings
-from ..harness.chart import TEXT_POINTS, WIDTH, Chart, add_axes, draw_headline, head_height
+from ..harness.chart import TEXT_POINTS, WIDTH, Chart, add_axes, draw_headline, head_height, wilson_interval
 from ..harness.machine import is_installed
 from ..workloads.generators import Array, ngons, turn_rings, turned_boxes, unit_vectors
 
@@ -190,27 +190,23 @@ def rows(found: dict[str, Any]) -> dict[str, list[JsonRow]]:
     return {"mtv": [row for name, own in found.items() if name.startswith("mtv-") for row in own]}
 
 
-def _shares(rows: Sequence[JsonRow], outcome: str) -> str:
-    """Return the share of an outcome among the pairs of each row in words: "53%", or "76% to 99%" where they differ."""
-    shares = sorted(row[outcome] / row["pairs"] for row in rows)
-    return " to ".join(dict.fromkeys(f"{share:.0%}" for share in (shares[0], shares[-1])))
+def _share(rows: Sequence[JsonRow], method: str, outcome: str) -> str:
+    """Return the share of an outcome among all pushes of a method, with its 95 % interval: "53% (49% to 57%)"."""
+    own = [row for row in rows if row["method"] == method]
+    found, pairs = (sum(row[key] for row in own) for key in (outcome, "pairs"))
+    low, high = wilson_interval(found, pairs)
+    return f"{found / pairs:.0%} ({low:.0%} to {high:.0%})"
 
 
 def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     """Return the chart of outcomes and errors: a line for each kind of pairs and method."""
     own = [row for row in rows if row["method"] == "satviz"]
-    left = sum(row["pairs"] - row["right"] for row in own)
-    by = {(row["kind"], row["method"]): row for row in rows}
-    plain, raw = (
-        _shares([row for (kind, name), row in by.items() if name == method], outcome)
-        for method, outcome in (
-            ("SAT, float64", "overlap left by rounding"),
-            ("SAT, raw normals", "more than 1 % too long"),
-        )
-    )
+    every = sum(row["pairs"] for row in own)
+    left = every - sum(row["right"] for row in own)
     title = (
-        f"After a push by SAT in float64 {plain} of the pairs still overlap by a rounding; raw normals push {raw} of "
-        f"them too far; of satviz's pushes {left if left else 'none'} {'is' if left < 2 else 'are'} wrong"
+        f"After a push by SAT in float64 {_share(rows, 'SAT, float64', 'overlap left by rounding')} of the pairs still "
+        f"overlap by a rounding; raw normals push {_share(rows, 'SAT, raw normals', 'more than 1 % too long')} too "
+        f"far; {left} of satviz's {every} pushes are wrong (at most {wilson_interval(left, every)[1]:.1%})"
     )
     lines = (
         "Pairs that overlap, pushed apart by each method and then tested exactly. Right: how far the push is off in "
@@ -239,7 +235,7 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
                     transform=ax.get_yaxis_transform())  # fmt: skip
             return ax
 
-        ax = panel(128, 92, "outcome")
+        ax = panel(132, 88, "outcome")
         for kind in kinds:
             at = min(place for place, row in zip(places, rows, strict=True) if row["kind"] == kind)
             ax.text(0, at - 1, kind, ha="right", va="center_baseline", fontsize=TEXT_POINTS, fontweight="bold",

@@ -3,10 +3,11 @@
 Question: of the errors in a moving scene, which are made before any test begins?  Workload: a corner at a distance
 from the origin, turned about it by a constant step, 10,000 times.  Methods: turning the corner again and again, and
 turning the first corner by the sum of all steps, both in float64 and in float32.  The exact pose comes from integers.
-The claim is refuted if the corners are nearer to the exact pose than the roundings that SAT may lose.
+The claim is refuted if the corners are nearer to the exact pose after all turns than the roundings that SAT may lose.
 """
 
 from collections.abc import Sequence
+from fractions import Fraction
 from math import hypot
 from typing import Any
 
@@ -16,7 +17,7 @@ from numpy.typing import NDArray
 
 from ...pictures import Theme
 from ..harness.cells import Cell, JsonRow, Settings
-from ..harness.chart import TEXT_POINTS, WIDTH, Chart, add_axes, draw_headline, head_height, label_ends
+from ..harness.chart import TEXT_POINTS, WIDTH, Chart, add_axes, draw_headline, head_height, label_ends, median_interval
 from .speed_against_accuracy import SAT_MARGIN, in_metres
 
 STEPS = (1, 10, 100, 1000, 10_000)
@@ -39,7 +40,7 @@ def cells(settings: Settings) -> list[Cell]:
 def measure(corners: int, settings: Settings) -> list[JsonRow]:
     """Return for each number format, way to turn, distance and number of steps the error of a corner, in metres.
 
-    `median` and `worst` are over random corners and steps.
+    The median, with its 95 % interval, and the worst are over random corners and steps.
     """
     errors: dict[tuple[str, str, float, int], list[float]] = {}
     rng = settings.rng("pose")
@@ -52,13 +53,16 @@ def measure(corners: int, settings: Settings) -> list[JsonRow]:
             for dtype in (np.float64, np.float32):
                 for way, path in (("steps", _by_steps(at, angle, dtype)), ("angle", _by_angle(at, angle, dtype))):
                     for step in STEPS:
-                        off = hypot(*(float(p) - q for p, q in zip(path[step], exact[step], strict=True)))
+                        off = hypot(
+                            *(float(Fraction(float(p)) - q) for p, q in zip(path[step], exact[step], strict=True))
+                        )
                         errors.setdefault((dtype.__name__, way, distance, step), []).append(off)
-    return [
-        {"format": form, "way": way, "distance": distance, "steps": step,
-         "median": float(np.median(found)), "worst": max(found)}
-        for (form, way, distance, step), found in errors.items()
-    ]  # fmt: skip
+    measured: list[JsonRow] = []
+    for (form, way, distance, step), found in errors.items():
+        median, low, high = median_interval(found)
+        measured.append({"format": form, "way": way, "distance": distance, "steps": step, "corners": corners,
+                         "median": median, "low": low, "high": high, "worst": max(found)})  # fmt: skip
+    return measured
 
 
 def _exact_turn(angle: float) -> tuple[int, int]:
@@ -74,14 +78,14 @@ def _exact_turn(angle: float) -> tuple[int, int]:
     return total[0], total[1]
 
 
-def _exact_path(at: tuple[float, float], c: int, s: int) -> dict[int, tuple[float, float]]:
+def _exact_path(at: tuple[float, float], c: int, s: int) -> dict[int, tuple[Fraction, Fraction]]:
     """Return where the point is after each number of STEPS; c, s: cosine and sine of a step, integers over 2**BITS."""
     x, y = (int(v.as_integer_ratio()[0] * (1 << BITS) // v.as_integer_ratio()[1]) for v in map(float, at))
     path = {}
     for step in range(1, STEPS[-1] + 1):
         x, y = (x * c - y * s) >> BITS, (x * s + y * c) >> BITS
         if step in STEPS:
-            path[step] = x / (1 << BITS), y / (1 << BITS)
+            path[step] = Fraction(x, 1 << BITS), Fraction(y, 1 << BITS)
     return path
 
 
@@ -116,17 +120,20 @@ def rows(found: dict[str, Any]) -> dict[str, list[JsonRow]]:
 def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     """Return the chart of two panels: the error against the distance, and at 1 km against the number of steps."""
     last = STEPS[-1]
-    by = {(row["format"], row["way"], row["distance"], row["steps"]): row["worst"] for row in rows}
-    fine, coarse = (by[form, "steps", KILOMETRE, last] for form in ("float64", "float32"))
+    by = {(row["format"], row["way"], row["distance"], row["steps"]): row for row in rows}
+    fine, coarse, rebuilt = (
+        "{} ({} to {})".format(*(in_metres(by[form, way, KILOMETRE, last][key]) for key in ("median", "low", "high")))
+        for form, way in (("float64", "steps"), ("float32", "steps"), ("float64", "angle"))
+    )
     sat = SAT_MARGIN * 2.0**-53
-    rebuilt = by["float64", "angle", KILOMETRE, last]
     title = (
-        f"{last:,} turns step by step put corners at 1 km off by {in_metres(fine)} in float64 and {in_metres(coarse)} "
-        f"in float32; SAT loses at most {in_metres(sat * KILOMETRE)}"
+        f"{last:,} turns step by step put a corner at 1 km off by {fine} in float64 and {coarse} in float32; "
+        f"SAT loses at most {in_metres(sat * KILOMETRE)}"
     )
     lines = (
-        f"Where a corner is against where it should be, the worst of many. Turned once by the whole angle it is off by "
-        f"{in_metres(rebuilt)} in float64. So build the pose from its angle again when the steps have cost too much.",
+        f"Where a corner is against where it should be: the median of {rows[0]['corners']} corners, with bars for its "
+        f"95 % interval. Turned once by the whole angle it is off by {rebuilt} in float64. So build the pose from its "
+        "angle again when the steps have cost too much.",
     )
     head = head_height(title, lines)
     size = WIDTH, head + 490
@@ -141,8 +148,10 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
             xs = STEPS if k else DISTANCES
             ends = []
             for (form, way), (label, role, style) in POSES.items():
-                ys = [by[form, way, KILOMETRE, x] if k else by[form, way, x, last] for x in xs]
+                own = [by[form, way, KILOMETRE, x] if k else by[form, way, x, last] for x in xs]
+                ys = [row["median"] for row in own]
                 ax.plot(xs, ys, color=theme.roles[role], ls=style, lw=1.8, marker="o", ms=3.5)
+                ax.vlines(xs, [row["low"] for row in own], [row["high"] for row in own], theme.roles[role], lw=1)
                 ends.append((xs[-1], ys[-1], label, theme.text.get(role, theme.roles[role])))
             bound = [sat * (KILOMETRE if k else x) for x in xs]
             ax.plot(xs, bound, color=theme.roles["ink"], ls=":", lw=1.4)
@@ -159,10 +168,10 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
 
     text = f"{title}. "
     for (form, way), (label, _, _) in POSES.items():
-        error = by[form, way, KILOMETRE, last]
-        roundings = error / (KILOMETRE * (2.0**-53 if form == "float64" else 2.0**-24))
-        text += f"{label}: off by {in_metres(error)} at 1 km after {last:,} turns, {roundings:,.0f} roundings of a "
-        text += "kilometre. "
+        row = by[form, way, KILOMETRE, last]
+        roundings = row["median"] / (KILOMETRE * (2.0**-53 if form == "float64" else 2.0**-24))
+        text += f"{label}: off by {in_metres(row['median'])} at 1 km after {last:,} turns, {roundings:,.1f} roundings "
+        text += f"of a kilometre, and {in_metres(row['worst'])} at worst. "
     text += "The error grows in proportion to the distance. Exact predicates answer exactly about poses that are not."
     return Chart("pose-error", title, size, draw, rows, text)
 

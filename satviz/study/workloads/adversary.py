@@ -10,9 +10,9 @@ from typing import NamedTuple
 import numpy as np
 
 from ... import batch
-from ...advice.margins import relative_margins
 from ..methods import Method
 from .generators import Array, Rings, outward_normals, turn_rings, turned_boxes, unit_vectors
+from .hard_pairs import margins_of
 
 Rng = np.random.Generator
 MakePairs = Callable[[Rng, int], tuple[Rings, Rings]]
@@ -94,12 +94,10 @@ def worst_pair(method: Method, make: MakePairs, rng: Rng, n: int, generations: i
             child_a, child_b = _changed(rng, a, b, n)
             new_a, new_b = np.concatenate([new_a, child_a]), np.concatenate([new_b, child_b])
         tried += len(new_a)
-        shapes_a, shapes_b = batch.Polygons(new_a), batch.Polygons(new_b)
-        right = batch.relate(shapes_a, shapes_b) > 0
+        right = batch.relate(batch.Polygons(new_a), batch.Polygons(new_b)) > 0
         with np.errstate(all="ignore"):
             wrong = np.flatnonzero((method.hits(method.prepare(new_a), method.prepare(new_b)) > 0) != right)
-        pairs = np.stack([wrong, wrong], axis=1)
-        margin = relative_margins(shapes_a, shapes_b, pairs)
+        margin = margins_of(batch.Polygons(new_a[wrong]), batch.Polygons(new_b[wrong]))
         reach = np.maximum(np.abs(new_a), np.abs(new_b)).max(axis=(1, 2))[wrong] if metres else 1.0
         best = np.concatenate([best, margin * 2.0**-53 * reach if metres else margin])
         a, b = np.concatenate([a, new_a[wrong]]), np.concatenate([b, new_b[wrong]])
@@ -107,7 +105,7 @@ def worst_pair(method: Method, make: MakePairs, rng: Rng, n: int, generations: i
         best, a, b = best[order], a[order], b[order]
     if not len(best):
         return WorstPair(0.0, a, b, tried)
-    margin = relative_margins(batch.Polygons(a[:1]), batch.Polygons(b[:1]))
+    margin = margins_of(batch.Polygons(a[:1]), batch.Polygons(b[:1]))
     return WorstPair(float(margin[0]), a[:1], b[:1], tried)
 
 

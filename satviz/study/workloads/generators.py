@@ -133,7 +133,8 @@ def quarter_turn(vectors: Array) -> Array:
 
 def is_padded(rings: Rings) -> bool:
     """Return whether some ring ends with a repeated corner, which fills it up to V corners."""
-    return bool((rings[:, -1] == rings[:, -2]).all(axis=1).any())
+    (x, y), (p, q) = rings[:, -1].T, rings[:, -2].T
+    return bool(((x == p) & (y == q)).any())
 
 
 def unpadded_rings(rings: Rings) -> list[Rings]:

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ... import batch
-from ...advice.margins import relative_margins
+from ...advice.margins import signed_relative_margins
 from ...engine.geometry import InvalidShape
 from ...engine.shapes import Polygon
 from .. import truth
@@ -56,7 +56,12 @@ def hard_pairs(kind: HardKind, rng: Rng, per_octave: int) -> tuple[Rings, Rings,
     if kind.power != (0, 0):
         power = rng.integers(*kind.power, len(a))[:, None, None] * rng.choice([-1, 1], (len(a), 1, 1))
         a, b = np.ldexp(a, power), np.ldexp(b, power)
-    return a, b, relative_margins(batch.Polygons(a), batch.Polygons(b))
+    return a, b, margins_of(batch.Polygons(a), batch.Polygons(b))
+
+
+def margins_of(a: batch.Shapes, b: batch.Shapes) -> Array:
+    """Return the relative margin of each pair; for so few pairs NumPy is done before numba has compiled its kernels."""
+    return np.abs(signed_relative_margins(a, b, engine="numpy"))
 
 
 def moved_to_margin(rng: Rng, a: Rings, b: Rings, margin: Array) -> Pairs:
@@ -76,17 +81,18 @@ def moved_to_margin(rng: Rng, a: Rings, b: Rings, margin: Array) -> Pairs:
     return a[good], b[good]
 
 
-def touching_triangles(rng: Rng, n: int) -> Pairs:
-    """Return pairs of triangles with a corner of B exactly on A's first edge.
+def touching_quadrilaterals(rng: Rng, n: int) -> Pairs:
+    """Return pairs of 4-gons with a corner of B exactly on A's first edge.
 
     A has coordinates of 40 bits, so that the point on its edge, 10 bits finer, is a float64.
     """
-    a = np.round(ngons(rng, n, 3, 2.0) * 2.0**38) * 2.0**-38
+    a = np.round(ngons(rng, n, 4, 2.0) * 2.0**38) * 2.0**-38
     out = outward_normals(a[:, 0], a[:, 1])
     side = quarter_turn(out)
     spot = a[:, 0] + rng.integers(200, 824, (n, 1)) * 2.0**-10 * (a[:, 1] - a[:, 0])  # exact
-    far, wide = rng.uniform(0.5, 1.5, (2, n, 1))
-    return a, np.stack([spot, spot + far * out - wide * side, spot + far * out + wide * side], axis=1)
+    far, wide, long = rng.uniform(0.5, 1.5, (3, n, 1))
+    corners = [spot, spot + far * out - wide * side, spot + (far + long) * out, spot + far * out + wide * side]
+    return a, np.stack(corners, axis=1)
 
 
 def hard_circles(rng: Rng, per_octave: int) -> tuple[Circles, Circles, Array]:
@@ -96,7 +102,7 @@ def hard_circles(rng: Rng, per_octave: int) -> tuple[Circles, Circles, Array]:
     a, b = circles(rng, n, 2.0), circles(rng, n, 2.0)
     gap = np.ldexp(rng.uniform(1, 2, n), octaves) * rng.choice([-1.0, 1.0], n) * ROUNDING_UNIT * 3
     b = a[0] + unit_vectors(rng, n) * (a[1] + b[1] + gap)[:, None], b[1]
-    return a, b, relative_margins(batch.Circles(*a), batch.Circles(*b))
+    return a, b, margins_of(batch.Circles(*a), batch.Circles(*b))
 
 
 def _is_valid_ring(ring: Rings) -> bool:
@@ -130,14 +136,14 @@ def _far_out(rng: Rng, n: int) -> Pairs:
 
 
 def _needles(rng: Rng, n: int) -> Pairs:
-    """Return pairs of thin triangles."""
+    """Return pairs of thin rhombi."""
     return _needle(rng, n), _needle(rng, n)
 
 
 def _needle(rng: Rng, n: int) -> Rings:
-    """Return triangles of length 2 whose widths go down to 2**-17, turned and moved at random."""
-    width, zero, one = 1 / _log_uniform(rng, n, MAX_OCTAVES)[:, 0, 0], np.zeros(n), np.ones(n)
-    thin = np.stack([np.stack([-one, one, one], axis=1), np.stack([zero, -width, width], axis=1)], axis=2)
+    """Return rhombi of length 2 whose half widths go down to 2**-17, turned and moved at random."""
+    thin = np.array([(-1.0, 0.0), (0.0, -1.0), (1.0, 0.0), (0.0, 1.0)]) * np.ones((n, 1, 1))
+    thin[..., 1:] /= _log_uniform(rng, n, MAX_OCTAVES)
     return turn_rings(thin, unit_vectors(rng, n)) + rng.uniform(-2, 2, (n, 1, 2))
 
 

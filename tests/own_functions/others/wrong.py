@@ -1,4 +1,4 @@
-"""Wrong functions as thirteen people write them, each with one mistake.  The test knows which."""
+"""Wrong functions as other people write them, each with one mistake.  The test knows which."""
 
 import itertools
 import math
@@ -224,3 +224,97 @@ def depth_of_any_length(a, b):
     pa, pb = a @ normals.T, b @ normals.T
     overlap = np.minimum(pa.max(0) - pb.min(0), pb.max(0) - pa.min(0))
     return max(0.0, overlap.min())
+
+
+# -- the corners, the edges, or circles instead of axes
+
+
+def _turned(p, q, r):
+    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+
+
+def _inside(spot, ring):
+    turns = [_turned(p, q, spot) for p, q in zip(ring[-1:] + ring, ring)]
+    return min(turns) >= 0 or max(turns) <= 0
+
+
+def some_corner_inside(a, b):
+    return any(_inside(p, b) for p in a) or any(_inside(p, a) for p in b)
+
+
+def some_middle_inside(a, b):
+    return any(_inside([sum(c) / len(c) for c in zip(*one)], other) for one, other in ((a, b), (b, a)))
+
+
+def borders_meet(a, b):
+    def on(p, q, r):
+        return not _turned(p, q, r) and all(min(u, v) <= w <= max(u, v) for u, v, w in zip(p, q, r))
+
+    for p, q in zip(a[-1:] + a, a):
+        for r, s in zip(b[-1:] + b, b):
+            crossed = _turned(p, q, r) * _turned(p, q, s) < 0 and _turned(r, s, p) * _turned(r, s, q) < 0
+            if crossed or on(p, q, r) or on(p, q, s) or on(r, s, p) or on(r, s, q):
+                return True
+    return False
+
+
+def circles_round_them(a, b):
+    def around(ring):
+        middle = [sum(c) / len(c) for c in zip(*ring)]
+        return middle, max(math.dist(middle, p) for p in ring)
+
+    (m, r), (n, s) = around(a), around(b)
+    return math.dist(m, n) <= r + s
+
+
+# -- one comparison where there must be two
+
+
+class OneComparison:
+    def __init__(self, *axes):
+        self.axes = axes
+
+    def __call__(self, a, b):
+        for x, y in self.axes or [
+            (q[1] - p[1], p[0] - q[0]) for ring in (a, b) for p, q in zip(ring[-1:] + ring, ring)
+        ]:
+            if max(x * u + y * v for u, v in a) < min(x * u + y * v for u, v in b):
+                return False
+        return True
+
+
+one_comparison = OneComparison()
+one_comparison_of_boxes = OneComparison((1, 0), (0, 1))
+
+
+def pushed_along_the_normal(a, b):
+    found = []
+    for ring in a, b:
+        for p, q in zip(ring[-1:] + ring, ring):
+            x, y = q[1] - p[1], p[0] - q[0]
+            size = math.hypot(x, y)
+            s, t = ([(x * u + y * v) / size for u, v in shape] for shape in (a, b))
+            found.append((min(max(s) - min(t), max(t) - min(s)), x / size, y / size))
+    depth, x, y = min(found)
+    return (depth * x, depth * y) if depth > 0 else None
+
+
+def depth_from_one_side(a, b):
+    found = []
+    for ring in a, b:
+        for p, q in zip(ring[-1:] + ring, ring):
+            x, y = q[1] - p[1], p[0] - q[0]
+            s, t = ([(x * u + y * v) / math.hypot(x, y) for u, v in shape] for shape in (a, b))
+            if max(s) < min(t) or max(t) < min(s):
+                return 0
+            found.append(max(s) - min(t))
+    return min(found)
+
+
+def without_the_minus(a, b):
+    for ring in a, b:
+        for (p, q), (r, s) in zip(ring[-1:] + ring, ring):
+            on_a, on_b = ([(s - q) * x + (r - p) * y for x, y in shape] for shape in (a, b))
+            if max(on_a) < min(on_b) or max(on_b) < min(on_a):
+                return False
+    return True

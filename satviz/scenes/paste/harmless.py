@@ -1,0 +1,122 @@
+"""Words and signs that are known to change no shape, and those that do.  What is on no list is asked about."""
+
+import re
+
+
+def listed(text: str) -> frozenset[str]:
+    """Return the words of a list."""
+    return frozenset(text.split())
+
+
+PUNCTUATION = frozenset("'\u2018\u2019\u201c\u201d\"`\u00b7\u2026\u3002\uff0c\u200b\u202a\u202b\u202c\u202d\u202e$\\#")
+
+# Calls that test, print, draw or hold shapes, by the words of their names.
+CALLS = listed(
+    """
+    test tests c dict structure matrix tensor false true intersections overlaps is check are has have does do
+    intersect intersects intersection intersecting overlap overlapping collide collides collision collisions colliding
+    collider contains contain touch touches touching within inside hit hits print println printf log console assert
+    expect echo puts debug info warn error write writeln draw stroke fill render add push append insert emplace new
+    make create parse load read main describe it should equal equals distance dist separated separating sat gjk epa
+    area centroid perimeter len size str repr format fmt display show plot run solve select where crosses covers
+    disjoint relate manifold contact contacts contour cout trace report out in addshape body static fixture figure
+    subplots from text wkt geojson json loads vs compare against detect detection query raycast cast throw return if
+    while switch and or not valid simple empty require emit call given when then
+    """
+)
+# Words in the name of a call that give another shape than those in its brackets.
+CHANGING_CALLS = listed(
+    """
+    rotate rotated rotation scale scaled scaling translate translated translation move moved shift shifted transform
+    transformed mirror mirrored flip flipped skew shear reflect union unite merge subtract difference xor clip clipped
+    buffer offset inflate deflate expand expanded erode dilate grow grown shrink shrunk pad padded inset simplify
+    transpose transposed multiply mul divide div mod sum minus plus negate neg resize stretch swap swapped sorted
+    reverse reversed project projected normalize normalized round rounded floor ceil trunc abs clamp map mapped filter
+    slice lerp interpolate convert degrees radians deg rad double half invert affine apply eval times envelope hull
+    minkowski dissolve symmetric snap cross dot zip repeat
+    """
+)
+# Methods behind a shape that leave it alone.
+METHODS = listed(
+    """
+    topolygon unwrap into tovec to_vec clone copy tolist to_owned as_ref expect isvalid is_valid toarray asarray build
+    collect iter close closepath endfill toimmutable freeze wkt reshape intersects intersect colliderect
+    intersectsrect overlaps contains touches within disjoint equals intersection relate crosses covers almostequals
+    intersectswith intersects_with collideswith collides distance done
+    """
+)
+# Methods that give another shape, which is not read.
+PRODUCERS = listed(
+    """
+    union merge unite difference symmetric_difference buffer convex_hull envelope
+    """
+)
+# Calls behind a shape that the reader passes over.
+HARMLESS = METHODS | {"union", "merge", "normalize", "normalise", "astype"}
+# Keys beside the numbers of a shape whose values change nothing.
+KEYS = listed(
+    """
+    name id type label kind class color colour fill stroke style opacity alpha visible layer category mask group
+    static dynamic body sensor trigger tag tags title description comment note index key material texture sprite image
+    density friction restitution mass velocity crs srid properties features satviz version expected relation hit area
+    length closed isclosed convex isconvex collides collision overlap overlaps intersects result shape_type flags line
+    width linewidth edgecolor facecolor zindex z_index dtype x y z enabled active selected hover url user created
+    updated filename axes every_axis device rotated internal isinternal level iscrowd byrow bbox fillstyle strokestyle
+    linejoin linecap geometry shape shapes fillcolor strokecolor valid
+    """
+)
+# Words among the numbers of a shape that change nothing.
+INSIDE = listed(
+    """
+    null none nil undefined nullptr true false void self this world space body context ctx screen canvas surface game
+    scene renderer window red green blue black white yellow gray grey orange purple pink cyan magenta brown lime color
+    colors maroon navy gold skyblue darkblue darkgreen static dynamic kinematic float int double long char var let
+    const new float32 float64 np numpy auto val mut final ref out in std vector array list tuple vec f32 f64 i32 i64
+    number def setq define defvar defparameter fill line img cuda ax zero identity tensor string byte short unsigned
+    polygon circle rect rectangle box point multipolygon feature featurecollection geometrycollection z zm m struct
+    """
+)
+# Keys outside of brackets that change a shape whatever their value is.
+CHANGING_KEYS = listed(
+    """
+    transform matrix rotate rotation scale scaling flip flipx flipy mirror mirrored skew shear origin pivot anchor
+    """
+)
+# Words of a sentence about a shape that change it.
+CHANGING_WORDS = listed(
+    """
+    rotated turned scaled mirrored flipped shifted moved offset translated twice half halved doubled inflated skewed
+    stretched transposed squared
+    """
+)
+# Words before a name that gets a value.
+DECLARES = frozenset(["def", "setq", "define", "defvar", "defparameter"])
+# Words that test shapes: with one of these, `rotated` in a name is no change.
+TESTS = listed(
+    """
+    intersection intersections intersects intersect overlap overlaps collision collides test check iou
+    """
+)
+ADJECTIVES = listed("rotated scaled translated transformed moved rounded")
+# Types around one number: np.float64(0.5) is 0.5.
+CASTS = frozenset(["np.float64", "np.float32", "np.int64", "np.int32", "numpy.float64", "Decimal", "double"])
+# Words before and behind a number that counts or names something.
+LABELS = listed(
+    """
+    circle polygon box rect rectangle shape triangle version length capacity object obj line step
+    """
+)
+COUNTED = listed(
+    """
+    rows row corners points vertices shapes polygons circles boxes ms fps times people users
+    """
+)
+# Words that say that the numbers behind them hold only sometimes, or several times.
+FLOW = frozenset(["else", "elif", "for", "while", "foreach", "case", "switch", "repeat", "until", "lambda", "map"])
+
+
+def words(name: str) -> frozenset[str]:
+    """Return the words of a name, without case: rigidBody.maxSpeed has rigid, body, max, speed."""
+    parts = re.split(r"[^A-Za-z0-9]+", name)
+    camel = (word for part in parts for word in re.findall(r"[A-Z]?[a-z]+|[A-Z]+(?![a-z])|[0-9]+", part))
+    return frozenset(word.lower() for word in (*parts, *camel) if word)
