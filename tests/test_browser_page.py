@@ -531,7 +531,7 @@ def test_the_sentence_is_said_when_the_hand_lets_go_and_once(browser, errors):
     with explored(browser, ExplorerModel(sv.scene("triangles")), errors) as page:
         assert page.locator(".sv-sentence").get_attribute("aria-live") is None
         page.evaluate(
-            "() => { window.said = []; const status = document.querySelector('[role=status]');"
+            "() => { window.said = []; const status = document.querySelector('.sv-said');"
             "new MutationObserver(() => said.push(status.textContent)).observe(status, {childList: true}); }"
         )
         box = page.locator("[data-handle='B-move']").bounding_box()
@@ -1016,7 +1016,7 @@ def test_for_a_finger_every_handle_and_button_is_44_pixels_large_and_tools_are_u
 def test_nothing_jumps_while_a_shape_is_dragged(browser, errors):
     hand = ExplorerModel(sv.scene("triangles"))
     with explored(browser, hand, errors, viewport={"width": 1280, "height": 900}) as page:
-        parts = [".sv-board", ".sv-line", ".sv-sentence", ".sv-tip", ".sv-fold", ".sv-bar"]
+        parts = [".sv-board", ".sv-line", ".sv-sentence", ".sv-tip", ".sv-fold", ".sv-tools"]
 
         def places():
             return [page.locator(part).bounding_box() for part in parts]

@@ -2,6 +2,8 @@
 
 import { button, element } from "./elements.js";
 
+const SHORT = 34; // letters of two ranges that fit beside each other in a narrow table
+
 /**
  * An axis of the table: tested, or skipped for a reason.
  * @typedef {object} TestedRow
@@ -54,6 +56,8 @@ export class Table {
       lines.push(this.line(row, i, lit === i, known(i)));
     }
     this.body.replaceChildren(...lines);
+    const short = rows.every((row) => !row.pair && ("reason" in row || row.a.length + row.b.length <= SHORT));
+    this.element.classList.toggle("sv-short", short); // each range stays on one line
   }
 
   /**
