@@ -1,5 +1,6 @@
 """Cases in which work is saved in the wrong place: fewer axes, a check in advance, fewer pairs, fewer vertices."""
 
+from collections.abc import Callable
 from math import comb, dist, sqrt
 from operator import itemgetter
 
@@ -173,15 +174,19 @@ def least_clearance(a: Shape, b: Shape) -> AxisTest | None:
     return None
 
 
-def edge_axes(a: Shape, b: Shape) -> Choice:
-    """Return the axis of `least_clearance`, else all needed axes, as a Choice."""
-    test = least_clearance(a, b)
-    return Choice((test.axis,)) if test else needed(a, b)
+def by_one_test(name: str, claim: str, find: Callable[[Shape, Shape], AxisTest | None]) -> Shortcut:
+    """Return the shortcut that knows one test alone, the one that `find` returns; without it all needed axes."""
 
+    def axes(a: Shape, b: Shape) -> Choice:
+        """Return the axis of that test, else all needed axes, as a Choice."""
+        test = find(a, b)
+        return Choice((test.axis,)) if test else needed(a, b)
 
-def edge_test(a: Shape, b: Shape, axis: Axis) -> AxisTest:
-    """Return the test of an axis; where one shape lies inside the other, with their borders alone."""
-    return least_clearance(a, b) or measured_test(axis, project(a, axis), project(b, axis))
+    def measure(a: Shape, b: Shape, axis: Axis) -> AxisTest:
+        """Return that test, else the test of an axis with both whole shapes."""
+        return find(a, b) or measured_test(axis, project(a, axis), project(b, axis))
+
+    return Shortcut(name, claim, axes, measure)
 
 
 def region_inside(a: Shape, b: Shape, window: Window) -> RegionOrReason:
@@ -221,17 +226,6 @@ def region_of_circles_round(a: Shape, b: Shape, window: Window) -> RegionOrReaso
     return ErrorRegion(tuple(subtract(ring, hits)), (), hits)
 
 
-def corner_axis(a: Shape, b: Shape) -> Choice:
-    """Return the axis of `innermost_corner`; beside a circle all needed axes, as a Choice."""
-    test = innermost_corner(a, b)
-    return Choice((test.axis,)) if test else needed(a, b)
-
-
-def corner_test(a: Shape, b: Shape, axis: Axis) -> AxisTest:
-    """Return the test of an axis with the innermost corner alone; beside a circle with both shapes."""
-    return innermost_corner(a, b) or measured_test(axis, project(a, axis), project(b, axis))
-
-
 def region_of_corners(a: Shape, b: Shape, window: Window) -> RegionOrReason:
     """Return the moves for which the shapes meet without a corner of one in the other, or why none is shown."""
     if a.core_is_point or b.core_is_point:
@@ -264,14 +258,14 @@ CASES = (
         error_region=region_of_far_centers,
     ),
     FailureCase(
-        Shortcut("corner-inside", "where two shapes meet, a corner of one lies in the other", corner_axis, corner_test),
+        by_one_test("corner-inside", "where two shapes meet, a corner of one lies in the other", innermost_corner),
         MISSED_HIT,
         (box(0, 1, 3, 2), box(1, 0, 2, 3)),
         error_region=region_of_corners,
         panels=Panels(claimed="corners"),
     ),
     FailureCase(
-        Shortcut("edges-cross", "where two shapes meet, their edges cross", edge_axes, edge_test),
+        by_one_test("edges-cross", "where two shapes meet, their edges cross", least_clearance),
         MISSED_HIT,
         (box(0, 0, 5, 4), box(2, 1, 3, 2)),
         error_region=region_inside,
