@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from ..engine import describe
 from ..engine.geometry import Vec
-from ..engine.number_format import Digits
+from ..engine.number_format import USUAL_DIGITS, Digits
 from ..engine.trace import Trace, record
 from ..scenes.failing import FALSE_HIT, MISSED_HIT, FailureCase, case_of
 from ..scenes.failing.true_value import Answer
@@ -31,7 +31,7 @@ class Answers(NamedTuple):
 
 
 @lru_cache(maxsize=64)
-def answers(trace: Trace, digits: Digits = Digits()) -> Answers:
+def answers(trace: Trace, digits: Digits = USUAL_DIGITS) -> Answers:
     """Return what a shortcut answers for its shapes and what is right, in words, and whether the first is wrong.
 
     Lengths are printed with `digits`.  Where the verdict is right, but for another number, the words are the verdict.
@@ -97,7 +97,7 @@ def verdict_words(trace: Trace) -> tuple[str, str]:
     return (str(trace.claim), str(trace.relation)) if own is None else own
 
 
-def heading(trace: Trace, digits: Digits = Digits()) -> tuple[str, str]:
+def heading(trace: Trace, digits: Digits = USUAL_DIGITS) -> tuple[str, str]:
     """Return two lines: the claim, and what is wrong with it or that it happens to be right."""
     assert trace.shortcut
     found = answers(trace, digits)
