@@ -18,9 +18,11 @@ from satviz.lessons.chapter_text import chapters
 from satviz.pictures import DARK, LIGHT
 from satviz.safe_write import write
 from satviz.scenes.link import ViewOptions, fragment
-from satviz.site import runtime
+from satviz.site import pages, runtime
 from satviz.site.build import site
 from satviz.site.check_page import CHECK_POLICY
+from satviz.site.guides import guides
+from satviz.site.hosting import NOT_FOUND
 
 pytestmark = pytest.mark.slow
 
@@ -721,6 +723,25 @@ def test_in_a_folder_of_a_plain_server_all_is_as_it_is_at_its_root(built, visit,
             page.context.close()
         serving.shutdown()
         thread.join()
+
+
+def test_at_any_depth_a_page_asks_for_the_service_worker_of_its_site(browser, built, tmp_path):
+    """Also the page of a missing address, which is shown in a folder that is not there."""
+    (tmp_path / "courses").mkdir()
+    (tmp_path / "courses" / "sat").symlink_to(built)
+    with served(tmp_path) as at:
+        frame = pages.Frame(chapters(), guides(), "1", True, False, f"{at}courses/sat/")
+        (tmp_path / NOT_FOUND).write_bytes(pages.not_found_page(frame))
+        for path in "nothing/at/all.html", "2-sat.html":
+            context, asked = browser.new_context(), []
+            page = context.new_page()
+            context.on("request", lambda request, asked=asked: asked.append(request.url))
+            page.goto(f"{at}courses/sat/{path}")
+            scope = page.evaluate("navigator.serviceWorker.ready.then(it => [it.scope, it.active.scriptURL])")
+            assert scope == [f"{at}courses/sat/", f"{at}courses/sat/sw.js"]
+            assert [url for url in asked if url.endswith("/sw.js")] in ([], [f"{at}courses/sat/sw.js"])
+            assert page.locator("nav a").first.evaluate("a => a.href") == f"{at}courses/sat/index.html"
+            context.close()
 
 
 # -- a scene in a frame of another page
