@@ -153,7 +153,7 @@ def _print_link(args: argparse.Namespace, address: str) -> None:
     """Print a link; say what to do with it where it is not a whole address."""
     out(address)
     if not args.site:
-        say("this address begins in the folder of a site: --site URL makes it whole, satviz site --open has such a folder")
+        say("this address begins in a site's folder: --site URL makes it whole, satviz site --open has one")
 
 
 def _steps_of(args: argparse.Namespace, count: int) -> tuple[int, int]:

@@ -898,7 +898,10 @@ def test_what_was_solved_is_kept_in_this_browser_until_it_is_forgotten(visit):
     item = page.locator("li[data-challenge='touch:aabb']")
     assert "solved" in item.get_attribute("class") and item.inner_text().endswith("solved")
     assert "You have solved 1 of" in progress.inner_text()
+    go_on = page.get_by_role("link", name="Go on with the next challenge")
+    assert go_on.evaluate("a => a.href") == page.locator(".tiles li:not(.solved) a").first.evaluate("a => a.href")
     forget.click()
+    assert page.get_by_role("link", name="Begin with the first challenge").is_visible()
     assert "None of" in progress.inner_text() and page.evaluate("localStorage.length") == 0
 
 
@@ -910,7 +913,7 @@ def test_the_front_page_shows_the_idea_once_and_then_asks_to_drag(visit):
     page.clock.run_for(500)
     assert "shadows overlap" in now.inner_text() and turning.locator('[data-id="overlap"]').count()
     page.clock.run_for(5000)
-    assert now.inner_text().startswith("The line turns")
+    assert now.inner_text().startswith("If the line turns")
     page.clock.run_for(5000)
     assert "there is a gap" in now.inner_text() and turning.locator('[data-id="gap"]').count()
     page.clock.run_for(3000)
