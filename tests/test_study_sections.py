@@ -309,8 +309,13 @@ def test_no_rival_is_slower_than_the_same_written_out_by_more_than_a_tenth(name)
 
     # both keep their answers, since fresh memory takes time too
     jobs = {"rival": lambda: [method.hits(p, q) for _ in range(3)], "written out": lambda: [reference() for _ in "123"]}
-    times = time_in_turn(jobs, 100, dict.fromkeys(jobs, len(a) * 3), time.thread_time)
-    assert times["rival"].least < 1.1 * times["written out"].least, times
+    least = dict.fromkeys(jobs, math.inf)
+    for _ in range(5):  # a busy moment of the machine may fall on one of them
+        times = time_in_turn(jobs, 30, dict.fromkeys(jobs, len(a) * 3), time.thread_time)
+        least = {job: min(least[job], times[job].least) for job in jobs}
+        if least["rival"] < 1.1 * least["written out"]:
+            break
+    assert least["rival"] < 1.1 * least["written out"], least
 
 
 def test_the_kernels_of_sat_are_vectorised():

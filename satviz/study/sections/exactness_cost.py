@@ -100,7 +100,9 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
         f"{ratio('touching', 1.0)} where all do, and {ratio('outlier', float(OUTLIERS[-1]))} beside one shape that is "
         "a million times as large"
     )
-    lines = (f"Time for a pair of {rows[0]['pairs']:,} pairs of 4-gons. Bars: the spread of the processes.",)
+    lines = (
+        f"Time for a pair, with {rows[0]['pairs']:,} pairs of 4-gons in a call. Bars: the spread of the processes.",
+    )
     head = head_height(title, lines)
     size = WIDTH, head + 470
 

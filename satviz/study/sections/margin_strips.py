@@ -188,8 +188,8 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     pairs, wrong = (sum(raw[key][:near]) for key in ("pairs", "wrong"))
     low, high = wilson_interval(wrong, pairs)
     title = (
-        f"SAT in float64 is wrong about {wrong / pairs:.0%} ({low:.0%} to {high:.0%}) of these pairs within {NEAR} "
-        f"roundings of touching, at worst at {raw['worst']:.1f}, and proven right from {raw['proven']} on"
+        f"SAT with raw normals in float64 is wrong about {wrong / pairs:.0%} ({low:.0%} to {high:.0%}) of these pairs "
+        f"within {NEAR} roundings of touching, at worst at {raw['worst']:.1f}, and proven right from {raw['proven']} on"
     )
     lines = (
         "Strong: half of the answers are wrong, no better than a coin. Faint: none of this sample is wrong. "
