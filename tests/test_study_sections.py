@@ -8,6 +8,7 @@ import pickle
 import re
 import time
 from collections import Counter
+from concurrent.futures import BrokenExecutor
 from fractions import Fraction
 from functools import cache
 from itertools import chain, combinations
@@ -99,7 +100,7 @@ SMALL = {  # the arguments of every cell before the settings, where they are sma
 
 def small(cell):
     """Return the result of a cell on few pairs, in this process."""
-    work, *arguments = cell.arguments if cell.work is timings.in_new_process else (cell.work, *cell.arguments)
+    work, *arguments = cell.arguments[1:] if cell.work is timings.in_process else (cell.work, *cell.arguments)
     if work in SMALL:
         arguments = [*arguments[: len(arguments) - len(SMALL[work]) - 1], *SMALL[work], QUICK]
     return work(*arguments)
@@ -571,9 +572,15 @@ def twice(x):
     return [{"ns": 2.0 * x, "pid": os.getpid()}]
 
 
-def test_a_timed_cell_runs_in_a_process_of_its_own():
-    (row,) = timings.in_new_process(twice, 4)
-    assert row["ns"] == 8 and row["pid"] != os.getpid()
+def test_a_timed_cell_runs_in_the_process_of_its_number():
+    (one,), (other,), (again,) = (timings.in_process(k, twice, 4) for k in (0, 1, 0))
+    assert one["ns"] == 8 and one["pid"] == again["pid"] and len({one["pid"], other["pid"], os.getpid()}) == 3
+
+
+def test_after_a_process_died_the_next_cell_has_a_new_one():
+    with pytest.raises(BrokenExecutor):
+        timings.in_process(0, os._exit, 1)
+    assert timings.in_process(0, abs, -1) == 1
 
 
 def test_times_are_the_median_over_processes_with_the_spread_between_them():
@@ -696,13 +703,8 @@ def test_cells_can_be_sent_away_and_have_names_of_their_own():
     for settings in Settings(), QUICK:
         cells = [cell for section in run.SECTIONS for cell in section.cells(settings)]
         assert pickle.loads(pickle.dumps(cells)) == cells
-        assert len({cell.name for cell in cells}) == len({cell.key for cell in cells}) + _same_work(cells) == len(cells)
+        assert len({cell.name for cell in cells}) == len({cell.key for cell in cells}) == len(cells)
         assert {cell.name.endswith("-times") for cell in cells if cell.timed} == {True}
-
-
-def _same_work(cells):
-    """Return how many cells repeat the work of another: the processes of one measurement."""
-    return sum(n - 1 for n in Counter(cell.key for cell in cells).values())
 
 
 def test_padding_is_taken_off_again():
