@@ -63,7 +63,7 @@ export class PasteBox {
   *parts(pasted) {
     const { sentence = "", questions = [], findings = [], shapes = [], pairs = [], refused } = pasted;
     yield element("p", { class: "sv-verdict" }, sentence);
-    for (const question of questions) yield this.question(question, sentence);
+    for (const question of questions) yield this.question(question, sentence, pasted.open ?? false);
     if (refused) yield drawn(refused);
     if (findings.length) yield element("ul", { class: "sv-findings" }, ...findings.map(finding));
     if (pairs.length > 1) yield element("div", { class: "sv-controls", role: "group", "aria-label": "pairs" }, ...pairs.map((pair, i) => this.pairButton(pair, i, pasted.pair ?? 0)), element("span", { class: "sv-note" }, pasted.note ?? ""));
@@ -78,10 +78,11 @@ export class PasteBox {
   /**
    * @param {PastedQuestion} question
    * @param {string} sentence the verdict, which can begin with the question
+   * @param {boolean} open whether nothing is taken yet, because of this question or another one
    */
-  question({ asks, answers, matters }, sentence) {
+  question({ asks, answers }, sentence, open) {
     const buttons = answers.map(({ choice, meaning, gives }) => button(`${meaning}: ${gives}`, () => this.explain([...this.chosen, choice])));
-    const taken = matters ? [] : [element("span", { class: "sv-note" }, `The first was taken: the relation is the same.`)];
+    const taken = open ? [] : [element("span", { class: "sv-note" }, `The first was taken: the relation is the same.`)];
     return element("div", { class: "sv-question", role: "group", "aria-label": asks }, ...(sentence.startsWith(asks) ? [] : [element("b", {}, asks)]), ...buttons, ...taken);
   }
 
