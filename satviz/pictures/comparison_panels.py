@@ -200,14 +200,15 @@ def draw_support_points(trace: Trace, layout: Layout) -> Sketch:
         found = (_support(corners, Vec(-n.x * way, -n.y * way)),)
     xs, ys = [0.0, *(v.x for v in corners)], [0.0, *(v.y for v in corners)]
     count = len(trace.a.vertices) + len(trace.b.vertices)
-    rest = "and a triangle round the origin three corners" if trace.hit else "and for a miss one corner may be enough"
+    rest = f"three corners round the origin: {MIN_SUPPORT_POINTS} \u00d7 {count} = {MIN_SUPPORT_POINTS * count}"
+    if not trace.hit:
+        rest = "a miss may need only this one"
     wide, high = layout.size
-    looks = f": {MIN_SUPPORT_POINTS} \u00d7 {count} = {MIN_SUPPORT_POINTS * count}" if trace.hit else ""
-    lines = f"a corner of B {MINUS} A takes {count} looks,", rest + looks
+    lines = f"one corner of B {MINUS} A: {count} vertices looked at;", rest
     text = "\n".join(wrap_text(line, wide - 2 * NARROW_PAD_PT) for line in lines)
     band = text_size(text)[1] + NARROW_PAD_PT  # below the picture, for words
     around = Group([box(min(xs), min(ys), max(xs), max(ys))])
-    layout = arrange([around], largest=(wide, high - band), least=(wide, high - band), pad=NARROW_PAD_PT)[0]
+    layout = arrange([around], largest=(wide, high - band), least=(wide, high - band))[0]
     (x0, y0, x1, y1), (wide, high) = layout.limits, layout.size
     low = y0 - layout.units(band)
     sketch = Sketch(trace, layout._replace(limits=(x0, low, x1, y1), size=(wide, high + band)))
@@ -250,7 +251,7 @@ def draw_axes_of_sat(trace: Trace, layout: Layout) -> Sketch:
     tests = axes_of_sat(run)
     sketch = draw_shapes(run, layout)
     for test, place in zip(tests, sketch.layout.places, strict=True):
-        sketch.project(test, place, interval=False)
+        sketch.project(test, place, numbers=False)
     corners = len(trace.a.vertices) + len(trace.b.vertices)
     if len(run.tests) == len(tests) and corners:
         text = f"{len(tests)} axes, {corners} corners on each: {len(tests)} \u00d7 {corners} = {len(tests) * corners}"
