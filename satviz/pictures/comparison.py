@@ -19,7 +19,7 @@ from .claims import answers, heading, verdict_words
 from .comparison_panels import PANELS, PIECES
 from .default_panels import Panel, PanelSketch, claimed_tests, drawable_test, exact_gap, is_as_measured
 from .draw_steps import draw_other_parts, draw_test
-from .float_geometry import bounding_box, point_along, segments_cross
+from .float_geometry import bounding_box, crossing_point
 from .insets import add_insets
 from .label_placer import LabelRequest
 from .labels import with_labels
@@ -261,14 +261,8 @@ def refused_picture(case: FailureCase, *, title: str = "", width: float = BOTH_P
 
 def _crossings(ring: Sequence[Vec]) -> list[tuple[Vec, int, int]]:
     """Return each point where two edges of a ring cross, with the numbers of both edges."""
-    edges = list(pairwise([*ring, ring[0]]))
-    found = []
-    for (i, (p, q)), (j, (r, s)) in combinations(enumerate(edges), 2):
-        if segments_cross((p, q), (r, s)):
-            across = (q.x - p.x) * (s.y - r.y) - (q.y - p.y) * (s.x - r.x)
-            t = ((r.x - p.x) * (s.y - r.y) - (r.y - p.y) * (s.x - r.x)) / across
-            found.append((point_along(p, Vec(q.x - p.x, q.y - p.y), t), i, j))
-    return found
+    edges = enumerate(pairwise([*ring, ring[0]]))
+    return [(spot, i, j) for (i, s), (j, t) in combinations(edges, 2) if (spot := crossing_point(s, t))]
 
 
 def _lies_on(p: Vec, edge: tuple[Vec, Vec]) -> bool:

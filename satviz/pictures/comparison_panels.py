@@ -13,7 +13,6 @@ from ..engine import describe
 from ..engine.certificate import SeparatingLine
 from ..engine.geometry import Relation, Vec
 from ..engine.number_format import MINUS, number
-from ..engine.predicates import orient
 from ..engine.sat import AxisTest, axis_tests
 from ..engine.shapes import Shape, centroid
 from ..engine.trace import Trace, record
@@ -36,7 +35,7 @@ from .default_panels import (
     true_run,
 )
 from .draw_steps import draw_mtv, draw_separating_line
-from .float_geometry import bounding_box, midpoint, point_along, segments_cross
+from .float_geometry import bounding_box, crossing_point, midpoint, point_along
 from .layout import NARROW_PAD_PT, Group, Layout, arrange
 from .letters import text_size, wrap_text
 from .sketch import RING_PT, Sketch
@@ -290,12 +289,8 @@ def draw_edges(trace: Trace, layout: Layout) -> Sketch:
 
 def _meeting_points(s: tuple[Vec, Vec], t: tuple[Vec, Vec]) -> list[Vec]:
     """Return where two segments cross, in float64, and the ends of each that lie on the other."""
-    (p, q), (u, v) = s, t
-    at_u, at_v = orient(p, q, u), orient(p, q, v)
-    if segments_cross(s, t):
-        k = at_u / (at_u - at_v)
-        return [Vec(u.x + (v.x - u.x) * k, u.y + (v.y - u.y) * k)]
-    return [c for c, edge in ((u, s), (v, s), (p, t), (q, t)) if _nearest_on_edge(c, edge) == c]
+    crossing, ends = crossing_point(s, t), [*((c, s) for c in t), *((c, t) for c in s)]
+    return [crossing] if crossing else [c for c, edge in ends if _nearest_on_edge(c, edge) == c]
 
 
 def draw_two_frames(trace: Trace, layout: Layout) -> Sketch:

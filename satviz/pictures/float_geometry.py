@@ -79,6 +79,14 @@ def segments_cross(s: tuple[Point, Point], t: tuple[Point, Point]) -> bool:
     return on_opposite_sides(*t, s) and on_opposite_sides(*s, t)
 
 
+def crossing_point(s: tuple[Vec, Vec], t: tuple[Vec, Vec]) -> Vec | None:
+    """Return where two segments cross in a point inside both; None if they do not."""
+    if not segments_cross(s, t):
+        return None
+    (u, v), at_u, at_v = t, orient(*s, t[0]), orient(*s, t[1])
+    return point_along(u, Vec(v.x - u.x, v.y - u.y), at_u / (at_u - at_v))
+
+
 def boxes_overlap(p: Box, q: Box) -> bool:
     """Check whether two upright boxes share more than their rims."""
     return p[0] < q[2] and q[0] < p[2] and p[1] < q[3] and q[1] < p[3]

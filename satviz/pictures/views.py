@@ -293,8 +293,8 @@ def failed_axes(trace: Trace, *, title: str = "") -> Picture:
         f"No axis here separates {trace.names.a} and {trace.names.b}: the least overlap is {worst}. {trace.sentence}",
         steady=False,
     )
-    words = f"No axis tested shows a gap: each dotted line cuts {trace.names.b}."
-    return with_words_below(drawn, f"{words} Yet they are apart.")
+    words = f"Each dotted line cuts {trace.names.b}: no axis shows a gap.\nYet they are apart."
+    return with_words_below(drawn, words)
 
 
 def _draw_line_that_cuts(sketch: Sketch, test: AxisTest) -> None:
