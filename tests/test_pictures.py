@@ -21,6 +21,7 @@ from satviz.pictures.drag import KNOB_RADIUS_PT, decisive_test, drag_layout, dra
 from satviz.pictures.figures import FIGURES, STRIP
 from satviz.pictures.float_geometry import clip_segment
 from satviz.pictures.label_placer import RIM_PT
+from satviz.pictures.layout import NARROW_SIZE_PT
 from satviz.pictures.letters import text_size
 from satviz.pictures.playback import first_row_numbers, table_rows
 from satviz.pictures.theme import CHART_ROLES, DOT_PT, PICTURE_ROLES
@@ -48,6 +49,7 @@ def every_picture():
     for name, trace in TRACES.items():
         for i in range(len(sv.steps(trace))):
             yield f"{name} {i}", partial(sv.picture, trace, i)
+            yield f"{name} {i} narrow", partial(sv.picture, trace, i, largest=NARROW_SIZE_PT)
         if trace.pairs:
             yield f"{name} convex parts", partial(convex_parts, trace)
         yield (
