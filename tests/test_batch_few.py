@@ -14,7 +14,7 @@ from random import Random
 
 import numpy as np
 import pytest
-from batches import ENGINES, RNG, in_python, kernels_of
+from batches import ENGINES, RNG, as_python, kernels_of
 from speeds import one_in
 from strategies import nearly_straight
 
@@ -315,24 +315,24 @@ SWEEP, GRID = "sort and sweep", "grid"
 
 
 @pytest.mark.parametrize(
-    ("n", "more", "numpy", "numba"),
+    ("n", "more", "names"),
     [
-        (400, 0, SWEEP, SWEEP),
-        (400, 1, GRID, SWEEP),
-        (512, 1, GRID, SWEEP),
-        pytest.param(513, 0, SWEEP, SWEEP, marks=pytest.mark.slow),
-        (513, 1, GRID, GRID),
-        pytest.param(1000, 0, SWEEP, SWEEP, marks=pytest.mark.slow),
+        (400, 0, {"numpy": SWEEP, "numba": SWEEP}),
+        (400, 1, {"numpy": GRID, "numba": SWEEP}),
+        (512, 1, {"numpy": GRID, "numba": SWEEP}),
+        pytest.param(513, 0, {"numpy": SWEEP, "numba": SWEEP}, marks=pytest.mark.slow),
+        (513, 1, {"numpy": GRID, "numba": GRID}),
+        pytest.param(1000, 0, {"numpy": SWEEP, "numba": SWEEP}, marks=pytest.mark.slow),
     ],
 )
-def test_boxes_are_swept_up_to_so_many_comparisons_each(n, more, numpy, numba):
+def test_boxes_are_swept_up_to_so_many_comparisons_each(n, more, names):
     kernels_of("few")
     comparisons = broad_rule.MAX_SWEEP_COMPARISONS * n + more
     bounds = swept(n, comparisons)
     right = meeting(bounds)
-    for engine, name in zip(ENGINES, (numpy, numba), strict=True):
+    for engine in ENGINES:
         for b in bounds, bounds[:, [1, 0, 3, 2]]:
-            assert batch.broad_phase_of(boxes_of(b), engine=engine) == (name, comparisons)
+            assert batch.broad_phase_of(boxes_of(b), engine=engine) == (names[engine], comparisons)
             assert batch.candidate_pairs(b, engine=engine).tolist() == right
             assert batch.colliding_pairs(boxes_of(b), engine=engine).tolist() == right
 
@@ -417,10 +417,10 @@ def test_both_engines_take_the_very_same_way():
     rng, seen = RNG(4), []
     for _ in range(300):
         bounds = any_bounds(rng)
-        one, other = (engines.engine_of(engine).candidate_pairs(bounds) for engine in ENGINES)
-        assert one[1:] == other[1:], bounds.tolist()
-        assert sorted(one[0].tolist()) == sorted(other[0].tolist()) == meeting(bounds)
-        seen.append(one[1])
+        found = [engines.engine_of(engine).candidate_pairs(bounds) for engine in ENGINES]
+        assert len({way[1:] for way in found}) == 1, bounds.tolist()
+        assert all(sorted(pairs.tolist()) == meeting(bounds) for pairs, *_ in found)
+        seen.append(found[0][1])
     assert min(map(seen.count, (broad_rule.ALL_PAIRS, broad_rule.SWEEP))) > 10
 
 
@@ -488,12 +488,9 @@ def decided(monkeypatch):
                 indexed, "relate_edges", lambda a, b: found.extend([None] * a.x.shape[1]) or by_edges(a, b)
             )
             return found
-        few, indexed = kernels_of("few"), kernels_of("indexed")
-        few_corners, fill = indexed.relate_few_corners, in_python(indexed.fill_relations)
-        for name in ("_collide", "_collide_columns"):
-            monkeypatch.setattr(few, name, in_python(getattr(few, name)))
-        for module in few, indexed:
-            monkeypatch.setattr(module, "fill_relations", fill)
+        indexed = kernels_of("indexed")
+        few_corners = indexed.relate_few_corners
+        as_python(monkeypatch, indexed, "relate_few_corners")
 
         def counted(ax, ay, i0, i1, bx, by, j0, j1, *more):
             found.append((i0 // (i1 - i0), j0 // (j1 - j0)))

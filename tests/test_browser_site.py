@@ -14,6 +14,7 @@ from browser import served, shut_out
 from PIL import Image
 
 import satviz as sv
+from satviz.lessons.chapter_text import chapters
 from satviz.pictures import DARK, LIGHT
 from satviz.safe_write import write
 from satviz.scenes.link import ViewOptions, fragment
@@ -57,6 +58,17 @@ def visit(browser, errors, url):
     yield opened
     for context in contexts:
         context.close()
+
+
+def without_python(page):
+    """Keep Python out of the pages to come; no service worker may answer for them."""
+    page.context.route("**/worker.js*", lambda route: route.fulfill(body="", content_type="text/javascript"))
+
+
+def whole(page):
+    """Show all of a chapter, which waits for answers."""
+    page.get_by_role("button", name="Show the whole chapter").click()
+    return page
 
 
 def middle(page, part):
@@ -112,10 +124,10 @@ def test_a_triangle_is_moved_with_the_keyboard(visit):
 @pytest.mark.parametrize("more", [{"color_scheme": "dark"}, {"reduced_motion": "reduce"}])
 @pytest.mark.parametrize("width", [390, 1280])
 def test_no_page_is_wider_than_its_window(visit, built, width, more):
-    # a service worker would answer for Python's script, and no route would see it
     page = visit("", viewport={"width": width, "height": 844}, service_workers="block", **more)
-    # without Python: on a busy machine Chromium itself crashes now and then where a page is left while that starts
-    page.context.route("**/worker.js*", lambda route: route.fulfill(body="", content_type="text/javascript"))
+    without_python(
+        page
+    )  # on a busy machine Chromium itself crashes now and then where a page is left while that starts
     for path in ["", *sorted(path.name for path in built.glob("*.html"))]:
         page.goto(page.url.rpartition("/")[0] + "/" + path)
         assert page.evaluate("document.documentElement.scrollWidth") <= width, path
@@ -151,6 +163,9 @@ def test_a_site_comes_to_life_where_a_browser_has_no_room_to_keep_its_files(visi
 )
 def test_no_page_shuts_anyone_out(visit, axe_core, path, more):
     page = visit(path, live=path in ("", "2-sat.html", "6-where-it-fails.html", "scene.html#far-centers"), **more)
+    if path[:1].isdigit():
+        assert shut_out(axe_core, page) == []
+        whole(page)
     assert shut_out(axe_core, page) == []
 
 
@@ -199,7 +214,7 @@ def test_an_answer_is_opened_with_the_keyboard_and_without_javascript(visit):
 
 
 def test_what_is_in_an_answer_comes_to_life_when_it_is_opened(visit):
-    page = visit("6-where-it-fails.html")
+    page = whole(visit("6-where-it-fails.html"))
     answer = page.locator("details.later", has=page.locator(".live"))
     assert not answer.locator(".live.ready").count()
     answer.locator("> summary").click()
@@ -262,7 +277,7 @@ def test_the_link_that_is_copied_opens_the_same(visit):
     page.locator(".sv-menu summary:has-text('save')").click()
     page.get_by_role("button", name="copy link").click()
     assert page.evaluate("navigator.clipboard.readText()") == page.url
-    page = visit("2-sat.html")
+    page = whole(visit("2-sat.html"))
     page.context.grant_permissions(["clipboard-read", "clipboard-write"])
     player = page.locator(".player")
     player.locator(".sv-menu summary:has-text('save')").click()
@@ -377,7 +392,7 @@ def test_no_scene_flashes_light_in_a_dark_page(visit, path):
 
 
 def test_opened_as_files_the_pages_are_whole_their_players_play_and_a_line_says_how_to_drag(visit, built):
-    page = visit("2-sat.html", at=f"{built.as_uri()}/", live=False)
+    page = whole(visit("2-sat.html", at=f"{built.as_uri()}/", live=False))
     player = page.locator(".player")
     player.get_by_role("button", name="step forward").click()
     assert player.locator(".sv-count").inner_text().startswith("2")
@@ -387,13 +402,13 @@ def test_opened_as_files_the_pages_are_whole_their_players_play_and_a_line_says_
 
 @pytest.mark.parametrize("scripts", [True, False])
 def test_a_printed_chapter_asks_and_does_not_answer(visit, scripts):
-    """What is folded stays folded on paper; what the reader has opened is printed."""
+    """What is folded stays folded on paper; what the reader has opened is printed, and what waits for an answer is."""
     page = visit("2-sat.html", live=False, java_script_enabled=scripts)
     page.emulate_media(media="print")
-    folds = page.locator("article > details:not(.cell)")
+    folds = page.locator(":is(article, .rest) > details:not(.cell)")
     seen = "each => [...each.children].slice(1).some(it => it.checkVisibility({contentVisibilityAuto: true}))"
     assert folds.count() > 6 and not any(fold.evaluate(seen) for fold in folds.all())
-    assert page.locator(".choices").count() == 5 and not page.locator(".cell").first.is_visible()
+    assert page.locator(".choices:visible").count() == 5 and not page.locator(".cell").first.is_visible()
     folds.first.evaluate("fold => { fold.open = true; }")
     assert folds.first.evaluate(seen)
     assert page.evaluate("[...document.querySelectorAll('pre')].every(pre => pre.scrollWidth <= pre.clientWidth + 1)")
@@ -402,7 +417,7 @@ def test_a_printed_chapter_asks_and_does_not_answer(visit, scripts):
 
 
 def test_a_question_is_answered_by_choosing_and_the_answer_is_judged(visit):
-    page = visit("2-sat.html", live=False)
+    page = whole(visit("2-sat.html", live=False))
     question = page.locator("ul.judges", has_text="v2v3")
     fold, said = question.locator("~ details.later").first, question.locator("+ .judged")
     assert fold.get_attribute("open") is None and said.inner_text() == ""
@@ -413,8 +428,65 @@ def test_a_question_is_answered_by_choosing_and_the_answer_is_judged(visit):
     assert fold.get_attribute("open") is not None and fold.locator("figure").is_visible()
 
 
+PHONE = {"viewport": {"width": 390, "height": 844}, "is_mobile": True, "has_touch": True}
+# what would give a chapter's question (counted from 0) away before it is asked
+GIVES_AWAY = {
+    ("2-sat.html", 0): r"normal of A's edge \w+\) leaves",  # said of the scene that the question is about
+    ("3-circles.html", 2): "hardly ever wrong",
+    ("7-speed-against-accuracy.html", 3): "corners are wrong",  # a heading
+}
+
+
+def one_spaced(texts):
+    return {" ".join(line.split()) for text in texts for line in text.split("\n")}
+
+
+def heard(page):
+    """The lines of all names and texts that the browser hands to a screen reader."""
+    nodes = page.context.new_cdp_session(page).send("Accessibility.getFullAXTree")["nodes"]
+    return one_spaced(node.get("name", {}).get("value", "") for node in nodes if not node["ignored"])
+
+
+@pytest.mark.parametrize("more", [{}, PHONE], ids=["desktop", "phone"])
+@pytest.mark.parametrize("chapter", chapters(), ids=lambda chapter: chapter.path)
+def test_nothing_gives_a_question_away_until_it_is_answered(visit, chapter, more):
+    """Neither seen nor heard: the answer, and all that comes after it."""
+    page = visit("gallery.html", live=False, service_workers="block", **more)
+    without_python(page)
+    page.goto(page.url.replace("gallery.html", chapter.path))
+    asked = page.locator("ul.choices")
+    unseen = "all => all.every((it) => !it.checkVisibility({ contentVisibilityAuto: true }))"
+    for i in range(asked.count()):
+        assert asked.nth(i).is_visible() and page.locator("ul.choices:visible").count() == i + 1
+        waiting = page.locator("article > .later:not([open]) > :not(summary), .rest > *")
+        assert waiting.evaluate_all(unseen)
+        told, there = heard(page), page.locator("article > :is(:not(.rest, .later), .later[open])")
+        given_away = told & one_spaced(waiting.all_text_contents()) - one_spaced(there.all_text_contents())
+        assert not {line for line in given_away if len(line) > 30}
+        words = GIVES_AWAY.get((chapter.path, i))
+        assert not words or not re.search(words, "\n".join([page.locator("article").inner_text(), *told]))
+        choose = asked.nth(i).locator("li[data-right] button")
+        choose.tap() if more else choose.click()
+        page.wait_for_function(
+            "n => document.querySelectorAll('article > ul.choices').length === n", arg=min(i + 2, asked.count())
+        )
+    assert not page.locator(".rest, .waits").count()
+
+
+def test_a_chapter_goes_on_where_its_reader_has_stopped(visit):
+    page = visit("2-sat.html", live=False)
+    page.locator("article > .later > summary").first.press("Enter")  # the answer alone, without a choice
+    page.locator("h2", has_text="One axis, by hand").wait_for()
+    page.reload()
+    assert page.locator("ul.choices:visible").count() == 2 and page.locator(".waits").is_visible()
+    whole(page)
+    assert page.evaluate("document.activeElement.textContent") == "Projecting is a dot product"
+    page.reload()
+    assert page.locator("ul.choices:visible").count() == 5 and not page.locator(".waits").count()
+
+
 def test_a_slider_shows_one_of_its_pictures(visit):
-    page = visit("5-doing-less.html", live=False)
+    page = whole(visit("5-doing-less.html", live=False))
     place = page.locator(".frames").first
     slider = place.get_by_role("slider")
     before = place.locator("figure:visible").inner_text()
@@ -486,7 +558,7 @@ def test_what_is_shown_beside_the_picture_is_saved_with_it(visit, screen):
 
 
 def test_what_the_page_cannot_make_is_not_offered(visit):
-    page = visit("2-sat.html")
+    page = whole(visit("2-sat.html"))
     for inside in ".live", ".player":
         menu = page.locator(f"{inside} .sv-menu:has-text('save')").first
         assert menu.locator("button").all_text_contents()[:2] == ["SVG", "PNG"] and "GIF" not in menu.inner_text()
@@ -500,7 +572,7 @@ def test_a_link_of_a_stranger_runs_nothing_and_says_why(visit):
 
 
 def test_a_chapter_plays_and_explores(visit):
-    page = visit("2-sat.html")
+    page = whole(visit("2-sat.html"))
     player = page.locator(".player")
     player.get_by_role("button", name="last step").click()
     assert player.locator(".sv-question").is_visible()  # this one asks before it shows

@@ -226,6 +226,17 @@ def test_a_rounded_crossing_is_helped_outwards_by_next_to_nothing(k):
     assert out == pytest.approx((radius - 1 - x, (radius**2 - (2 - radius) ** 2) ** 0.5 - y / 2), abs=1e-14)
 
 
+@pytest.mark.parametrize("first", range(0, 300, 50))
+def test_a_circle_goes_up_in_a_groove_with_a_wall_that_ends_where_it_touches(first):
+    """Rounded, the crossing of both borders lies beyond the end of the side or of the arc, or of both."""
+    for k in range(first, first + 50):
+        c, s, up = cos(k), sin(k), 1 + k % 5
+        ring = [(0, 0), (24, 32), (60, 32), (0, -60), (-60, 16), (-12, 16)]
+        groove = sv.Polygon([(c * x - s * y, s * x + c * y) for x, y in ring])
+        move = sv.record(groove, sv.Circle((s * (up - 25), c * (25 - up)), 15)).mtv
+        assert move == pytest.approx((-s * up, c * up), abs=1e-12), k
+
+
 def test_a_circle_about_a_corner_goes_out_by_its_radius():
     trace = sv.record(L, sv.Circle((4, 2), 0.5))
     assert hypot(*trace.mtv) == pytest.approx(0.5) and ends_overlap(trace.a, trace.b, trace.mtv)

@@ -397,6 +397,13 @@ def test_the_gallery_has_every_scene(files, pages):
     assert openable == {s.name for s in SCENES} | {row.name for row in FAILURE_CASES if row.how != REFUSED}
 
 
+def test_no_letter_is_replaced(files):
+    """A no-break space between a number and its unit is a letter, too."""
+    texts = {path: data for path, data in files.items() if path.endswith((".html", ".svg"))}
+    assert [path for path, data in texts.items() if "\ufffd" in data.decode()] == []
+    assert "below 1.8\xa0pm" in texts["7-speed-against-accuracy.html"].decode()
+
+
 def test_pictures_follow_the_theme(pages, files):
     assert not re.search(r'(?:fill|stroke)="#', pages["2-sat.html"])
     assert "prefers-color-scheme: dark" in files["pictures/triangles.svg"].decode()

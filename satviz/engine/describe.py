@@ -78,12 +78,13 @@ class _Trace(Protocol):
     def sentence(self) -> str: ...
 
 
-_JOINERS = "\u200c\u200d\u200e\u200f"  # invisible characters that Persian, emoji and Hebrew need
+# invisible characters: Persian, emoji and Hebrew need joiners and marks; a number and its unit keep on one line
+_INVISIBLE = "\u200c\u200d\u200e\u200f\xa0\u202f"
 
 
 def printable(text: str) -> str:
     """Return the text with a replacement character for each control character, which would break an SVG."""
-    return "".join(c if c.isprintable() or c in _JOINERS else "\ufffd" for c in text)
+    return "".join(c if c.isprintable() or c in _INVISIBLE else "\ufffd" for c in text)
 
 
 def vertex_name(shape: Shape, name: str, i: int) -> str:

@@ -1,15 +1,13 @@
 // The challenges that this reader has solved, kept in the reader's own browser.
 
-const KEY = "satviz-solved";
+import { keep, keptValue } from "./kept.js";
+
+const SOLVED = "solved";
 
 /** @returns {string[]} */
 function solved() {
-  try {
-    const found = JSON.parse(localStorage.getItem(KEY) ?? "[]");
-    return Array.isArray(found) ? found.filter((each) => typeof each === "string") : [];
-  } catch {
-    return []; // a browser that keeps nothing, or what another page has left
-  }
+  const found = keptValue(SOLVED);
+  return Array.isArray(found) ? found.filter((each) => typeof each === "string") : [];
 }
 
 /**
@@ -20,12 +18,7 @@ export function keepSolved({ scene, goal }) {
   if (!goal?.met) return;
   const id = `${goal.goal}:${JSON.parse(scene).name}`;
   const known = solved();
-  if (known.includes(id)) return;
-  try {
-    localStorage.setItem(KEY, JSON.stringify([...known, id]));
-  } catch {
-    // there is no room: nothing is kept
-  }
+  if (!known.includes(id)) keep(SOLVED, JSON.stringify([...known, id]));
 }
 
 /** @param {HTMLElement} place It says how many are solved, and forgets them. */
@@ -45,7 +38,7 @@ export function showSolved(place) {
     forget.hidden = !done;
   };
   forget.addEventListener("click", () => {
-    localStorage.removeItem(KEY);
+    keep(SOLVED, null);
     show();
     count.focus();
   });
