@@ -563,3 +563,17 @@ def test_where_another_axis_has_the_least_overlap_the_panel_of_the_truth_says_so
     runs = [case.record() for case in FAILURE_CASES if case.how != REFUSED]
     said = [(run.shortcut.name, text) for run in runs for text in sv.picture(run).texts if "another axis" in text]
     assert said == [("mixed-signs", "overlap 1, way out 2\nleast on another axis: 1.414")]
+
+
+def test_a_ring_at_a_crossing_lies_on_an_edge_of_both_shapes():
+    a = sv.Polygon([(0, 0), (7, 1), (2, 5)])
+    for k in range(12):
+        b = sv.Polygon([(3 + k / 4, -1), (8, 3 - k / 6), (1, 4)])
+        sketch = comparison_panels.draw_edges(sv.record(a, b), arrange([Group([a, b])])[0])
+        rings = [m.points[0] for m in sketch.marks if m.part == "crossing"]
+        assert rings
+        for p in rings:
+            for shape in (a, b):
+                edges = pairwise([*shape.vertices, shape.vertices[0]])
+                off = min(math.dist(p, u) + math.dist(p, v) - math.dist(u, v) for u, v in edges)
+                assert off == pytest.approx(0, abs=1e-9)

@@ -83,8 +83,10 @@ def crossing_point(s: tuple[Vec, Vec], t: tuple[Vec, Vec]) -> Vec | None:
     """Return where two segments cross in a point inside both; None if they do not."""
     if not segments_cross(s, t):
         return None
-    (u, v), at_u, at_v = t, orient(*s, t[0]), orient(*s, t[1])
-    return point_along(u, Vec(v.x - u.x, v.y - u.y), at_u / (at_u - at_v))
+    (p, q), (u, v) = s, t
+    along = Vec(q.x - p.x, q.y - p.y)
+    area = along.x * (v.y - u.y) - along.y * (v.x - u.x)
+    return point_along(p, along, ((u.x - p.x) * (v.y - u.y) - (u.y - p.y) * (v.x - u.x)) / area)
 
 
 def boxes_overlap(p: Box, q: Box) -> bool:
