@@ -56,6 +56,8 @@ TESTS = {  # which test files judge a module
         path.relative_to(ROOT).with_suffix("").as_posix(): BATCH_TESTS
         for path in sorted((ROOT / "batch").rglob("[!_]*.py"))
     },
+    "batch/with_numba/few": ["batch_few", "batch_broad", "batch_padded"],
+    "batch/with_numba/outlines": ["batch_few", "batch_outlines", "batch_padded", "batch_validation"],
     "engine/axes": ["axes", "trace", "failing"],
     "engine/sat": ["trace"],
     "engine/shortcut": ["failing", "trace"],

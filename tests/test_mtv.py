@@ -237,6 +237,19 @@ def test_a_circle_goes_up_in_a_groove_with_a_wall_that_ends_where_it_touches(fir
         assert move == pytest.approx((-s * up, c * up), abs=1e-12), k
 
 
+@pytest.mark.parametrize("e", [8, 16, 20, 24])
+@pytest.mark.parametrize("k", range(1, 4))
+def test_a_box_goes_back_in_a_slot_that_hardly_narrows_and_not_all_the_way_out(k, e):
+    """Where walls are nearly parallel, the sum of their normals is nearly 0 and helped no rounded crossing out."""
+    c, s, narrow = cos(k), sin(k), 2.0**-e
+    ring = [(-1, 1), (-3, 1), (-3, -3), (3, -3), (3, 1), (1, 1), (1 - 1.5 * narrow, -0.5), (1.5 * narrow - 1, -0.5)]
+    slot, fits = (
+        sv.Polygon([(c * x - s * y, s * x + c * y) for x, y in corners])
+        for corners in (ring, [(narrow - 1, -0.25), (1 - narrow, -0.25), (1 - narrow, 0.25), (narrow - 1, 0.25)])
+    )
+    assert sv.record(slot, fits).mtv == pytest.approx((-s * 0.25, c * 0.25), abs=2**-20)
+
+
 def test_a_circle_about_a_corner_goes_out_by_its_radius():
     trace = sv.record(L, sv.Circle((4, 2), 0.5))
     assert hypot(*trace.mtv) == pytest.approx(0.5) and ends_overlap(trace.a, trace.b, trace.mtv)

@@ -1,9 +1,12 @@
 """Texts in notations of many libraries: each is read rightly, asked about, or named as unread."""
 
+import random
 import re
 
 import pytest
 from pastes import PASTES
+from reports import REPORTS
+from strangers import TEXTS
 
 import satviz as sv
 
@@ -28,6 +31,77 @@ def test_a_text_is_read_rightly_or_what_cannot_be_read_is_named(paste):
     assert [bounds(each.read) for each in pasted.readings] == [pytest.approx(b) for b in paste.bounds]
     assert paste.says in " ".join(map(str, pasted.findings))
     assert not pasted.open
+
+
+@pytest.mark.parametrize("text", TEXTS, ids=lambda text: re.sub(r"\W+", "-", text.name))
+def test_a_text_of_a_stranger_is_answered_at_once_unless_a_question_is_right(text):
+    if not text.bounds:
+        with pytest.raises(sv.InvalidScene):
+            sv.paste(text.text)
+        return
+    assert sv.paste(text.text).open == text.asks
+    pasted = sv.paste(text.text, text.as_)
+    assert not pasted.open and pasted.shapes
+    assert [bounds(each.read) for each in pasted.readings] == [pytest.approx(b, abs=1e-3) for b in text.bounds]
+
+
+AFTER_A_NUMBER = (
+    " * 2", " + 1", " - d", "*k", " / 2", " % 3", " ** 2", "^2", " << 1", " >> 1", " | 1", " & 3", "++", ".sin()",
+    " if c else 9", " ? 1 : 2", "%", "!", " mod 2", " || 9",
+)  # fmt: skip
+AFTER_A_BRACKET = (
+    " * 2", ".T", ".scale(2)", "[::-1]", " + d", " @ m", " << 1", " if c else d", ".rotate(t)", ".flip()", "'", " - 1",
+    ".map(f)", ".clone().flip()", " ** 2", "[1:]", ".mirrored", " || d",
+)  # fmt: skip
+BEFORE_A_BRACKET = ("-", "~", "2 * ", "d + ", "mirror ", "half * ", "!", "scale(2) * ", "k*")
+LINES_BEHIND = (
+    "{}.x += 5", "{} *= 2", "flip({})", "{}.flip()", "scale({}, 2)", "{}.vertices[0].x -= 2", "{0} = {0} * 2",
+)  # fmt: skip
+
+
+def places_of_data(pasted):
+    """The places behind the numbers and around the brackets of the shapes, each with what can be put there."""
+    text = pasted.text
+    for each in pasted.readings:
+        yield from ((place, AFTER_A_NUMBER) for place in sorted(each.read.used))
+        for place in range(each.read.start + 1, each.read.end):
+            if re.search(r"//|#|--", text[text.rfind("\n", 0, place) + 1 : place]):
+                continue  # in a comment
+            before, here = text[place - 1], text[place]
+            if before in ")]" and place > 1 and text[place - 2].isalnum():
+                yield place, AFTER_A_BRACKET
+            if here in "([" and not before.isalnum() and before not in "!_":
+                yield place, BEFORE_A_BRACKET
+
+
+def attack(count, seed):
+    """Put a sign or a call beside the data of texts that are answered, or a line behind them: none stays answered."""
+    rng = random.Random(seed)
+    answered = [sv.paste(each.text, each.as_) for each in (*PASTES, *REPORTS, *TEXTS) if getattr(each, "bounds", True)]
+    answered = [p for p in answered if not p.open and p.traces and "leave-out" not in p.chosen and "_" not in p.chosen]
+    for _ in range(count):
+        pasted = rng.choice(answered)
+        place, signs = rng.choice(list(places_of_data(pasted)) or [(0, ("",))])
+        sign = rng.choice(signs)
+        names = [
+            each.label for each in pasted.readings if each.label.isidentifier() and f"{each.label} =" in pasted.text
+        ]
+        if names and rng.random() < 0.2:
+            place, sign = len(pasted.text), "\n" + rng.choice(LINES_BEHIND).format(rng.choice(names))
+        changed = pasted.text[:place] + sign + pasted.text[place:]
+        try:
+            assert not sign or sv.paste(changed, pasted.chosen).open, (sign, changed[max(0, place - 80) : place + 80])
+        except sv.InvalidScene:
+            continue
+
+
+def test_a_sign_beside_the_data_is_never_dropped_without_a_question():
+    attack(150, seed=1)
+
+
+@pytest.mark.slow
+def test_two_thousand_signs_beside_the_data():
+    attack(2000, seed=2)
 
 
 CHANGES = (

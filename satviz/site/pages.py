@@ -202,10 +202,8 @@ def explorer_page(frame: Frame) -> bytes:
     offered = "".join(f'<li><a href="{PAGE}#{name}">{escape(title)}</a></li>' for name, title in titles)
     body = f"""
 <h1>Explorer</h1>
-<p class="lead">Drag the shapes, their corners, or a free axis.
-<b>Paste your own shapes</b> in the box below the picture: WKT, JSON or lines of code, as they stand in a log or in a
-report. The page says whether they collide, and why.
-The address of this page is always a link to the present scene.</p>
+<p class="lead">Drag the shapes, or <b>paste your own</b> below. The address of this page opens the scene as it is
+now.</p>
 <noscript><p>This page needs JavaScript. Without JavaScript you cannot drag anything, and the picture always shows two
 triangles. The <a href="gallery.html">gallery</a> has a still picture of every scene.</p></noscript>
 <section class="stage">{parts.explorer(ExplorerModel(scene("triangles")))}</section>

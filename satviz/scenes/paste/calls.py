@@ -54,6 +54,8 @@ class Calls(Keyed):
         """Return (arguments of a call that can describe a shape, its named arguments), without null, options and ()."""
         named = self.as_object(group)
         kept = []
+        while len(named.rest) > 1 and self._is_style(named.rest[-1]):
+            self.counts.add(named.rest.pop().end)
         for item in named.rest:
             value = self.resolve(item)
             if isinstance(value, (Name, Bad)) and not (isinstance(value, Bad) and value.inside):
@@ -236,9 +238,6 @@ class Calls(Keyed):
             angle = named.get("angle", "degrees", "radians")
         if only := self._options(arguments):
             return self._object(replace(only, start=group.start, end=group.end), label, row)
-        fifth = self.resolve(arguments[4]) if len(arguments) > 4 else None
-        if isinstance(fifth, Num) and fifth.value is None:  # a color: 0xff0000
-            arguments = arguments[:4]
         last = self.resolve(arguments[-1]) if arguments else None
         if isinstance(last, Num) and last.turn is not None:  # SetAsBox(1, 1, center, 0.5f * b2_pi)
             arguments, angle = arguments[:-1], last
@@ -278,7 +277,7 @@ class Calls(Keyed):
         )
         if len(flat) == 5 and angle is None and form not in (CORNER_CORNER, X_THEN_Y) and not self.mode(group):
             angle = angle_of(group, flat)
-        if len(arguments) == 4 and not named.fields and row.ask == ANY_BOX:
+        if len(arguments) == 4 and not named.fields and row.ask == ANY_BOX and not self.mode(group):
             self._ask_order()
         made = self._made_box(flat[:4], form, group, label, angle, RADIANS if row.form == CENTER_HALF else row.unit)
         made = replace(made, keyed=bool(row.form))

@@ -87,7 +87,7 @@ NOTATIONS = (
     Notation(
         "shapely.box geometry.box shapely.geometry.box st_makeenvelope makeenvelope bbox boundingbox ltrb "
         "pixel.r image.rect rect64 rectd rect.fromltrb rect.frompoints rect::from_corners create_rectangle "
-        "RECT RECTL lnglatbounds latlngbounds rectf bb pymunk.bb box2.new",
+        "RECT RECTL lnglatbounds latlngbounds rectf bb pymunk.bb box2.new three.box2",
         BOX,
         CORNER_CORNER,
     ),
@@ -136,6 +136,8 @@ TWO_SHAPES = {
     "colliderectrect": (("qrect", 4), ("qrect", 4)),
     "collidecirclecircle": (("ellipse", 3), ("ellipse", 3)),
     "colliderectcircle": (("qrect", 4), ("ellipse", 3)),
+    "colliderectpoly": (("qrect", 4),),
+    "collidecirclepoly": (("ellipse", 3),),
     "rectrect": (("qrect", 4), ("qrect", 4)),
     "circlecircle": (("c2circle", 3), ("c2circle", 3)),
     "circlerect": (("c2circle", 3), ("qrect", 4)),

@@ -176,10 +176,14 @@ class Reader(Calls):
         elif group.name and group.name.replace("->", ".").split(".")[-1].lower() in ATTACHERS:
             return self._attached(group, label)
         elif kind == MANY:
-            return [s for item in group.items for s in self._rings(item, label)]
+            return [s for item in group.items if not self._are_names(item) for s in self._rings(item, label)]
         else:
             found = self._plain(group, label)
         return self._after(group, found)
+
+    def _are_names(self, value: Any) -> bool:
+        """Return whether a value is a list of names: featureCollection([a, b])."""
+        return isinstance(value, Group) and bool(value.items) and all(isinstance(v, Name) for v in value.items)
 
     def _two(self, group: Group, two: Sequence[tuple[str, int]], label: str) -> list[Read]:
         """Return the shapes of a call with the numbers of two: collideRectRect(0, 0, 4, 4, 2, 0, 4, 4)."""
@@ -193,7 +197,7 @@ class Reader(Calls):
 
     def _by_its_name(self, group: Group) -> Group:
         """Return a call with the name that its own stands for: var C = SAT.Circle; new C(...)."""
-        other = self.env.before(group.name, group.start) if group.name and not notation(group.name) else None
+        other = self.env.before(group.name, group.start) if group.name else None
         return replace(group, name=other.text) if isinstance(other, Name) else group
 
     def _has_numbers(self, value: Any) -> bool:
