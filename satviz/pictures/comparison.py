@@ -112,7 +112,7 @@ def _frame(trace: Trace, largest: tuple[float, float]) -> _Frame:
     groups = [panel.needs(trace) for panel in _panels(trace)]
     groups.append(Group([box(x0 - rim, y0 - rim, x1 + rim, y1 + rim)]))
     for _ in range(2):
-        found = arrange_readable(groups, shapes, largest=largest, one_frame=True)
+        found = arrange_readable(groups, shapes, largest)
         claimed, actual, *_ = add_insets(found, named)
         places = [place_axis_within(claimed, shapes, test) for test in tests]
         outside = [t for t, place in zip(tests, places, strict=True) if not _is_inside(place, claimed)]

@@ -1,7 +1,7 @@
 """The canvas of a picture: which part of a scene it shows, on what scale, and where the axes stand."""
 
 from collections.abc import Sequence
-from typing import NamedTuple, TypedDict, Unpack
+from typing import NamedTuple
 
 from ..engine import number_format
 from ..engine.geometry import Vec
@@ -88,13 +88,6 @@ class Layout(NamedTuple):
         return points / self.scale
 
 
-class _Options(TypedDict, total=False):
-    """The options that every group of pictures may have."""
-
-    one_frame: bool
-    tight: bool
-
-
 class Group(NamedTuple):
     """The contents of one picture: shapes, and the tests whose axes are shown at once.
 
@@ -139,18 +132,21 @@ def arrange(
 
 
 def arrange_readable(
-    groups: Sequence[Group], shapes: Sequence[Shape], *, largest: tuple[float, float], **more: Unpack[_Options]
+    groups: Sequence[Group],
+    shapes: Sequence[Shape],
+    largest: tuple[float, float],
+    *,
+    one_frame: bool = True,
+    tight: bool = False,
 ) -> list[Layout]:
-    """Return what `arrange` does; `shapes`: those of the scene.
-
-    Where they would be small on a narrow canvas, the groups are brief, so that they become larger.
-    """
-    found = arrange(groups, largest=largest, **more)
+    """Return what `arrange` does; where the scene's shapes would be small on a narrow canvas, the groups are brief."""
+    found = arrange(groups, largest=largest, one_frame=one_frame, tight=tight)
     x0, y0, x1, y1 = bounding_box(shapes)
     part = max(x1 - x0, y1 - y0) * found[0].scale / max(largest[0], found[0].size[0])
     if largest[0] >= NARROW_PT or part >= LEAST_PART:
         return found
-    return arrange([group._replace(brief=True) for group in groups], largest=largest, **more)
+    brief = [group._replace(brief=True) for group in groups]
+    return arrange(brief, largest=largest, one_frame=one_frame, tight=tight)
 
 
 def range_label(name: str, text: str) -> str:

@@ -63,8 +63,7 @@ def step_layouts(trace: Trace, largest: tuple[float, float] = LARGEST_PT, by_the
     end = [trace.separating] if trace.separating else []
     groups = [Group(shapes), *(Group(shapes, [t]) for t in tests), Group(_shapes_and_moved_b(trace), end)]
     named = list(zip(trace.names, shapes, strict=True))
-    tight = largest[0] < NARROW_PT
-    found = arrange_readable(groups, shapes, largest=largest, one_frame=not by_themselves, tight=tight)
+    found = arrange_readable(groups, shapes, largest, one_frame=not by_themselves, tight=largest[0] < NARROW_PT)
     return [add_insets([each], named)[0] for each in found] if by_themselves else add_insets(found, named)
 
 
