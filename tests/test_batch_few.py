@@ -413,6 +413,14 @@ def test_the_broad_phase_that_is_chosen_is_named(engine, few, most):
         batch.broad_phase_of(ells)
 
 
+@pytest.mark.parametrize("engine", ENGINES)
+def test_of_very_many_boxes_no_comparisons_are_counted(engine):
+    if engine == "numba":
+        kernels_of("few")
+    many = batch.Circles(np.zeros((2**14 + 1, 2)), 1.0)
+    assert batch.broad_phase_of(many, engine=engine) == ("grid", None)
+
+
 def any_bounds(rng, n):
     """Return bounds of which the axis, the comparisons and the order may be in doubt."""
     low = rng.choice([rng.integers(0, 9, (n, 2)), rng.integers(0, 300, (n, 2)), rng.uniform(-9, 9, (n, 2))]) * 1.0
