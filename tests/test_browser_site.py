@@ -18,9 +18,11 @@ from satviz.lessons.chapter_text import chapters
 from satviz.pictures import DARK, LIGHT
 from satviz.safe_write import write
 from satviz.scenes.link import ViewOptions, fragment
-from satviz.site import runtime
+from satviz.site import pages, runtime
 from satviz.site.build import site
 from satviz.site.check_page import CHECK_POLICY
+from satviz.site.guides import guides
+from satviz.site.hosting import NOT_FOUND
 
 pytestmark = pytest.mark.slow
 
@@ -727,6 +729,25 @@ def test_in_a_folder_of_a_plain_server_all_is_as_it_is_at_its_root(built, visit,
         thread.join()
 
 
+def test_at_any_depth_a_page_asks_for_the_service_worker_of_its_site(browser, built, tmp_path):
+    """Also the page of a missing address, which is shown in a folder that is not there."""
+    (tmp_path / "courses").mkdir()
+    (tmp_path / "courses" / "sat").symlink_to(built)
+    with served(tmp_path) as at:
+        frame = pages.Frame(chapters(), guides(), "1", True, False, f"{at}courses/sat/")
+        (tmp_path / NOT_FOUND).write_bytes(pages.not_found_page(frame))
+        for path in "nothing/at/all.html", "2-sat.html":
+            context, asked = browser.new_context(), []
+            page = context.new_page()
+            context.on("request", lambda request, asked=asked: asked.append(request.url))
+            page.goto(f"{at}courses/sat/{path}")
+            scope = page.evaluate("navigator.serviceWorker.ready.then(it => [it.scope, it.active.scriptURL])")
+            assert scope == [f"{at}courses/sat/", f"{at}courses/sat/sw.js"]
+            assert [url for url in asked if url.endswith("/sw.js")] in ([], [f"{at}courses/sat/sw.js"])
+            assert page.locator("nav a").first.evaluate("a => a.href") == f"{at}courses/sat/index.html"
+            context.close()
+
+
 # -- a scene in a frame of another page
 
 
@@ -753,12 +774,20 @@ def framed(browser, errors, url):
 
 @pytest.mark.parametrize("options", [{}, {"play": True}, {"show": ["tools", "table"]}], ids=["drag", "play", "tools"])
 def test_a_frame_is_as_high_as_its_content(framed, options):
-    page, frame = framed("triangles", more={"viewport": {"width": 390, "height": 900}}, **options)
+    page, frame = framed("triangles", more={"viewport": {"width": 320, "height": 900}}, **options)
     fits = "document.documentElement.scrollHeight === innerHeight && document.body.offsetHeight > innerHeight - 2"
-    for width in 390, 1000:
+    cut = """() => [...document.querySelectorAll('button, select, summary, .sv-tool')].filter(e => e.checkVisibility()
+      && (e.getBoundingClientRect().right > innerWidth || e.scrollWidth > e.clientWidth)).map(e => e.textContent)"""
+    for width in 320, 390, 1000:
         page.set_viewport_size({"width": width, "height": 900})
         page.frames[1].wait_for_function(f"() => innerWidth > {width} - 100 && {fits}")
         assert page.frames[1].evaluate("document.documentElement.scrollWidth <= innerWidth")
+        assert page.frames[1].evaluate(cut) == []
+        letters = frame.locator("svg.sv-picture text:visible").evaluate_all(
+            "all => all.map(t => t.getBoundingClientRect().height)"
+        )
+        assert min(letters) >= 12  # the height of letters of 10 px
+    assert not frame.locator(".sv-text").is_visible()  # the box to paste into is there, but closed
     for hidden in "header", "footer", "h1", ".lead":
         assert not frame.locator(hidden).is_visible(), hidden
     assert frame.locator(".sv-fold").is_visible() == ("table" in options.get("show", ()))
@@ -874,7 +903,10 @@ def test_what_was_solved_is_kept_in_this_browser_until_it_is_forgotten(visit):
     item = page.locator("li[data-challenge='touch:aabb']")
     assert "solved" in item.get_attribute("class") and item.inner_text().endswith("solved")
     assert "You have solved 1 of" in progress.inner_text()
+    go_on = page.get_by_role("link", name="Go on with the next challenge")
+    assert go_on.evaluate("a => a.href") == page.locator(".tiles li:not(.solved) a").first.evaluate("a => a.href")
     forget.click()
+    assert page.get_by_role("link", name="Begin with the first challenge").is_visible()
     assert "None of" in progress.inner_text() and page.evaluate("localStorage.length") == 0
 
 
@@ -886,7 +918,7 @@ def test_the_front_page_shows_the_idea_once_and_then_asks_to_drag(visit):
     page.clock.run_for(500)
     assert "shadows overlap" in now.inner_text() and turning.locator('[data-id="overlap"]').count()
     page.clock.run_for(5000)
-    assert now.inner_text().startswith("The line turns")
+    assert now.inner_text().startswith("If the line turns")
     page.clock.run_for(5000)
     assert "there is a gap" in now.inner_text() and turning.locator('[data-id="gap"]').count()
     page.clock.run_for(3000)

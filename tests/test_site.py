@@ -718,10 +718,12 @@ def test_a_site_that_is_no_text_is_named():
 
 def test_draw_prints_the_link(capsys, tmp_path):
     assert main(["draw", "far-centers", "--format", "link", "--site", "https://example.org/s/"]) == 0
-    assert capsys.readouterr().out == "https://example.org/s/scene.html#far-centers\n"
+    assert capsys.readouterr() == ("https://example.org/s/scene.html#far-centers\n", "")
     assert main(["draw", "triangles", "--axes", "world", "--format", "link"]) == 0
-    shown, _ = links.parse_fragment(capsys.readouterr().out.strip().partition("#")[2])
+    printed = capsys.readouterr()
+    shown, _ = links.parse_fragment(printed.out.strip().partition("#")[2])
     assert shown.axes == "world"
+    assert "--site URL makes it whole" in printed.err  # without a site the link alone opens nothing
 
 
 def test_draw_prints_the_link_beside_the_files(capsys, tmp_path):

@@ -310,6 +310,9 @@ class Account:
         cuts = self.at(i + 1).text != "None" and any(t.text == ":" for t in self.tokens[i : self.close[i]][:4])
         if touches and cuts and self.is_data(i - 1):
             self.miss(i, i)  # [::-1]
+        begin = self.open.get(i - 1)
+        if opens == "(" and begin == i - 2 and self.callee(begin) and self.holds(*self.span(i)):
+            self.miss(begin - 1, i)  # Box.flip()(0, 0, 4, 4)
         if word is None or word.kind == FIELD:
             return
         if opens != "(":
@@ -325,7 +328,7 @@ class Account:
         if not inside and not (self.is_variable(word) and last != word.text):
             return
         method = self.is_variable(word) and last != word.text and last.lower() in APPLIED
-        declared = self.at(i - 2).kind == NAME and notation(self.at(i - 2).text) is not None  # Circle c(0, 0, 1)
+        declared = notation(self.at(i - 2).text) is not None and last.lower() not in CHANGING_CALLS  # Circle c(0, 0, 1)
         makes = last.lower() in PRODUCERS and "." in word.text and not defines and self.is_given(i)
         known = method or defines or declared or last.lower() in PENS | PEN_STARTS | PRODUCERS or is_call(word.text)
         if makes or not known:
@@ -432,7 +435,7 @@ class Account:
     def is_choice(self, i: int) -> bool:
         """Return whether data stands before a word in its line, and `else` behind it: a if b else c."""
         start, end = self.line(self.at(i))
-        before = self.holds(start, self.at(i).start) or (self.at(i - 1).kind == CLOSE and self.is_data(i - 1))
+        before = self.holds(start, self.at(i).start) or (self.at(i - 1).kind != NUMBER and self.is_data(i - 1))
         return before and "else" in self.text[self.at(i).end : end]
 
     def gives_value(self, i: int) -> bool:

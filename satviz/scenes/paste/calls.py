@@ -18,6 +18,7 @@ from .boxes import (
     moved,
     unit_of,
 )
+from .exact import hull
 from .keyed import Keyed
 from .names import Obj, Unreadable
 from .notations import (
@@ -138,13 +139,18 @@ class Calls(Keyed):
             cx, cy = _centroid(outline)
             given, place = places(*place), (place[0] - cx, place[1] - cy)  # Matter puts the center of mass there
         self.consume(taken)
+        count = len(outline)
+        if "hull" in group.name.lower():  # a call that takes points and gives their hull
+            given |= places(*(c for p in outline for c in p))
+            outline = hull(outline) if len(hull(outline)) < len(set(outline)) else outline
         if any(not key(name) and self.point(value) is not None for name, value in named.fields.items()):
             raise Unreadable("a list of corners has something else in it")
         beside = sum(self._is_number(a) for a in arguments)
         if beside and not (outline is not None and self.numbers(arguments)) and beside != count_of_position:
             self.remark("numbers beside a list of corners were left out")
         shift = place or ZERO
-        made = self._outline(outline, group, label, shift, " and a position" if shift != ZERO else "")
+        how = f", the convex hull of {count} points" if len(outline) < count else ""
+        made = self._outline(outline, group, label, shift, f"{how} and a position" if shift != ZERO else how)
         made = replace(made, used=made.used | given)
         return [self._turned(made, angle, unit_of(named), shift)] if angle is not None else [made]
 

@@ -38,7 +38,8 @@ CHANGING_CALLS = listed(
 # Methods behind a shape that leave it alone.
 METHODS = listed(
     """
-    topolygon unwrap into tovec to_vec clone copy tolist to_owned as_ref expect isvalid is_valid toarray asarray build
+    topolygon unwrap into tovec to_vec clone copy deepcopy dup duplicate
+    tolist to_owned as_ref expect isvalid is_valid toarray asarray build
     collect iter close closepath endfill toimmutable freeze wkt reshape intersects intersect colliderect
     intersectsrect overlaps contains touches within disjoint equals intersection relate crosses covers almostequals
     intersectswith intersects_with collideswith collides distance done tobe toequal tostrictequal tobecloseto

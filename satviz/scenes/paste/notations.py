@@ -131,6 +131,18 @@ NOTATIONS = (
 NAMES = {name: row for row in NOTATIONS for name in row.names.split()}
 MAX_WORDS = max(len(re.split(r"\.|::|->", name)) for name in NAMES)
 
+# Texts whose shapes cannot be told from their lines: what they are, and what helps.
+UNREAD = (
+    (
+        re.compile(r"^[ \t]*canvas(?:\.\w+)?:", re.MULTILINE),
+        "instructions of Kivy: write each shape on a line of its own, such as Rectangle(10, 20, 100, 50)",
+    ),
+    (
+        re.compile(r"^[ \t]*(?:shape_type: TYPE_|embedded_collision_shape)", re.MULTILINE),
+        "a collision object of Defold: write each shape on a line of its own, such as box(x, y, width, height)",
+    ),
+)
+
 # Calls with the numbers of two shapes: the notation of each, and how many numbers it has.
 TWO_SHAPES = {
     "colliderectrect": (("qrect", 4), ("qrect", 4)),

@@ -29,7 +29,8 @@ from .atoms import (
 )
 from .harmless import CASTS
 from .markup import all_tokens
-from .tokens import CLOSE, FIELD, LINE, MARK, NAME, NUMBER, OPEN, OTHER, TEXT, Token, tokens
+from .notations import UNREAD
+from .tokens import CLOSE, FIELD, LINE, MARK, MAX_CHARS, NAME, NUMBER, OPEN, OTHER, TEXT, Token, tokens
 from .tree import Bad, Group, Name, Num, Pair
 
 MAX_ANGLE = 50  # characters of an angle in terms of pi
@@ -55,6 +56,8 @@ class Tree(NamedTuple):
 
 def parse(text: str) -> Tree:
     """Return the tree of a text."""
+    if unread := next((why for pattern, why in UNREAD if pattern.search(text[:MAX_CHARS])), ""):
+        raise InvalidScene(unread)
     plain, found, parts = all_tokens(text)
     parser = _Parser(text, found)
     root = Group(0, len(text), parser.items("", 0))

@@ -48,6 +48,7 @@ from .tree import Bad, Group, Name, Num, Pair, Value
 
 _SECTION = re.compile(r"^\[[A-Za-z]", re.MULTILINE)
 _ASSIGNED = re.compile(r"[ \t+-]*(?:\w+[ \t*&]+){0,4}[\w.]+(?:\[\w*\])?[ \t]*:?=[ \t]*(?:new[ \t]+)?")  # Rect a =
+COPIES = frozenset(["clone", "copy", "deepcopy", "dup", "duplicate"])
 MAX_PROBLEMS = 50  # of what is not read; fewer are shown
 
 
@@ -130,6 +131,8 @@ class Reader(Calls):
 
     def _group(self, group: Group, label: str) -> list[Read]:
         """Return the shapes of a bracket, a call or a typed list, with the calls behind it."""
+        if (copied := self._copied(group)) is not None:
+            return self.shapes(copied, label)
         row = notation(group.name) if group.name else None
         kind = row.kind if row else ""
         if two := TWO_SHAPES.get(group.name.lower().split(".")[-1]):
@@ -194,6 +197,15 @@ class Reader(Calls):
             if len(items) == count and all(map(self._is_number, items)):
                 found += self._group(Group(items[0].start, items[-1].end, items, "(", name), label)
         return found
+
+    def _copied(self, group: Group) -> Any:
+        """Return what a call copies that has a name: a in a.clone() and in copy(a); None for other calls."""
+        owner, _, last = group.name.replace("->", ".").rpartition(".")
+        if last.lower() not in COPIES or len(group.items) > 1 or group.methods:
+            return None
+        named = group.items[0] if group.items else Name(group.start, group.end, owner)
+        found = self.resolve(named)
+        return found if isinstance(named, Name) and isinstance(found, (Group, Obj)) else None
 
     def _by_its_name(self, group: Group) -> Group:
         """Return a call with the name that its own stands for: var C = SAT.Circle; new C(...)."""

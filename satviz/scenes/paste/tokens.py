@@ -8,7 +8,7 @@ from typing import NamedTuple
 from ...engine.geometry import InvalidScene
 
 MAX_CHARS = 1 << 20
-MAX_TOKENS = 120_000  # some 20,000 points; a second of work
+MAX_TOKENS = 60_000  # some 12,000 points; a second of work
 TOO_MANY = f"the text has more than {MAX_TOKENS:,} words and numbers: paste the shapes alone"
 MAX_DIGITS = 400  # no float64 needs more, and no exponent beyond this size fits one
 
@@ -70,8 +70,6 @@ _PREFIX = re.compile(
     (?:(?:>[ ])?\d*[ \t]+\|(?=[ \t]+(?:[A-Za-z]|\^)))?""",
     re.MULTILINE | re.VERBOSE,
 )
-# two numbers with commas for points, and a semicolon between them
-_DECIMAL_COMMA = re.compile(r"\([ ]?[-+]?\d+,\d+[ ]?;[ ]?[-+]?\d+,\d+[ ]?\)")
 
 
 class Token(NamedTuple):
@@ -93,8 +91,6 @@ def tokens(text: str) -> list[Token]:
         raise InvalidScene(
             f"the text has {len(text):,} characters: the limit is {MAX_CHARS:,}, so paste the shapes alone"
         )
-    if comma := _DECIMAL_COMMA.search(text):
-        raise InvalidScene(f"{_short(comma[0])} has decimal commas: write the numbers with points, such as 0.5")
     found: list[Token] = []
     for token in _scan(_without_open_comments(_PREFIX.sub(_blank, _PROMPT.sub(_blank, text)))):
         found.append(token)

@@ -7,7 +7,7 @@ from fractions import Fraction
 from itertools import groupby, pairwise, takewhile
 from typing import Any, NamedTuple
 
-from .account import Account, root, within
+from .account import Account, Part, root, within
 from .boxes import Read
 from .harmless import CHANGING_NUMBERS, OTHER_NUMBERS, words
 from .names import Names, Obj, short
@@ -16,6 +16,7 @@ from .parser import Tree
 from .tokens import NAME, NUMBER
 from .tree import Bad, Group, Num, Pair
 
+MIN_SAID = 12  # characters of a part that says enough without its line
 MAX_NAMED = 6  # keys that are named in a line, and numbers without a key
 
 
@@ -62,7 +63,7 @@ def rest(tree: Tree, reads: Sequence[Read], text: str, reader: Names) -> Rest:
     inside = within([*reader.named, *parts, *reader.parts], left)
     left = [v for v in left if v not in inside and v.end not in account.counts]
     harmless: list[Left] = []
-    missed = [(part.start, short(text[part.start : part.end])) for part in parts]
+    missed = list(_said(parts, text))
     missed += [(len(text), remark) for remark in tree.remarks if account.is_cut()]
     for _, group in groupby(left, key=_base):
         row = list(group)
@@ -71,6 +72,15 @@ def rest(tree: Tree, reads: Sequence[Read], text: str, reader: Names) -> Rest:
         else:
             missed.append((row[0].start, _named(row, text)))
     return Rest([said for _, said in sorted(missed)], _named(harmless, text) if harmless else "")
+
+
+def _said(parts: Sequence[Part], text: str) -> Iterator[tuple[int, str]]:
+    """Yield the parts that are not understood with their places; a short one, and several, with their line."""
+    for line, group in groupby(parts, key=lambda part: text.rfind("\n", 0, part.start) + 1):
+        said = [short(text[part.start : part.end]) for part in group]
+        whole = short(text[line:].partition("\n")[0])
+        alone = len(said) == 1 and len(said[0]) >= MIN_SAID
+        yield line, said[0] if alone or said == [whole] else f"{', '.join(said)} (in {whole})"
 
 
 def _paths(fields: Mapping[str | int, Any]) -> Iterator[tuple[str, Any]]:

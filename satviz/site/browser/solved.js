@@ -24,6 +24,7 @@ export function keepSolved({ scene, goal }) {
 /** @param {HTMLElement} place It says how many are solved, and forgets them. */
 export function showSolved(place) {
   const [count, forget] = /** @type {[HTMLElement, HTMLElement]} */ ([place.querySelector(".count"), place.querySelector("button")]);
+  const begin = /** @type {HTMLAnchorElement} */ (document.querySelector(".action a"));
   const items = [...document.querySelectorAll(/** @type {"li"} */ ("li[data-challenge]"))];
   const show = () => {
     const known = new Set(solved());
@@ -36,6 +37,10 @@ export function showSolved(place) {
     const done = items.filter((item) => item.classList.contains("solved")).length;
     count.textContent = done ? `You have solved ${done} of ${items.length}.` : `None of ${items.length} is solved yet.`;
     forget.hidden = !done;
+    const next = items.find((item) => !item.classList.contains("solved"))?.querySelector("a");
+    if (next) begin.href = next.href;
+    begin.hidden = !next;
+    begin.textContent = done ? "Go on with the next challenge" : "Begin with the first challenge";
   };
   forget.addEventListener("click", () => {
     keep(SOLVED, null);
