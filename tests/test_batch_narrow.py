@@ -84,7 +84,7 @@ HARD = [
 
 
 @pytest.mark.parametrize("engine", ENGINES)
-@pytest.mark.parametrize("kind", HARD)
+@pytest.mark.parametrize("kind", one_in(2, HARD))
 def test_hard_pairs_are_told_as_one_by_one_side_by_side_and_picked(engine, kind):
     """Whichever edge or corner meets which, whichever comes first, beside any others in memory."""
     rng, pairs = Random(kind), []
