@@ -300,7 +300,7 @@ def written_out(name):
 def test_no_rival_is_slower_than_the_same_written_out_by_more_than_a_tenth(name):
     """Both are called three times in a row: only the first call has to fetch the corners from far away."""
     (method,) = (m for m in all_methods() if (m.language, m.name) == (COMPILED, name))
-    a, b = kilometre_shapes(np.random.default_rng(1), 50_000)
+    a, b = kilometre_shapes(np.random.default_rng(1), speed_against_accuracy.pairs_in_a_call(Settings()))
     p, q, kernel = method.prepare(a), method.prepare(b), written_out(name)
 
     def reference():
