@@ -349,6 +349,18 @@ def test_boxes_that_are_far_along_one_axis_only_are_swept_along_the_other(engine
     assert batch.colliding_pairs(boxes_of(bounds), engine=engine).tolist() == []
 
 
+@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize("order", [[0, 1, 2, 3], [1, 0, 3, 2]])
+def test_boxes_too_unlike_for_one_grid_are_swept_along_the_axis_that_compares_fewer(order, engine):
+    if engine == "numba":
+        kernels_of("few")
+    n = 520
+    column = np.arange(n)[:, None] * [0, 2.0, 0, 2.0] + [0, 0, 1, 1]
+    bounds = np.vstack([column, [1e9, 0, 1e9 + 1, 1e6]])[:, order]  # one is taller than the column, and far beside it
+    assert batch.broad_phase_of(boxes_of(bounds), engine=engine) == (SWEEP, n)
+    assert batch.colliding_pairs(boxes_of(bounds), engine=engine).tolist() == []
+
+
 def spread_sizes(rng, n):
     """Return upright boxes with sizes from 1 to 2**20."""
     size = 2.0 ** rng.uniform(0, 20, (n, 1))
@@ -401,9 +413,16 @@ def test_the_broad_phase_that_is_chosen_is_named(engine, few, most):
         batch.broad_phase_of(ells)
 
 
-def any_bounds(rng):
+@pytest.mark.parametrize("engine", ENGINES)
+def test_of_very_many_boxes_no_comparisons_are_counted(engine):
+    if engine == "numba":
+        kernels_of("few")
+    many = batch.Circles(np.zeros((2**14 + 1, 2)), 1.0)
+    assert batch.broad_phase_of(many, engine=engine) == ("grid", None)
+
+
+def any_bounds(rng, n):
     """Return bounds of which the axis, the comparisons and the order may be in doubt."""
-    n = int(rng.choice([2, 48, 129, 150, 200]))
     low = rng.choice([rng.integers(0, 9, (n, 2)), rng.integers(0, 300, (n, 2)), rng.uniform(-9, 9, (n, 2))]) * 1.0
     size = rng.choice([rng.integers(0, 3, (n, 2)), rng.integers(1, 30, (n, 2)), np.zeros((n, 2))]) * 1.0
     stretch = rng.choice([[1, 1], [0, 1], [1, 0], [5, 1], [1e-9, 1]])
@@ -412,16 +431,18 @@ def any_bounds(rng):
         return np.clip(np.hstack([low, low + size]) * np.tile(stretch, 2) * scale, -1.7e308, 1.7e308)
 
 
-def test_both_engines_take_the_very_same_way():
-    kernels_of("few")
-    rng, seen = RNG(4), []
-    for _ in range(150):
-        bounds = any_bounds(rng)
-        found = [engines.engine_of(engine).candidate_pairs(bounds) for engine in ENGINES]
-        assert len({way[1:] for way in found}) == 1, bounds.tolist()
-        assert all(sorted(pairs.tolist()) == meeting(bounds) for pairs, *_ in found)
-        seen.append(found[0][1])
-    assert min(map(seen.count, (broad_rule.ALL_PAIRS, broad_rule.SWEEP))) > 10
+@pytest.mark.parametrize("seed", range(10))
+@pytest.mark.parametrize("n", [2, 48, 129, 150, 200])
+def test_both_engines_take_the_very_same_way(n, seed):
+    if "numba" in ENGINES:
+        kernels_of("few")
+    rng = RNG([n, seed])
+    for _ in range(3):
+        bounds = any_bounds(rng, n)
+        right = meeting(bounds)
+        one, *others = (engines.engine_of(engine).candidate_pairs(bounds) for engine in ("numpy", *ENGINES))
+        assert one[1] == (broad_rule.ALL_PAIRS if n <= 48 else broad_rule.SWEEP)
+        assert all(other[1:] == one[1:] and sorted(other[0].tolist()) == right for other in others), bounds.tolist()
 
 
 TURNS = {

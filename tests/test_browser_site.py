@@ -774,12 +774,20 @@ def framed(browser, errors, url):
 
 @pytest.mark.parametrize("options", [{}, {"play": True}, {"show": ["tools", "table"]}], ids=["drag", "play", "tools"])
 def test_a_frame_is_as_high_as_its_content(framed, options):
-    page, frame = framed("triangles", more={"viewport": {"width": 390, "height": 900}}, **options)
+    page, frame = framed("triangles", more={"viewport": {"width": 320, "height": 900}}, **options)
     fits = "document.documentElement.scrollHeight === innerHeight && document.body.offsetHeight > innerHeight - 2"
-    for width in 390, 1000:
+    cut = """() => [...document.querySelectorAll('button, select, summary, .sv-tool')].filter(e => e.checkVisibility()
+      && (e.getBoundingClientRect().right > innerWidth || e.scrollWidth > e.clientWidth)).map(e => e.textContent)"""
+    for width in 320, 390, 1000:
         page.set_viewport_size({"width": width, "height": 900})
         page.frames[1].wait_for_function(f"() => innerWidth > {width} - 100 && {fits}")
         assert page.frames[1].evaluate("document.documentElement.scrollWidth <= innerWidth")
+        assert page.frames[1].evaluate(cut) == []
+        letters = frame.locator("svg.sv-picture text:visible").evaluate_all(
+            "all => all.map(t => t.getBoundingClientRect().height)"
+        )
+        assert min(letters) >= 12  # the height of letters of 10 px
+    assert not frame.locator(".sv-text").is_visible()  # the box to paste into is there, but closed
     for hidden in "header", "footer", "h1", ".lead":
         assert not frame.locator(hidden).is_visible(), hidden
     assert frame.locator(".sv-fold").is_visible() == ("table" in options.get("show", ()))
