@@ -185,7 +185,7 @@ def conclusion(trace: _Trace, i: int) -> str:
         return f"A gap: {who} are apart."
     found = "The ranges only touch" if t.gap == 0 else "The ranges overlap"
     if not last:
-        return f"{found} on this axis: no verdict yet, on to the next."
+        return f"{found} on this axis: no verdict yet."
     if trace.separating or not trace.choice.complete:
         return f"{found} on this axis: it does not separate."
     collide = "touch" if trace.relation is Relation.TOUCHING else "collide"

@@ -11,6 +11,7 @@ from ..lessons.chapter_text import Chapter
 from ..lessons.handout import chapter_sheets
 from ..lessons.themed import themed_svg_file
 from ..pictures import Picture, picture
+from ..pictures.layout import NARROW_SIZE_PT
 from ..pictures.playback import NARROW_PANEL_SIZES_PT
 from ..render.files import encode
 from ..safe_write import MADE_BY
@@ -321,7 +322,12 @@ def scene_pictures() -> list[tuple[str, bytes]]:
 
 @cache
 def _scene_picture(name: str, *, narrow: bool = False) -> Picture:
-    """Return a scene's Picture; with `narrow` its panels stand one above the other, for a telephone."""
+    """Return a scene's Picture; with `narrow` its panels stand one above the other, for a telephone.
+
+    The cards of scenes without panels are narrow on every screen.
+    """
+    if name not in FAILING:
+        return picture(name, largest=NARROW_SIZE_PT)
     return picture(name, largest=NARROW_PANEL_SIZES_PT[0]) if narrow else picture(name)
 
 
