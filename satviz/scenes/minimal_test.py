@@ -195,7 +195,7 @@ def minimal_test(a: Shape, b: Shape, language: str) -> str:
 
 def _points(shape: Shape, language: Language) -> str:
     """Return the points of a shape as literals: the vertices as given, or a circle's center."""
-    opening, closing = language.brackets
+    opening, closing = language.brackets[0], language.brackets[1]
     return ", ".join(f"{opening}{x!r}, {y!r}{closing}" for x, y in (shape.vertices or shape.core))
 
 

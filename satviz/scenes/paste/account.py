@@ -8,7 +8,7 @@ outside the brackets of a shape is prose.
 import re
 from bisect import bisect_left, bisect_right
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from itertools import accumulate, groupby, pairwise
+from itertools import accumulate, groupby, pairwise, takewhile
 from operator import itemgetter
 from types import MappingProxyType
 from typing import Any, NamedTuple
@@ -333,12 +333,11 @@ class Account:
 
     def is_row(self, i: int) -> bool:
         """Return whether a number is that of a row in a table whose shape is in WKT."""
-        k = i
-        while self.at(i).kind == NUMBER:
-            i += 1
-        while self.at(k).kind == NUMBER:
-            k -= 1
-        return self.at(k).kind == LINE and self.at(i).text in ("POLYGON", "MULTIPOLYGON")
+        row = self.tokens[max(i - 3, 0) : i + 4]
+        before = takewhile(lambda token: token.kind == NUMBER, reversed(row[: min(i, 3)]))
+        first = i - len(list(before))
+        word = next((token.text for token in self.tokens[i : i + 4] if token.kind != NUMBER), "")
+        return self.at(first - 1).kind == LINE and word in ("POLYGON", "MULTIPOLYGON")
 
     def miss(self, first: int, last: int) -> None:
         """Note that the tokens from one place to another are not understood."""
