@@ -31,39 +31,41 @@ MIN_CELL = 2.0**-48  # of the farthest coordinate: smaller cells run together
 
 def colliding_pairs(shapes: Shapes) -> Pairs | None:
     """Return the pairs i < j, in order, of the shapes that share a point; None where this way does not decide them."""
-    if len(shapes) > MAX_SHAPES:
-        return None
-    if "groups" in vars(shapes) and len(shapes.groups) == 1:
-        (group,) = shapes.groups.values()
-        pairs, decided = _collide_columns(group.x, group.y, NO_RADII if group.r is None else group.r)
-    elif (blocks := vars(shapes).get("blocks")) is not None and len(blocks) <= MAX_BLOCKS:
-        pairs, decided = _collide_blocks(*blocks, *[NO_BLOCK] * (MAX_BLOCKS - len(blocks)))
+    runs = vars(shapes).get("runs")  # asked once, since another thread may join them
+    if runs is not None and len(runs) == 1:
+        pairs, decided = _collide_block(runs[0].block)
+    elif runs is not None and len(runs) <= MAX_RUNS:
+        pairs, decided = _collide_blocks(*(run.block for run in runs), *[NO_BLOCK] * (MAX_RUNS - len(runs)))
     else:
         pairs, decided = _collide(*shapes.rings, shapes.radius)
     return pairs if decided else None
 
 
-NO_RADII = np.zeros(0)
-MAX_BLOCKS = 4  # kinds of shapes that one call takes as they lie
+MAX_RUNS = 4  # groups of shapes that one call takes as they lie
 NO_BLOCK = np.empty((2, 1, 0))
 
 
 @compiled
-def _collide_columns(columns_x: Array, columns_y: Array, radius: Array) -> tuple[Pairs, bool]:
-    """Return what `_collide` returns, for shapes of one number of corners in columns; no radii for polygons."""
-    corners, n = columns_x.shape
-    x, y = np.empty(corners * n), np.empty(corners * n)
+def _collide_block(block: Array) -> tuple[Pairs, bool]:
+    """Return what `_collide` returns, for the shapes of the block of a group."""
+    _, corners, n = block.shape
+    if n > MAX_SHAPES:
+        return np.empty((0, 2), np.intp), False
+    x, y, radius = np.empty(corners * n), np.empty(corners * n), np.zeros(n)
     for v in range(corners):
         for i in range(n):
-            x[i * corners + v], y[i * corners + v] = columns_x[v, i], columns_y[v, i]
-    start = np.arange(0, corners * n + 1, corners)
-    return _collide(x, y, start, radius if corners == 1 else np.zeros(n))
+            x[i * corners + v], y[i * corners + v] = block[0, v, i], block[1, v, i]
+    if block.shape[0] == 3:
+        radius[:] = block[2, 0]
+    return _collide(x, y, np.arange(0, corners * n + 1, corners), radius)
 
 
 @compiled
 def _collide_blocks(a: Array, b: Array, c: Array, d: Array) -> tuple[Pairs, bool]:
     """Return what `_collide` returns, for the shapes of four blocks of groups, in order."""
     n = a.shape[2] + b.shape[2] + c.shape[2] + d.shape[2]
+    if n > MAX_SHAPES:
+        return np.empty((0, 2), np.intp), False
     corners = a[0].size + b[0].size + c[0].size + d[0].size
     x, y, start, radius = np.empty(corners), np.empty(corners), np.zeros(n + 1, np.intp), np.zeros(n)
     i = to = 0
@@ -83,6 +85,8 @@ def _collide_blocks(a: Array, b: Array, c: Array, d: Array) -> tuple[Pairs, bool
 def _collide(x: Array, y: Array, start: Indices, radius: Array) -> tuple[Pairs, bool]:
     """Return (pairs i < j of the shapes that share a point, in order; False if there is a pair that is not decided)."""
     n = radius.size
+    if n > MAX_SHAPES:
+        return np.empty((0, 2), np.intp), False
     bounds, upright = np.empty((n, 4)), np.empty(n, np.bool_)
     fill_boxes(x, y, start, radius, bounds, upright)
     candidates, _, _, complete = _candidate_pairs(bounds)

@@ -25,13 +25,13 @@ def certified_group(vertices: Array) -> Group | None:
     kernel = (_fill_columns_3, _fill_columns_4)[corners - 3] if corners <= 4 else _fill_columns
     if not kernel(vertices, columns, maxima):
         return None
-    return Group(columns[0], columns[1], None, columns, maxima)
+    return Group(columns, maxima)
 
 
 def certified_circles(centers: Array, radii: Array) -> Group | None:
     """Return circles from (N, 2) centers and (N,) radii as a group; None if a number is not finite or not positive."""
     block = np.empty((3, 1, len(centers)))
-    return Group(block[0], block[1], block[2, 0], block) if _fill_circles(centers, radii, block) else None
+    return Group(block) if _fill_circles(centers, radii, block) else None
 
 
 @compiled
