@@ -18,6 +18,8 @@ from .engines import engine_for_checks
 from .outlines import convex_rings
 from .ragged import MAX_LANE_CORNERS, Rings, concat_rings
 
+FLOAT64 = np.dtype(np.float64)  # comparing with it takes half the time of comparing with np.float64
+
 # what an error line says of a concave polygon, by the argument `concave` of build_shapes
 WAYS_OUT = {
     None: " with these coordinates: nothing was moved",
@@ -62,7 +64,7 @@ def _certified_circles(centers: object, radii: object) -> Group | None:
 
 def _is_carray(values: object, axes: int) -> TypeGuard[Array]:
     """Return whether this is a float64 array with `axes` axes, aligned, writable and contiguous in C order."""
-    return type(values) is np.ndarray and values.dtype == np.float64 and values.ndim == axes and values.flags.carray
+    return type(values) is np.ndarray and values.dtype == FLOAT64 and values.ndim == axes and values.flags.carray
 
 
 def _is_index_array(values: object) -> TypeGuard[Indices]:

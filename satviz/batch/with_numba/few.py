@@ -51,13 +51,15 @@ def _collide_block(block: Array) -> tuple[Pairs, bool]:
     _, corners, n = block.shape
     if n > MAX_SHAPES:
         return np.empty((0, 2), np.intp), False
-    x, y, radius = np.empty(corners * n), np.empty(corners * n), np.zeros(n)
+    xy, start, radius = np.empty((2, corners * n)), np.empty(n + 1, np.intp), np.zeros(n)
     for v in range(corners):
         for i in range(n):
-            x[i * corners + v], y[i * corners + v] = block[0, v, i], block[1, v, i]
+            xy[0, i * corners + v], xy[1, i * corners + v] = block[0, v, i], block[1, v, i]
+    for i in range(n + 1):
+        start[i] = i * corners
     if block.shape[0] == 3:
         radius[:] = block[2, 0]
-    return _collide(x, y, np.arange(0, corners * n + 1, corners), radius)
+    return _collide(xy[0], xy[1], start, radius)
 
 
 @compiled
@@ -67,18 +69,18 @@ def _collide_blocks(a: Array, b: Array, c: Array, d: Array) -> tuple[Pairs, bool
     if n > MAX_SHAPES:
         return np.empty((0, 2), np.intp), False
     corners = a[0].size + b[0].size + c[0].size + d[0].size
-    x, y, start, radius = np.empty(corners), np.empty(corners), np.zeros(n + 1, np.intp), np.zeros(n)
+    xy, start, radius = np.empty((2, corners)), np.zeros(n + 1, np.intp), np.zeros(n)
     i = to = 0
     for block in (a, b, c, d):
         for k in range(block.shape[2]):
             for v in range(block.shape[1]):
-                x[to], y[to] = block[0, v, k], block[1, v, k]
+                xy[0, to], xy[1, to] = block[0, v, k], block[1, v, k]
                 to += 1
             if block.shape[0] == 3:
                 radius[i] = block[2, 0, k]
             i += 1
             start[i] = to
-    return _collide(x, y, start, radius)
+    return _collide(xy[0], xy[1], start, radius)
 
 
 @compiled
@@ -92,8 +94,8 @@ def _collide(x: Array, y: Array, start: Indices, radius: Array) -> tuple[Pairs, 
     candidates, _, _, complete = _candidate_pairs(bounds)
     if not complete:
         return candidates, False
-    first, second = candidates[:, 0].copy(), candidates[:, 1].copy()
-    found = np.empty(len(candidates), np.int8)
+    both, found = candidates.T.copy(), np.empty(len(candidates), np.int8)
+    first, second = both[0], both[1]
     fill_relations(x, y, start, radius, bounds, upright, x, y, start, radius, bounds, upright, first, second, found)
     return _hits_in_order(first, second, found, n)
 
@@ -223,7 +225,8 @@ def _all_pairs(bounds: Array) -> Pairs:
     For each box those that meet it are marked first, without a branch, which the compiler vectorises.
     """
     n = len(bounds)
-    x0, y0, x1, y1 = bounds[:, 0].copy(), bounds[:, 1].copy(), bounds[:, 2].copy(), bounds[:, 3].copy()
+    sides = bounds.T.copy()
+    x0, y0, x1, y1 = sides[0], sides[1], sides[2], sides[3]
     mask = np.empty((n // WORD_BYTES + 1) * WORD_BYTES, np.uint8)
     words = mask.view(np.uint64)
     out, found = np.empty((4 * n, 2), np.intp), 0
