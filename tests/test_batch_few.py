@@ -489,7 +489,7 @@ def decided(monkeypatch):
             return found
         few, indexed = kernels_of("few"), kernels_of("indexed")
         few_corners, fill = indexed.relate_few_corners, in_python(indexed.fill_relations)
-        for name in ("_collide", "_collide_columns"):
+        for name in ("_collide", "_collide_block"):
             monkeypatch.setattr(few, name, in_python(getattr(few, name)))
         for module in few, indexed:
             monkeypatch.setattr(module, "fill_relations", fill)
