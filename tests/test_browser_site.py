@@ -178,14 +178,31 @@ def test_python_starts_from_the_memory_that_was_kept(visit):
     assert visit("").locator(".live").get_attribute("data-from") == "memory"
 
 
-def test_the_live_scene_takes_the_room_of_the_still_one(visit):
+@pytest.mark.parametrize("width", [390, 1280])
+def test_the_live_scene_takes_the_room_of_the_still_one(visit, width):
     """So that nothing jumps under the reader's eyes when Python is ready."""
-    still = visit("", live=False, java_script_enabled=False).locator(".live .picture").first.bounding_box()
-    live = visit("").locator(".live svg.sv-picture").first.bounding_box()
+    more = {"viewport": {"width": width, "height": 844}}
+    still_page = visit("", live=False, java_script_enabled=False, **more)
+    still = still_page.locator(".live .picture:visible").first.bounding_box()
+    letters = still_page.locator(".live .picture:visible text").evaluate_all(
+        "all => all.map(t => t.getBoundingClientRect().height)"
+    )
+    assert min(letters) > 12  # the height of letters of 10 px
+    page = visit("", **more)
+    live = page.locator(".live svg.sv-picture").first.bounding_box()
     assert [live[k] for k in ("x", "width", "height")] == pytest.approx(
         [still[k] for k in ("x", "width", "height")], abs=2
     )
     assert live["y"] == pytest.approx(still["y"], abs=40)  # words about the scene may stand above it
+    page = visit("scene.html", live=False, **more)
+    page.evaluate(
+        "new PerformanceObserver(list => { window.shifts = (window.shifts ?? 0) + "
+        "list.getEntries().reduce((all, entry) => all + entry.value, 0); })"
+        ".observe({ type: 'layout-shift', buffered: true })"
+    )
+    page.locator(".live.ready").wait_for(timeout=LIVE)
+    page.wait_for_timeout(500)
+    assert page.evaluate("window.shifts ?? 0") < 0.05
 
 
 def test_without_javascript_every_page_is_there(visit):
