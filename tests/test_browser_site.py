@@ -18,7 +18,7 @@ from satviz.lessons.chapter_text import chapters
 from satviz.pictures import DARK, LIGHT
 from satviz.safe_write import write
 from satviz.scenes.link import ViewOptions, fragment
-from satviz.site import pages, runtime
+from satviz.site import build, pages, runtime
 from satviz.site.build import site
 from satviz.site.check_page import CHECK_POLICY
 from satviz.site.guides import guides
@@ -620,7 +620,14 @@ def test_where_the_kept_memory_does_not_load_python_starts_anew(built, visit, tm
         errors.clear()
 
 
-def test_where_pyodide_keeps_no_memory_a_site_is_built_and_all_of_it_works(visit, tmp_path, monkeypatch):
+@pytest.fixture
+def slim(monkeypatch):
+    """A site built now has neither chapters nor reference, which take long to make."""
+    monkeypatch.setattr(build, "chapters", list)
+    monkeypatch.setattr(build, "reference", lambda in_site: ())
+
+
+def test_where_pyodide_keeps_no_memory_a_site_is_built_and_all_of_it_works(slim, visit, tmp_path, monkeypatch):
     """As a whole: the function that keeps it is private, and may be gone in another Pyodide."""
     core = runtime._core_from_npm()
     script = core["pyodide.asm.mjs"]
@@ -649,7 +656,7 @@ def test_where_pyodide_keeps_no_memory_a_site_is_built_and_all_of_it_works(visit
         page.context.close()
 
 
-def test_a_site_without_python_says_so_and_has_its_pictures(visit, tmp_path):
+def test_a_site_without_python_says_so_and_has_its_pictures(slim, visit, tmp_path):
     for path, data in site(live=False)[0]:
         write(tmp_path / path, data)
     with served(tmp_path) as at:
@@ -956,7 +963,9 @@ def run_code(page, language=None, code=None):
     if code is not None:
         page.get_by_role("textbox", name="Your function").fill(code)
     page.locator(".run").click()
-    page.wait_for_function("() => document.querySelector('.run').textContent === 'Run'", timeout=LIVE)
+    page.wait_for_function(
+        "() => document.querySelector('.run').textContent === 'Run'", timeout=2 * LIVE
+    )  # Python starts anew for the code
     return page.locator(".check-status").inner_text()
 
 
