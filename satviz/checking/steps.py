@@ -22,7 +22,6 @@ from .answers import (
     in_words,
     is_right,
     is_tolerated,
-    plain,
     recognize,
     truth_of,
 )
@@ -133,10 +132,10 @@ def _right_count(answered: Sequence[tuple[Any, tuple[Shape, Shape]]], rules: Rul
 def _changed(results: Sequence[Result], before: Sequence[Outcome], after: Sequence[Outcome]) -> Result | None:
     """Return the first pair whose second answer differs from its first one, as a Result with that problem.
 
-    Values that are no answer are not compared: not-a-number and most objects differ even from themselves.
+    Values that are no answer are not compared: most objects differ even from themselves.
     """
     for result, one, other in zip(results, before, after, strict=False):
-        if one.problem != other.problem or (not result.problem and plain(one.value) != plain(other.value)):
+        if one.problem != other.problem or (not result.problem and one.value != other.value):
             first, second = (outcome.line or short_repr(outcome.value) for outcome in (one, other))
             line = f"changes its answer about the same shapes: first {first}, then {second}"
             return result._replace(right=False, problem=UNSTEADY, line=line)

@@ -1,7 +1,7 @@
 // The page "Is yours right?": an editor, a check of what is written in it, and the counterexample to drag.
 
 import { element } from "../../render/browser/elements.js";
-import { NO_ANSWER, Reader } from "./reader.js";
+import { LAST, NO_ANSWER, Reader } from "./reader.js";
 
 /** @import { State } from "../../render/browser/messages.js" */
 /** @import { PythonWorker } from "./python_worker.js" */
@@ -149,7 +149,7 @@ export class CheckPage {
       const outcomes = [];
       for (const pair of reply.pairs) {
         outcomes.push(await reader.call(pair));
-        if (outcomes.at(-1)?.problem === NO_ANSWER) break;
+        if (LAST.includes(outcomes.at(-1)?.problem ?? "")) break;
       }
       asked += outcomes.length;
       this.say(`${asked} pairs of shapes so far.`);
@@ -210,7 +210,7 @@ export class CheckPage {
     if (this.reader.ended) {
       this.live.hidden = false;
       this.live.className = "yours wrong";
-      this.live.textContent = "✗ Your function was stopped: it gave no answer. Change it, and run it again.";
+      this.live.textContent = "✗ Your function does not run any more. Change it, and run it again.";
       return;
     }
     this.judging = true;
