@@ -42,6 +42,7 @@ SYMPTOMS: dict[str, tuple[str, ...]] = {
         "dart",
         "box-in-u",
         "lengths",
+        "start-at-zero",
         "slipped-normal",
         "same-shape",
     ),

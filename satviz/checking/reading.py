@@ -4,7 +4,7 @@ import inspect
 import io
 import json
 from collections.abc import Callable
-from contextlib import redirect_stdout
+from contextlib import redirect_stderr, redirect_stdout
 from typing import Any
 
 from ..scenes.scenefile import shape_from
@@ -37,7 +37,7 @@ class ReaderPython:
 
     def answer(self, content: dict[str, Any]) -> dict[str, Any]:
         """Return whether the function is there, or what came of one call, and what the code printed."""
-        with redirect_stdout(Printed()) as printed:
+        with redirect_stdout(Printed()) as printed, redirect_stderr(printed):
             reply = self._define(content["code"]) if content["kind"] == "define" else self._call(content)
         return {**reply, "printed": printed.getvalue()}
 

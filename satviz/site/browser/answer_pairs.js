@@ -2,18 +2,19 @@
 // The function stands alone, since its text is put before the reader's JavaScript.
 
 /**
+ * @param {(text: string) => void} post To the page; the reader's code must not have it.
  * @param {string} file The name of the reader's script.
  * @param {number} linesBefore The lines of ours before the reader's first one.
  */
 /**
+ * @param {(text: string) => void} post To the page; the reader's code must not have it.
  * @param {string} file The name of the reader's script.
  * @param {number} linesBefore The lines of ours before the reader's first one.
  */
-export function answerPairs(file, linesBefore) {
+export function answerPairs(post, file, linesBefore) {
   const maxPrinted = 2000;
   let printed = "";
   const own = /** @type {any} */ (self);
-  const post = own.postMessage.bind(own);
   const shape = (/** @type {any} */ data) => (data.polygon ? data.polygon : data);
   const tag = (/** @type {unknown} */ value) => Object.prototype.toString.call(value).slice("[object ".length, -1);
   const inWords = (/** @type {unknown} */ value) => {
@@ -26,7 +27,7 @@ export function answerPairs(file, linesBefore) {
   const said = (/** @type {any} */ error) => {
     const line = Number(String(error?.stack ?? "").match(`${file}:(\\d+)`)?.[1]) - linesBefore;
     const place = line > 0 ? ` in line ${line}` : "";
-    return error?.name ? `${error.name}${place}: ${error.message}` : String(error);
+    return (error?.name ? `${error.name}${place}: ${error.message}` : String(error)).slice(0, 300);
   };
   /**
    * An answer as the check reads it: plain values, and as {text} what is none.
@@ -36,7 +37,7 @@ export function answerPairs(file, linesBefore) {
    */
   const plain = (value, depth) => {
     if (value === null || typeof value === "boolean" || typeof value === "string" || (typeof value === "number" && Number.isFinite(value))) return value;
-    if (Array.isArray(value) && value.length < 20 && depth) return value.map((each) => plain(each, depth - 1));
+    if (Array.isArray(value)) return value.length < 20 && depth ? value.map((each) => plain(each, depth - 1)) : { text: "a long or deep list" };
     if (typeof value !== "object") return { text: typeof value === "function" ? "a function" : typeof value === "number" ? String(value) : inWords(value) };
     const keys = ["x", "y", "hit", "mtv", "push", "move"].filter((key) => key in value);
     if (keys.length && depth) return Object.fromEntries(keys.map((key) => [key, plain(value[key], depth - 1)]));
@@ -51,7 +52,6 @@ export function answerPairs(file, linesBefore) {
     } catch {}
     post(text);
   };
-  for (const name of Object.keys(own.console)) own.console[name] = () => {};
   own.console.log = own.console.info = own.console.warn = own.console.error = own.console.debug = (/** @type {unknown[]} */ ...values) => {
     if (printed.length < maxPrinted) printed = `${printed}${values.map(inWords).join(" ")}\n`.slice(0, maxPrinted);
   };

@@ -122,7 +122,7 @@ function outcomeFrom(text) {
 }
 
 const FILE = "your-code"; // the name of the reader's script in the stack of an error
-const before = (/** @type {number} */ lines) => `(${answerPairs})("${FILE}", ${lines});\n(${shutOff})();\nself.satvizCollide = (() => {\n`;
+const before = (/** @type {number} */ lines) => `((post) => {\n(${shutOff})();\n(${answerPairs})(post, "${FILE}", ${lines});\n})(self.postMessage.bind(self));\nself.satvizCollide = (() => {\n`;
 const HARNESS_LINES = before(0).split("\n").length - 1;
 const FUNCTION_OF_TWO = /(?:function\s+|(?:const|let|var)\s+)([A-Za-z_$][\w$]*)\s*(?:=\s*(?:function\s*)?)?\(\s*[\w$]+\s*,\s*[\w$]+\s*\)/g;
 
