@@ -42,7 +42,6 @@ MISTAKES = {
     "else_in_the_loop": ("one-overlap", {}),
     "overwritten": ("one-overlap", {}),
     "largest_from_zero": ("start-at-zero", {}),
-    "both_from_zero": ("start-at-zero", {}),
     "extents_about_the_middle": ("bounding-circles", {}),
     "line_of_middles": ("one-overlap", {}),
     "corner_of_a_inside": ("corner-inside", {}),

@@ -84,11 +84,6 @@ def from_zero(on_a: Landings, on_b: Landings) -> float:
     return max(min(on_a) - max(0.0, *on_b), min(on_b) - max(0.0, *on_a))
 
 
-def with_zero(on_a: Landings, on_b: Landings) -> float:
-    """Return the gap of ranges of which both ends were searched for from 0."""
-    return from_zero([0.0, *on_a], [0.0, *on_b])
-
-
 def about_the_middle(on_a: Landings, on_b: Landings) -> float:
     """Return the gap of ranges that reach equally far to both sides of the vertex mean."""
     p, q = (sum(on) / len(on) for on in (on_a, on_b))
@@ -293,7 +288,6 @@ def _variants() -> Iterator[tuple[str, Predict, str]]:
     yield "corner-inside", partial(by_gaps, by_an_end_of_b, 1), "here an end of B's range in A's, on each axis"
     for sign in (1, -1):
         yield "start-at-zero", partial(by_gaps, from_zero, sign), "here on the normal of each edge"
-        yield "start-at-zero", partial(by_gaps, with_zero, sign), "here for both ends"
         yield "one-sided-gap", partial(by_gaps, on_one_side, sign), "here on the normal of each edge"
         yield "one-sided-gap", partial(push_by_edges, sign, True), "here for the depth"
         yield "push-along-normal", partial(push_by_edges, sign, False), ""

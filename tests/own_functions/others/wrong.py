@@ -354,30 +354,20 @@ def overwritten(a, b):
     return hit
 
 
-class Searched:
-    """A range that is searched for, from a first value that a landing place should have been."""
+def largest_from_zero(a, b):
+    """A range that is searched for, from a first value that is no landing place."""
 
-    def __init__(self, low):
-        self.low = low
-
-    def project(self, shape, x, y):
-        low, high = self.low, 0
+    def project(shape, x, y):
+        low, high = math.inf, 0
         for px, py in shape:
-            on = px * x + py * y
-            low = on if on < low else low
-            high = on if on > high else high
+            low, high = min(low, px * x + py * y), max(high, px * x + py * y)
         return low, high
 
-    def __call__(self, a, b):
-        for (x1, y1), (x2, y2) in [e for p in (a, b) for e in zip(p, p[1:] + p[:1])]:
-            (a0, a1), (b0, b1) = (self.project(p, y2 - y1, x1 - x2) for p in (a, b))
-            if a1 < b0 or b1 < a0:
-                return False
-        return True
-
-
-largest_from_zero = Searched(math.inf)
-both_from_zero = Searched(0)
+    for (x1, y1), (x2, y2) in [e for p in (a, b) for e in zip(p, p[1:] + p[:1])]:
+        (a0, a1), (b0, b1) = (project(p, y2 - y1, x1 - x2) for p in (a, b))
+        if a1 < b0 or b1 < a0:
+            return False
+    return True
 
 
 def extents_about_the_middle(a, b):
