@@ -1058,6 +1058,26 @@ def test_code_is_written_and_run_with_mouse_touch_and_keyboard(visit, screen, by
     )
 
 
+@pytest.mark.parametrize(
+    "screen", [WIDE, PHONE, {"viewport": {"width": 900, "height": 700}}], ids=["wide", "phone", "tablet"]
+)
+@pytest.mark.parametrize("code", ["def collide(a, b):\n    return 1 > 0\n", "def collide(a, b:\n", "return"])
+def test_what_was_found_is_seen_after_run_without_scrolling(visit, screen, code):
+    """On a wide screen it stands beside the editor, which stays in sight; else the page scrolls to it."""
+    page = visit("yours.html", live=False, **screen)
+    page.wait_for_function("() => !document.querySelector('.run').disabled", timeout=LIVE)
+    run_code(page, code=code)
+    page.wait_for_function(
+        """() => {
+          const { top, bottom } = document.querySelector(".check-status").getBoundingClientRect();
+          return -1 < top && bottom < innerHeight + 1;
+        }"""
+    )
+    if screen is WIDE:
+        assert page.locator("textarea").first.evaluate("(editor) => editor.getBoundingClientRect().top") > 0
+        assert page.evaluate("scrollY") == 0
+
+
 def drag(page, by, start, end):
     """Drag with the mouse or with a finger, in eight steps."""
     steps = [tuple(p + (q - p) * i / 8 for p, q in zip(start, end, strict=True)) for i in range(9)]
@@ -1132,7 +1152,7 @@ def test_what_the_code_prints_about_the_scene_stands_beside_it(check_page, langu
 
 def test_an_error_in_javascript_is_said_with_its_line(check_page):
     said = run_code(check_page, "javascript", "function collide(a, b) {\n  return true;\n}".replace("true", "c.x"))
-    assert said == "Your function raises ReferenceError in line 2: c is not defined."
+    assert said == "Your function raises ReferenceError in line 2: c is not defined. The line: return c.x;"
 
 
 CALLS = "function collide(a, b) { %s }"
