@@ -127,7 +127,7 @@ def read(value: Any, kind: str) -> Answer:
         return Vec(float(value[0]), float(value[1])) if value else None
     if kind == HIT_AND_MTV and isinstance(value, tuple) and len(value) == 2 and isinstance(value[0], bool):
         return (value[0], read(value[1] if value[0] else None, MTV))
-    raise Unreadable(f"returned {short_repr(value)[:MAX_SHOWN]}: expected {EXPECTED[kind]}")
+    raise Unreadable(f"returns {short_repr(value)[:MAX_SHOWN]}: expected {EXPECTED[kind]}")
 
 
 def _is_number(value: Any) -> bool:
