@@ -398,7 +398,7 @@ def test_a_score_gives_credit_by_kind_of_scene():
     assert moves.parts["MTV"][0] < moves.parts["MTV"][1] and "MTV" not in moves.passed
     assert sv.check(bounding_boxes).score({"convex": 0, "touching": 0}).total == 1
     assert sv.check(lambda a, b: True).score().total < 0.5
-    every = sv.check(lambda a, b: sv.relate(a, b) > 0, form="shapes", kinds="all").score()
+    every = sv.check(lambda a, b: sv.relate(a, b) > 0, form="shapes", kinds="all", seconds=60).score()
     assert set(every.parts) == {"upright boxes", "convex", "circles", "concave", "touching"} and every.total == 1
 
 

@@ -81,8 +81,8 @@ class Checked:
     """What came of checking a function: whether it is right, and if not, the smallest scene where it is wrong.
 
     `right`: whether all judged answers were right; `finding`: "" or what went wrong: "wrong", "error", "no answer",
-    "ended", "unreadable", "unsteady" or "wrote"; `line`: the finding in one line; `counterexample`: the smallest scene that
-    shows it, or None; `said`, `truth`: the answer there and the true one; `behaves_like`: the known mistakes that
+    "ended", "unreadable", "unsteady" or "wrote"; `line`: the finding in one line; `counterexample`: the smallest scene
+    that shows it, or None; `said`, `truth`: the answer there and the true one; `behaves_like`: the known mistakes that
     answer like the function, the likest first; `results`: every judged pair; `unasked`: pairs that were left out;
     `near`: how it did on pairs that floats can hardly tell, which are not judged; `notes`: what else was found.
     """
