@@ -23,7 +23,7 @@ def corners(checked):
     return sum(len(shape.vertices) for shape in (checked.counterexample.a, checked.counterexample.b))
 
 
-@pytest.mark.parametrize("row", one_in(3, WRONG), ids=[mistake for _, mistake, _ in WRONG])
+@pytest.mark.parametrize("row", one_in(6, WRONG), ids=[mistake for _, mistake, _ in WRONG])
 def test_a_function_with_a_known_mistake_is_caught_and_named(row):
     fn, mistake, more = row
     found = sv.check(fn, **more)

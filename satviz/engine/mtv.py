@@ -264,7 +264,7 @@ def _crossing_candidates(one: Border, other: Border, radius: float) -> Iterator[
     for move in _line_points(one, other, radius) if one.normal else _circle_points(one.center, other.center, radius):
         if one.contains(move) and other.contains(move):
             out = sum(border.normal or (move - border.center) / radius for border in (one, other))
-            yield Candidate(abs(move), move, out)
+            yield Candidate(abs(move), move, out / (abs(out) or 1))  # in a narrow slot `out` is nearly 0
 
 
 def _line_points(one: Border, other: Border, radius: float) -> Iterator[complex]:

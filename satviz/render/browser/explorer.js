@@ -33,7 +33,8 @@ const KEY_STEP = 8; // points that an arrow key moves; with Shift a tenth
 const KEY_TURN = 5; // degrees that [ and ] turn; with Shift 1
 const ANNOUNCE_MS = 400; // a sentence is said aloud when the scene has rested so long
 const FULL_WIDTH = 540; // points; a picture in a narrower place is laid out for it
-const HINT = "Drag a shape, a corner or the turn handle. Keys: Tab to a shape; arrows move it, [ and ] turn it, Page Down goes to its corners.";
+const HINT = "Drag a shape, a corner or the turn handle.";
+const HINT_OF_KEYS = " Keys: Tab to a shape; arrows move it, [ and ] turn it, Page Down goes to its corners.";
 const KEYS_HELP = "Arrow keys move, with Shift less; [ and ] turn; Page Down and Page Up go to the other handles of the shape.";
 /** @type {Record<string, Point>} */
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
@@ -89,7 +90,7 @@ export class Explorer {
     this.goal = new GoalPanel(() => this.chooseGoal(""));
     this.map = element("p", { class: "sv-map", hidden: true });
     this.refusal = element("p", { class: "sv-why", role: "alert", hidden: true });
-    this.hint = element("p", { class: "sv-hint" }, HINT);
+    this.hint = element("p", { class: "sv-hint" }, HINT, element("span", { class: "sv-of-keys" }, HINT_OF_KEYS));
     this.tip = element("div", { class: "sv-tip" }, this.hint, this.enough); // one place: the hint goes, and what is enough comes
     this.table = new LiveTable(this.state.names, { pick: (row) => this.change({ pinned: this.pose.pinned === row ? null : row }) });
     this.controls = new ExplorerControls(this);

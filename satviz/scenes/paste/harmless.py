@@ -13,13 +13,12 @@ PUNCTUATION = frozenset("'\u2018\u2019\u201c\u201d\"`\u00b7\u2026\u3002\uff0c\u2
 # Calls that test, print, draw or hold shapes, by the words of their names.
 CALLS = listed(
     """
-    test tests c dict structure matrix tensor false true intersections overlaps is check are has have does do
-    intersect intersects intersection intersecting overlap overlapping collide collides collision collisions colliding
-    collider contains contain touch touches touching within inside hit hits print println printf log console assert
+    c dict structure matrix tensor false true is are has have does do get
+    inside hit hits print println printf log console assert existing errorf fatalf dump
     expect echo puts debug info warn error write writeln draw stroke fill render add push append insert emplace new
     make create parse load read main describe it should equal equals distance dist separated separating sat gjk epa
     area centroid perimeter len size str repr format fmt display show plot run solve select where crosses covers
-    disjoint relate manifold contact contacts contour cout trace report out in addshape body static fixture figure
+    relate manifold contact contacts contour cout trace report out in addshape body static fixture figure
     subplots from text wkt geojson json loads vs compare against detect detection query raycast cast throw return if
     while switch and or not valid simple empty require emit call given when then
     """
@@ -39,10 +38,11 @@ CHANGING_CALLS = listed(
 # Methods behind a shape that leave it alone.
 METHODS = listed(
     """
-    topolygon unwrap into tovec to_vec clone copy tolist to_owned as_ref expect isvalid is_valid toarray asarray build
+    topolygon unwrap into tovec to_vec clone copy deepcopy dup duplicate
+    tolist to_owned as_ref expect isvalid is_valid toarray asarray build
     collect iter close closepath endfill toimmutable freeze wkt reshape intersects intersect colliderect
     intersectsrect overlaps contains touches within disjoint equals intersection relate crosses covers almostequals
-    intersectswith intersects_with collideswith collides distance done
+    intersectswith intersects_with collideswith collides distance done tobe toequal tostrictequal tobecloseto
     """
 )
 # Methods that give another shape, which is not read.
@@ -89,15 +89,38 @@ CHANGING_WORDS = listed(
     stretched transposed squared
     """
 )
-# Words before a name that gets a value.
-DECLARES = frozenset(["def", "setq", "define", "defvar", "defparameter"])
-# Words that test shapes: with one of these, `rotated` in a name is no change.
-TESTS = listed(
+# Words in a key, or in the name of a call, whose numbers change a shape.
+CHANGING_NUMBERS = listed(
     """
-    intersection intersections intersects intersect overlap overlaps collision collides test check iou
+    scale scaling zoom offset transform transform2d matrix mat3 affine origin originx originy anchor pivot skew shear
+    flip mirror rotate rotation rot angle orientation degrees radians translate translation position pos move shift
+    displacement center centre radius diameter skin margin rounding roundness rx ry size extents width height holes
+    interiors thickness buffer inflate grow shrink pad padding unit units ratio factor ppm isometry pose sides
     """
 )
+# Words in a key, or in the name of a call, whose numbers are none of a shape.
+OTHER_NUMBERS = listed(
+    """
+    velocity speed axes force torque gravity mass inertia density friction restitution color colour fill stroke
+    alpha opacity window canvas screen viewport viewbox svg area count length index id label layer category mask group
+    time timestamp step size_t sleep stiffness damping damp slop constraint render print printf println log assert
+    prev previous impulse motion tolerance epsilon eps expected distance camera image version line error warn info
+    background strokeweight fps framerate type srid iscrowd score ts bbox rows capacity make satviz contact vx vy vz
+    fixture moment linewidth zindex elasticity bounce text font style
+    """
+)
+# Words of a line that can say how another shape differs.
+DIFFERENCES = listed("left right up down above below larger smaller bigger wider taller narrower times same apart")
+ANY_CHANGE = (CHANGING_CALLS | CHANGING_WORDS | CHANGING_KEYS | CHANGING_NUMBERS | DIFFERENCES) - {"double"}
+# Words before a name that gets a value.
+DECLARES = frozenset(["def", "setq", "define", "defvar", "defparameter"])
+# Parts of the names of calls that test shapes: with one of these, `rotated` in a name is no change.
+TESTS = re.compile(
+    r"intersect|overlap|colli[ds]|test|check|(?<![a-z])iou(?![a-z])|disjoint|touch|contain|within", re.IGNORECASE
+)
 ADJECTIVES = listed("rotated scaled translated transformed moved rounded")
+# Words of calls that draw or print a shape, whose other numbers change none.
+DRAWS = frozenset(["draw", "fill", "stroke", "plot", "print", "printf", "show", "render", "cv2.drawContours"])
 # Types around one number: np.float64(0.5) is 0.5.
 CASTS = frozenset(["np.float64", "np.float32", "np.int64", "np.int32", "numpy.float64", "Decimal", "double"])
 # Words before and behind a number that counts or names something.
@@ -108,7 +131,7 @@ LABELS = listed(
 )
 COUNTED = listed(
     """
-    rows row corners points vertices shapes polygons circles boxes ms fps times people users
+    rows row corners points vertices verts pts shapes polygons circles boxes ms fps times people users
     """
 )
 # Words that say that the numbers behind them hold only sometimes, or several times.

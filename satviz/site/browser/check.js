@@ -1,6 +1,7 @@
 // The page "Is yours right?": an editor, a check of what is written in it, and the counterexample to drag.
 
 import { element } from "../../render/browser/elements.js";
+import { keep, kept } from "./kept.js";
 import { LAST, NO_ANSWER, Reader } from "./reader.js";
 
 /** @import { State } from "../../render/browser/messages.js" */
@@ -13,7 +14,7 @@ import { LAST, NO_ANSWER, Reader } from "./reader.js";
 /** @typedef {Checked | Judged | { kind: "ask", pairs: Pair[] }} Reply */
 
 const INDENT = "    ";
-const KEPT = "satviz-check-"; // the names under which this browser keeps the code
+const CODE = "check-"; // and the name of a language or of a given program: under this the browser keeps the code
 
 export class CheckPage {
   /**
@@ -53,7 +54,7 @@ export class CheckPage {
     for (const radio of root.querySelectorAll('[name="language"]')) radio.addEventListener("change", () => this.openProgram(this.program.value));
     this.program.addEventListener("change", () => this.openProgram(this.program.value));
     addEventListener("hashchange", () => this.openProgram(location.hash.slice(1)));
-    this.editor.addEventListener("input", () => keep(this.opened, this.editor.value));
+    this.editor.addEventListener("input", () => keep(CODE + this.opened, this.editor.value));
     this.editor.addEventListener("keydown", (event) => this.keyPressed(event));
     place.onstate = (state) => this.judge(state);
     this.leaves = false;
@@ -76,11 +77,11 @@ export class CheckPage {
   openProgram(name) {
     const given = [...this.program.options].some(({ value }) => value && value === name);
     this.program.value = given ? name : "";
-    this.editor.value = kept(this.opened) ?? this.skeletons[this.opened];
+    this.editor.value = kept(CODE + this.opened) ?? this.skeletons[this.opened];
   }
 
   forgetCode() {
-    for (const name of Object.keys(this.skeletons)) keep(name, null);
+    for (const name of Object.keys(this.skeletons)) keep(CODE + name, null);
     this.openProgram(this.program.value);
     this.say("Your code is deleted from this browser.");
   }
@@ -251,24 +252,4 @@ function find(root, selector) {
   const found = root.querySelector(selector);
   if (!found) throw new Error(`the page has no ${selector}`);
   return found;
-}
-
-/** @param {string} name Of a language or of a given program. */
-function kept(name) {
-  try {
-    return localStorage.getItem(KEPT + name);
-  } catch {
-    return null;
-  }
-}
-
-/**
- * @param {string} name
- * @param {string | null} code
- */
-function keep(name, code) {
-  try {
-    if (code === null) localStorage.removeItem(KEPT + name);
-    else localStorage.setItem(KEPT + name, code);
-  } catch {} // a browser that keeps nothing still checks
 }

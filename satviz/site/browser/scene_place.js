@@ -126,7 +126,7 @@ export class ScenePlace {
       this.link.hash = `${content.link}&step=${content.step}${content.predict ? "&predict=1" : ""}`;
       this.widget = player;
     } else {
-      this.model.values = { ...content, alone: true, pasting: this.linked, site: SITE };
+      this.model.values = { ...content, alone: true, pasting: this.linked && !document.body.classList.contains("embed"), site: SITE };
       this.model.listeners.clear();
       this.widget = new Explorer(this.model, made);
       arrowKeys(this.widget);
