@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from processes import ends
 
 from satviz.checking.checker import check_asker
 from satviz.checking.options import Options
@@ -115,12 +116,10 @@ def test_what_is_wrong_with_a_program_is_one_line(tmp_path, body, line, monkeypa
 @pytest.mark.skipif(not hasattr(os, "killpg"), reason="no groups of processes")
 def test_a_program_that_is_started_by_another_one_ends_with_it(tmp_path, monkeypatch):
     monkeypatch.setattr("satviz.checking.programs.START_SECONDS", 0.0)
-    file, pid = tmp_path / "mine.py", tmp_path / "pid"
-    file.write_text(f"import os\nopen({str(pid)!r}, 'w').write(str(os.getpid()))\nwhile True: pass\n")
-    found = check_asker(Program(f"sh -c '{sys.executable} {file}; true'", 2), Options())
-    assert found.finding == "no answer"
-    state = Path(f"/proc/{pid.read_text()}/stat")
-    assert not state.exists() or state.read_text().split()[2] == "Z"  # dead, though nobody has asked for its end
+    pid = tmp_path / "pid"
+    inner = written(tmp_path, f"echo $$ > {pid}; while :; do :; done", "mine.sh")
+    found = check_asker(Program(f"sh -c 'sh {inner}; true'", 2), Options())
+    assert found.finding == "no answer" and ends(int(pid.read_text()))
 
 
 def test_nothing_but_the_report_is_printed(tmp_path, capfd):
