@@ -80,11 +80,11 @@ mistake it behaves like. The test in the editor has such a mistake: it looks at 
 <label class="editor">Your function <textarea rows="13" spellcheck="false" autocapitalize="off" autocomplete="off"
 autocorrect="off" wrap="off" aria-describedby="editor-keys"></textarea></label>
 <p class="keys" id="editor-keys">Ctrl+Enter runs it. Tab indents; press Escape before Tab to leave the editor.</p>
-<p class="keys">The answer may also be a depth, or a move (x, y) that ends the overlap, with None or null for none.</p>
 <p class="choices"><label>Shapes <select name="kinds">{options(CHOICES)}</select></label>
 <label>Touching is <select name="touching">{options(TOUCHING)}</select></label>
 <button class="run" type="button" disabled>Run</button>
 <button class="forget" type="button">Delete my code</button></p>
+<p class="keys">The answer may also be a depth, or a move (x, y) that ends the overlap, with None or null for none.</p>
 <p class="keys">Your code stays in this browser. It is not sent anywhere, and no link contains it.</p>
 </div>
 <div class="answers">
