@@ -231,7 +231,8 @@ def _likeness_lines(likenesses: Sequence[Likeness]) -> list[str]:
         lines.append(f"In a game, something {symptom}.")
     for other in others[:2]:
         differs = other.pairs - other.agrees
-        how = f"it differs on {differs} pair{'s' * (differs > 1)}." if differs else "these pairs do not tell the two mistakes apart."
+        how = f"it differs on {differs} pair{'s' * (differs > 1)}."
+        how = how if differs else "these pairs do not tell the two mistakes apart."
         lines.append(f"{'Less' if differs else 'Also'} like {other.in_words}: {how}")
     return lines
 
