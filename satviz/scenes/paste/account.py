@@ -21,6 +21,7 @@ from .harmless import (
     CHANGING_CALLS,
     CHANGING_KEYS,
     CHANGING_WORDS,
+    COMPARING,
     COUNTED,
     DECLARES,
     DRAWS,
@@ -29,8 +30,10 @@ from .harmless import (
     KEYS,
     LABELS,
     METHODS,
+    OTHER_NUMBERS,
     PRODUCERS,
     PUNCTUATION,
+    SAYS,
     TESTS,
     words,
 )
@@ -47,6 +50,7 @@ MOVERS = frozenset([*MOVES, *SHIFTS, *TURNS, "scale", "transform", "settransform
 ASSIGNS = ("=", ":=", ":")
 STYLE = re.compile(r"[a-z]?[-.:ox]{1,2}[a-z]?")  # of a plot: b-
 NO_WORDS = re.compile(r"[A-Za-z_][\w.]*")
+LOOP = re.compile(r"^\s*for\s*\([^;]*;[^;]*;[^;)]*\)")
 COMPARES, SETS = re.compile(r"[<>]|[=!]="), re.compile(r"(?<![<>=!])=(?!=)|\+\+|--|<<|>>|\?")
 NAMED_SHAPE = re.compile(r"\b(?:A|B|C|both|second)\b")
 STREAM = re.compile(r"cout|cerr|debug|stream|log|\bout", re.IGNORECASE)
@@ -65,12 +69,14 @@ class Part(NamedTuple):
 
 
 class Frame(NamedTuple):
-    """A bracket of the text: where it begins, whether it holds data of a shape, statements, or a shape to draw."""
+    """A bracket of the text: where it begins, whether it holds data of a shape, statements, a shape to draw or to
+    test, or an index."""
 
     begin: int
     data: bool
     block: bool
     drawn: bool = False
+    counts: bool = False
 
 
 class Account:
@@ -120,7 +126,11 @@ class Account:
             if is_field and any(shaped[row] for row in rows):  # x = 1 and radius = 2 on lines of their own
                 for row in rows:
                     shaped[row] = True
-        return {i for line, is_shaped in zip(lines, shaped, strict=True) if not is_shaped for i in self._aside(line)}
+        found = (
+            line if self._says(line) else () if is_shaped else self._aside(line)
+            for line, is_shaped in zip(lines, shaped, strict=True)
+        )
+        return {i for line in found for i in line}
 
     def _is_of_shape(self, i: int) -> bool:
         """Return whether a token is a number or a name of a shape."""
@@ -130,11 +140,32 @@ class Account:
     def _aside(self, line: range) -> range:
         """Return the places of a line that says nothing of a shape; none if it can."""
         named = [self.tokens[i] for i in line if self.tokens[i].kind in (NAME, FIELD, TEXT)]
-        numbers = sum(self.tokens[i].kind == NUMBER for i in line)
-        changes = any(words(token.text) & ANY_CHANGE or owner_of(last_of(token.text))[1] for token in named)
+        numbers = sum(self.tokens[i].kind == NUMBER and self._is_listed(i) for i in line)
+        changes = any(
+            words(token.text) & ANY_CHANGE or (token.text != "by" and owner_of(last_of(token.text))[1])
+            for token in named
+        )
         makes = numbers and any(SHAPE_WORDS.search(token.text) and not is_test(token.text) for token in named)
         lists = any(self.tokens[i].kind == OPEN and self.tokens[i + 1].kind == NUMBER for i in self._top(line))
         return range(0) if not named or changes or makes or lists or numbers > MAX_ASIDE else line
+
+    def _is_listed(self, i: int) -> bool:
+        """Return whether a number stands in a list or a call, and not among words."""
+        among = (NAME, LINE, TEXT, OTHER)
+        return self.at(i - 1).kind not in among or self.at(i + 1).kind not in among
+
+    def _says(self, line: range) -> bool:
+        """Return whether a line of code compares or prints, and gives nothing a value: return a.x < b.x + b.w."""
+        first = words(self.tokens[line.start].text) if line else frozenset()
+        if not first & (SAYS | COMPARING):
+            return False
+        start, end = self.line(self.tokens[line.start])
+        sets = first & COMPARING and SETS.search(LOOP.sub("", self.text[start:end]))
+        named = (self.tokens[i] for i in line if self.tokens[i].kind in (NAME, FIELD))
+        changes = any(
+            words(token.text) & CHANGING_CALLS - {"abs", "round"} and not is_test(token.text) for token in named
+        )
+        return not (changes or self.holds(start, end) or sets)
 
     def _top(self, line: range) -> Iterator[int]:
         """Yield the places of the brackets of a line that stand in no other one, and are no call."""
@@ -221,7 +252,19 @@ class Account:
         call = word is not None and self.at(i).text == "(" and not (is_shape(word.text) or word.text[0] in ".-:")
         data = self.holds(*self.span(i))
         draws = word is not None and not data and bool(words(word.text) & DRAWS) and (call or word.text in DRAWS)
-        return Frame(i, data and not block and not call, block, draws and any(map(self.is_variable, self.arguments(i))))
+        draws = draws or (word is not None and is_test(word.text))
+        index = self.at(i).text == "[" and word is not None and self.is_variable(word) and ":" not in self.between(i)
+        return Frame(
+            i,
+            data and not block and not call and not index,
+            block,
+            draws and not data and any(map(self.is_variable, self.arguments(i))),
+            index,
+        )
+
+    def between(self, i: int) -> str:
+        """Return the text in a bracket."""
+        return self.text[self.at(i).end : self.span(i)[1]]
 
     def run(self) -> list[Part]:
         """Return the parts of the text that are not understood."""
@@ -233,11 +276,13 @@ class Account:
             if token.kind == LINE:
                 begins_in_block = frames[-1].block
             aside = begins_in_block and i in self._lines_aside
-            if (aside and token.kind in (NUMBER, OTHER)) or (frames[-1].drawn and token.kind == NUMBER):
+            aside = (aside or frames[-1].counts) and token.kind in (NUMBER, OTHER)
+            if (aside or (frames[-1].drawn and token.kind == NUMBER)) and not self.holds(token.start, token.end):
                 self.aside.add(token.end)
             elif token.kind == OPEN:
                 self.check_call(i)
-                frames.append(self.frame(i))
+                frame = self.frame(i)
+                frames.append(frame._replace(counts=frame.counts or frames[-1].counts))
             elif token.kind == CLOSE and len(frames) > 1 and self.open.get(i) == frames[-1].begin:
                 frames.pop()
             elif token.kind == NAME:
@@ -270,6 +315,8 @@ class Account:
             return True
         if not self.at(i).text.isdigit():
             return False
+        if self.is_row(i):
+            return True
         if before.kind == LINE:
             return after.text in (":", "|") or (self.session and after.kind == LINE)
         if before.text == "{" and after.text == "}":
@@ -283,6 +330,15 @@ class Account:
         if after.text.lower() in COUNTED:
             return not self.holds(*self.span(i + 2)) if self.at(i + 2).kind == OPEN else True
         return before.text.lower() in LABELS and (after.kind == LINE or after.text in (":", ",", "at", "is", "of", ""))
+
+    def is_row(self, i: int) -> bool:
+        """Return whether a number is that of a row in a table whose shape is in WKT."""
+        k = i
+        while self.at(i).kind == NUMBER:
+            i += 1
+        while self.at(k).kind == NUMBER:
+            k -= 1
+        return self.at(k).kind == LINE and self.at(i).text in ("POLYGON", "MULTIPOLYGON")
 
     def miss(self, first: int, last: int) -> None:
         """Note that the tokens from one place to another are not understood."""
@@ -472,7 +528,7 @@ class Account:
             inside = self.tokens[i + 2 : self.close[i + 1]]
             given = self.holds(*self.span(i + 1)) or any(map(self.is_variable, inside[:20]))
             applied = given if name.lower() in MOVERS else name.lower() in APPLIED
-            known = rows and (applied or (name.lower() not in MOVERS and is_call(name)))
+            known = rows and (words(name) & OTHER_NUMBERS or applied or (name.lower() not in MOVERS and is_call(name)))
             if self.is_given(i) if name.lower() in PRODUCERS else not known:
                 self.miss(i, i + 1)
         elif not (name.lower() in KEYS - {"x", "y"} or is_call(name) or (after.text in ASSIGNS and key(name))):
@@ -547,6 +603,10 @@ class Account:
         tight = before.end == token.start and token.end == after.start
         if token.text == "?" and tight and after.text == "(" and before.kind == NAME and is_call(before.text):
             return  # a.hit?(b) of Ruby
+        if (token.text == "<" and token.end == after.start and notation(after.text)) or (
+            token.text == ">" and before.kind == CLOSE and before.end == token.start and after.kind != NUMBER
+        ):
+            return  # <POLYGON ((0 0, 4 0, 0 3))>
         both = token.text in "|&" and self.is_data(i - 1) and self.is_data(i + 1)
         both = both or (
             token.text in "|&" and before.kind == CLOSE and self.is_data(i - 1) and not self.is_tested(i - 1)

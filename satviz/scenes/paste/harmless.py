@@ -14,7 +14,7 @@ PUNCTUATION = frozenset("'\u2018\u2019\u201c\u201d\"`\u00b7\u2026\u3002\uff0c\u2
 CALLS = listed(
     """
     c dict structure matrix tensor false true is are has have does do get
-    inside hit hits print println printf log console assert existing errorf fatalf dump
+    inside hit hits print println printf log console assert existing errorf fatalf dump pairs ipairs enumerate
     expect echo puts debug info warn error write writeln draw stroke fill render add push append insert emplace new
     make create parse load read main describe it should equal equals distance dist separated separating sat gjk epa
     area centroid perimeter len size str repr format fmt display show plot run solve select where crosses covers
@@ -59,10 +59,10 @@ KEYS = listed(
     name id type label kind class color colour fill stroke style opacity alpha visible layer category mask group
     static dynamic body sensor trigger tag tags title description comment note index key material texture sprite image
     density friction restitution mass velocity crs srid properties features satviz version expected relation hit area
-    length closed isclosed convex isconvex collides collision overlap overlaps intersects result shape_type flags line
-    width linewidth edgecolor facecolor zindex z_index dtype x y z enabled active selected hover url user created
-    updated filename axes every_axis device rotated internal isinternal level iscrowd byrow bbox fillstyle strokestyle
-    linejoin linecap geometry shape shapes fillcolor strokecolor valid
+    length count closed isclosed convex isconvex collides collision overlap overlaps intersects result shape_type flags
+    line width linewidth edgecolor facecolor zindex z_index dtype x y z enabled active selected hover url user
+    created updated filename axes every_axis device rotated internal isinternal level iscrowd byrow bbox
+    fillstyle strokestyle linejoin linecap geometry shape shapes fillcolor strokecolor valid
     """
 )
 # Words among the numbers of a shape that change nothing.
@@ -106,12 +106,16 @@ OTHER_NUMBERS = listed(
     time timestamp step size_t sleep stiffness damping damp slop constraint render print printf println log assert
     prev previous impulse motion tolerance epsilon eps expected distance camera image version line error warn info
     background strokeweight fps framerate type srid iscrowd score ts bbox rows capacity make satviz contact vx vy vz
-    fixture moment linewidth zindex elasticity bounce text font style
+    fixture moment linewidth zindex elasticity bounce text font style figsize dpi xlim ylim
     """
 )
 # Words of a line that can say how another shape differs.
 DIFFERENCES = listed("left right up down above below larger smaller bigger wider taller narrower times same apart")
-ANY_CHANGE = (CHANGING_CALLS | CHANGING_WORDS | CHANGING_KEYS | CHANGING_NUMBERS | DIFFERENCES) - {"double"}
+# Words that change a shape on the line of one, and say nothing on another line: double k = 2, the sum of the radii
+_NEEDS_A_SHAPE = listed(
+    "double sum dot cross zip map mapped filter slice convert eval apply repeat project projected normalize normalized"
+)
+ANY_CHANGE = (CHANGING_CALLS | CHANGING_WORDS | CHANGING_KEYS | CHANGING_NUMBERS | DIFFERENCES) - _NEEDS_A_SHAPE
 # Words before a name that gets a value.
 DECLARES = frozenset(["def", "setq", "define", "defvar", "defparameter"])
 # Parts of the names of calls that test shapes: with one of these, `rotated` in a name is no change.
@@ -120,6 +124,8 @@ TESTS = re.compile(
 )
 ADJECTIVES = listed("rotated scaled translated transformed moved rounded")
 # Words of calls that draw or print a shape, whose other numbers change none.
+SAYS = listed("assert print printf println log expect echo puts cout import console")
+COMPARING = listed("return if elif while for")
 DRAWS = frozenset(["draw", "fill", "stroke", "plot", "print", "printf", "show", "render", "cv2.drawContours"])
 # Types around one number: np.float64(0.5) is 0.5.
 CASTS = frozenset(["np.float64", "np.float32", "np.int64", "np.int32", "numpy.float64", "Decimal", "double"])

@@ -62,7 +62,7 @@ NOTATIONS = (
     ),
     Notation(
         "circle.new ball::new newcircle circleimpl circlef colliderbuilder::ball circleshape2d newcircleshape "
-        "circlecollider2d  makecircle create_circle b2circle arc ellipse2d",
+        "circlecollider2d  makecircle create_circle b2circle cpcircleshapenew arc ellipse2d",
         CIRCLE,
     ),
     # boxes
@@ -228,7 +228,7 @@ def notation(name: str) -> Notation | None:
     if name in NAMES:  # RECT is that of Windows, and Rect is not
         return NAMES[name]
     plain = name.lower().split("<")[0].rstrip("!") if "<" in name else name.lower()
-    for ending in ("::new", "::from", ".new"):
+    for ending in ("::new", "::from", ".new", "_t"):
         plain = plain.removesuffix(ending) if plain not in NAMES else plain
     words = plain.replace("::", ".").replace("->", ".").split(".")[-MAX_WORDS:]
     for candidate in (plain, *(".".join(words[i:]) for i in range(len(words))), words[-1].rstrip("!")):
@@ -242,4 +242,5 @@ def key(name: str | int) -> str:
     if isinstance(name, int):
         return ""
     plain = name.lower().replace("_", "").replace("-", "").replace(" ", "")
-    return KEYS.get(plain) or KEYS.get(plain.removeprefix("m"), "")
+    member = name[:2] == "m_" or name[1:2].isupper()  # m_radius, mRadius
+    return KEYS.get(plain) or (KEYS.get(plain.removeprefix("m"), "") if member else "")

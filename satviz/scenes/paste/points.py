@@ -161,7 +161,7 @@ class Points(Statements):
         other = value.bracket == "(" and value.name and row is None
         if other and any(map(self._is_style, items)):
             return None
-        flat = self.numbers(items)
+        flat = self.numbers(items) if len(items) > 2 else None
         if flat is not None:
             if len(flat) < 6 or (row and row.kind == POINT) or (other and not LIST_WORDS.search(value.name)):
                 return None  # setTransform(1, 0, 0, 1, 5, 5) is no outline

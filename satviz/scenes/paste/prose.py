@@ -7,7 +7,7 @@ from .tokens import CLOSE, MARK, NAME, NUMBER, OPEN, Token, tokens
 
 _N = r"[-+\u2212]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?"
 _PLACE = rf"(?:\([ ]?{_N}[ ]?,[ ]?{_N}[ ]?\)|\b(?:center|centre|at|position)[ ]{_N}[ ]?,[ ]?{_N})"
-_FILL = r"[ ,]{1,3}(?:(?:and|with|has|having|of|is|a|an|the|its|size)[ ,]{1,3}){0,4}"
+_FILL = r"[ ,]{1,3}(?:(?:and|with|has|having|of|is|a|an|the|its|size|shape)[ ,]{1,3}){0,4}"
 _P, _A = rf"\({_N}[ ]?,[ ]?{_N}\)", rf"(?:{_N}|\({_N}\))"
 _STYLE = r"(?:\[(?![^\]]*(?:scale|shift|rotate|slant|cm=))[^\]()\n]*\])?"  # of TikZ, without a change of place
 # One row for each kind of sentence, or of print: the call that it stands for, and its words.

@@ -15,7 +15,7 @@ from .boxes import (
     moved,
 )
 from .calls import Calls
-from .harmless import HARMLESS
+from .harmless import HARMLESS, OTHER_NUMBERS, words
 from .names import Obj, Unreadable, is_block, short
 from .notations import (
     ANY_BOX,
@@ -254,7 +254,12 @@ class Reader(Calls):
             if plain in TURNS and len(arguments.items) == 1:
                 found = [self._turned(shape, arguments.items[0], TURNS[plain], self.pivot(shape)) for shape in found]
                 continue
-            if plain not in HARMLESS and arguments.items and self.numbers(arguments.items) is not None:
+            if (
+                plain not in HARMLESS
+                and not words(plain) & OTHER_NUMBERS
+                and arguments.items
+                and self.numbers(arguments.items) is not None
+            ):
                 raise Unreadable(f".{name}(...) is not evaluated: write the result")
         return found
 
@@ -289,8 +294,8 @@ class Reader(Calls):
         sizes = {len(v.items) if isinstance(v, Group) and _is_numeric(v) else 0 for v in items}
         if len(items) > 2 and len(sizes) > 1 and min(sizes) > 2:
             raise Unreadable(f"lists of {' and '.join(map(str, sorted(sizes)))} numbers in one list are not corners")
-        flat = self.numbers(items) if not _is_call(group) else None
-        if flat is not None and len(flat) in (4, 5):
+        flat = self.numbers(items) if len(items) in (4, 5) and not _is_call(group) else None
+        if flat is not None:
             self._ask_order()
             if len(flat) == 5:
                 return [self._made_box(flat[:4], CENTER_SIZE, group, label, angle_of(group, flat))]

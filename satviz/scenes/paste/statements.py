@@ -120,6 +120,8 @@ class Statements(Names):
                 for inner in item.items:
                     self._line(inner)
                 self._end_run("")
+            elif item.bracket == "," and len(points := _points_behind_words(item)) > 2:
+                self.loose.append(Group(points[0].start, points[-1].end, points, "["))
             elif item.bracket == "," and any(isinstance(v, (Pair, Bad)) for v in item.items):
                 for inner in item.items:
                     self._line(inner)
@@ -272,6 +274,14 @@ def _is_points(name: str | int) -> bool:
 def _is_row_of_points(value: Any) -> bool:
     """Return whether a value is a bracket with two numbers and no name."""
     return isinstance(value, Group) and not value.name and _is_point(value)
+
+
+def _points_behind_words(row: Group) -> list[Group]:
+    """Return the points of a row that begins with words: a polygon with the corners (0, 0), (4, 0), (0, 3)."""
+    first, *rest = row.items
+    inside = first.inside if isinstance(first, Bad) and first.why == "words" else []
+    points = [replace(v, name="") if isinstance(v, Group) and key(v.name) == "points" else v for v in inside[:1]] + rest
+    return points if len(inside) == 1 and all(map(_is_row_of_points, points)) else []
 
 
 def _are_numbers(item: Group) -> bool:

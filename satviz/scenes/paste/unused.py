@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 from .account import Account, Part, root, within
 from .boxes import Read
-from .harmless import CHANGING_NUMBERS, OTHER_NUMBERS, words
+from .harmless import CHANGING_CALLS, CHANGING_NUMBERS, OTHER_NUMBERS, words
 from .names import Names, Obj, short
 from .notations import POINT, SHAPE_STEMS, key, notation
 from .parser import Tree
@@ -48,7 +48,8 @@ def rest(tree: Tree, reads: Sequence[Read], text: str, reader: Names) -> Rest:
     named = [(root(path.split(" ")[0]), value) for path, value in _paths(reader.env.fields)]
     names = dict(named)
     variables = {name: _size(value) for name, value in named if _holds(places, value)}
-    variables |= {read.label: 0 for read in reads if read.label not in variables and not key(read.label)}
+    labels = {read.label for read in reads if not (key(read.label) or words(read.label) & CHANGING_CALLS)}
+    variables |= dict.fromkeys(labels - set(variables), 0)
     objects = ((name, value) for name, value in names.items() if isinstance(value, Obj))
     changed = {name for name, value in objects if any(_holds(places, v) for v in value.rest)}
     aliases = {

@@ -123,7 +123,6 @@ def _numba_methods() -> Iterator[Method]:
 
     def sat(name: str, family: str, form: int, tolerance: float = 0.0, dtype: Any = np.float64) -> Method:
         """Return SAT as a Method; its kernel takes the tolerance in the format of the columns."""
-
         limit = dtype(tolerance)
 
         def kernel_for(va: int, vb: int) -> Callable[..., None]:
@@ -164,10 +163,8 @@ def _numba_methods() -> Iterator[Method]:
     yield sat("SAT, unit normals", "float SAT", numba_rivals.UNIT)
     yield sat("SAT, float32", "float SAT", numba_rivals.PLAIN, dtype=np.float32)
     yield sat("SAT, tolerance 1e-9", "tolerance", numba_rivals.WITH_TOLERANCE, TOLERANCE)
-    # goes from pair to pair, so it reads the arrays as they lie
-    as_they_lie = on_columns("GJK", "GJK", gjk)
-    columns = numpy_rivals.as_columns
-    yield as_they_lie._replace(at_once=lambda a, b: as_they_lie.hits(columns(a), columns(b)))
+    pair_by_pair, views = on_columns("GJK", "GJK", gjk), numpy_rivals.as_columns  # it reads the arrays as they lie
+    yield pair_by_pair._replace(at_once=lambda a, b: pair_by_pair.hits(views(a), views(b)))
     yield on_bounds("bounding circles", numba_rivals.enclosing_circles, numba_rivals.circles_hit)
     yield on_bounds("AABB", numba_rivals.upright_boxes, numba_rivals.boxes_hit)
     yield on_bounds("oriented boxes", numba_rivals.oriented_boxes, numba_rivals.oriented_boxes_hit)
@@ -181,12 +178,12 @@ def _in_tiles(a: Any, b: Any, kernel_for: Callable[[int, int], Any], dtype: type
     from . import numba_rivals
 
     va, vb, out = a.shape[1], b.shape[1], np.empty(len(a), np.int8)
-    kernel, copies = kernel_for(va, vb), [numba_rivals.corners_kernel(numba_rivals.unrolled(v)) for v in (va, vb)]
+    copy_a, copy_b = (numba_rivals.corners_kernel(numba_rivals.unrolled(corners)) for corners in (va, vb))
     (ax, ay), (bx, by) = (np.empty((2, v, TILE_PAIRS), dtype) for v in (va, vb))
     for first in range(0, len(a), TILE_PAIRS):
-        copies[0](a, first, ax, ay)
-        copies[1](b, first, bx, by)
-        kernel(ax, ay, bx, by, out[first : first + TILE_PAIRS])
+        copy_a(a, first, ax, ay)
+        copy_b(b, first, bx, by)
+        kernel_for(va, vb)(ax, ay, bx, by, out[first : first + TILE_PAIRS])
     return out.view(np.bool_)
 
 
