@@ -139,7 +139,7 @@ def _print_link_and_frame(args: argparse.Namespace, scene: "Scene") -> None:
     asked = _steps_of(args, len(steps(scene.record()))) if args.step else None
     first, last = asked or (None, None)
     if "link" in args.format:
-        out(link(scene, site=args.site or "", step=first, predict=args.predict, goal=args.goal))
+        _print_link(args, link(scene, site=args.site or "", step=first, predict=args.predict, goal=args.goal))
     if "embed" in args.format:
         part = asked if first != last else None
         frame = embed(
@@ -147,6 +147,13 @@ def _print_link_and_frame(args: argparse.Namespace, scene: "Scene") -> None:
             steps=part, theme=args.theme, show=args.show, step=None if part else first,
         )  # fmt: skip
         out(frame.rstrip("\n"))
+
+
+def _print_link(args: argparse.Namespace, address: str) -> None:
+    """Print a link; say what to do with it where it is not a whole address."""
+    out(address)
+    if not args.site:
+        say("this address begins in a site's folder: --site URL makes it whole, satviz site --open has one")
 
 
 def _steps_of(args: argparse.Namespace, count: int) -> tuple[int, int]:
@@ -405,7 +412,7 @@ def explain(args: argparse.Namespace) -> int:
     elif number >= len(found.pairs):
         raise Refused(f"there is no pair {args.pair}: {found.sentence}")
     elif args.to == "link":
-        out(found.link(number, site=args.site))
+        _print_link(args, found.link(number, site=args.site))
     elif args.to in LANGUAGES:
         out(found.test(args.to, number))
     elif args.to == "scene":

@@ -3,13 +3,14 @@
 import importlib
 import pickle
 from concurrent.futures import Executor, Future
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import satviz as sv
 from satviz import batch
-from satviz.batch import arrays
+from satviz.batch import arrays, with_numba
 
 ENGINES = ["numpy", "numba"]
 ELL = np.array([(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)])
@@ -39,9 +40,35 @@ def in_python(kernel):
     return getattr(kernel, "py_func", kernel)
 
 
+def numba_modules():
+    """Return the modules of numba's kernels."""
+    return [kernels_of(path.stem) for path in sorted(Path(with_numba.__file__).parent.glob("[!_]*.py"))]
+
+
 def as_python(monkeypatch, module, *names):
-    for name in names:
-        monkeypatch.setattr(module, name, in_python(getattr(module, name)))
+    """Run as Python what has these names in a module of kernels, and each kernel that names or calls it.
+
+    No kernel that is left compiled then names what a test replaces: compiled for the first time in that test, it
+    would fail, or be kept on disk with the value that the test put there.
+    """
+    replaced = {id(getattr(module, name)) for name in names}
+    while calling := {id(k) for k in compiled_kernels() if id(k) not in replaced and names_any(k, replaced)}:
+        replaced |= calling
+    for m in numba_modules():
+        for name, value in [*vars(m).items()]:
+            if id(value) in replaced:
+                monkeypatch.setattr(m, name, in_python(value))
+
+
+def compiled_kernels():
+    """Return what stands in the modules of numba's kernels and is not Python."""
+    return [value for m in numba_modules() for value in vars(m).values() if hasattr(value, "py_func")]
+
+
+def names_any(kernel, values):
+    """Return whether a kernel names any of these values, given by id, in its module."""
+    function = in_python(kernel)
+    return any(id(function.__globals__.get(name)) in values for name in function.__code__.co_names)
 
 
 def circles(rng, n, spread=2.0):

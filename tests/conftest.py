@@ -14,21 +14,22 @@ def pytest_xdist_auto_num_workers(config):
     return 0 if some else min(os.cpu_count() or 1, 4)
 
 
-# The files that take longest, in the order in which processes take them: those that end a run are short.  While numba
-# compiles the kernels of the batch, the others take what needs none; so none is compiled twice.
-ORDER = (
-    "browser_page",
-    "browser_site",
-    "batch_exact",
-    "batch_narrow",
-    "failing",
+# The files that take longest, in the order in which processes take them: those that end a run are short.  Those that
+# compile most of numba's kernels stand apart, so that two processes seldom compile the same ones at the same time.
+ORDER = ("browser_page", "browser_site", "browser", "embedding_recipes", "grading", "package", "study_sections")
+ORDER += (
     "batch_few",
-    "trace",
+    "site",
+    "check",
     "comparison",
+    "batch_exact",
+    "trace",
+    "batch_narrow",
     "widgets",
+    "browser_paste",
 )
-ORDER += ("convex_parts", "cli", "pictures", "render", "never_wrong", "advice", "relate", "site")
-ORDER += ("study_run", "study", "notebooks")
+ORDER += ("convex_parts", "study_run", "study", "while_dragging", "never_wrong", "cli", "relate", "readme", "pictures")
+ORDER += ("handout", "failing", "page", "render", "advice", "batch_broad", "notebooks")
 
 
 def pytest_collection_modifyitems(items):

@@ -4,11 +4,11 @@
 
 prints every mutant that survived, every one that was killed though listed as equivalent, and a
 table; without names it goes through the whole core.  engine/axes:same_axis,module sows one function
-and the statements outside of any, batch/validation%3 every third mutant; --new leaves out those that
-are listed as equivalent.  tests/mutants.md holds the last table and, for each survivor that changes
-nothing, the reason: those are known and only counted.  Half the kinds of mutants are
-mutmut's.  Its runner starts Python anew for each; here a parent loads the large libraries once and
-forks.  Left as they are: strings, messages (all of a raise), annotations, docstrings, zip's strict.
+and the statements outside of any, batch/validation~300 a random sample of 300, always the same;
+--new leaves out those that are listed as equivalent.  tests/mutants.md holds the last table and, for
+each survivor that changes nothing, the reason: those are known and only counted.  Half the kinds of
+mutants are mutmut's.  Its runner starts Python anew for each; here a parent loads the large libraries
+once and forks.  Left as they are: strings, messages (all of a raise), annotations, docstrings, zip's strict.
 """
 
 import ast
@@ -27,6 +27,7 @@ from collections.abc import Iterator
 from importlib.machinery import SourceFileLoader
 from importlib.util import spec_from_file_location
 from pathlib import Path
+from random import Random
 
 import libcst as cst
 import libcst.matchers as m
@@ -39,7 +40,9 @@ AT_ONCE = int(os.environ.get("AT_ONCE", 2))
 QUICK = 0.5  # seconds of CPU time: slower tests do not judge, since each survivor goes through all that do
 SLEEP = 300  # seconds of wall time without any work, after which a test is stopped
 LOADED_ONCE = ["hypothesis.strategies", "matplotlib", "numba", "numpy", "pytest", "shapely.geometry"]
-BATCH_TESTS = [f"batch_{idea}" for idea in ("narrow", "exact", "broad", "work", "outlines", "few", "validation")]
+BATCH_TESTS = [
+    f"batch_{idea}" for idea in ("narrow", "exact", "broad", "work", "outlines", "few", "validation", "padded")
+]
 TESTS = {  # which test files judge a module
     "engine/geometry": ["geometry", "shapes", "certificate", "mtv"],
     "engine/predicates": ["predicates", "trace", "relate"],
@@ -53,10 +56,12 @@ TESTS = {  # which test files judge a module
         path.relative_to(ROOT).with_suffix("").as_posix(): BATCH_TESTS
         for path in sorted((ROOT / "batch").rglob("[!_]*.py"))
     },
+    "batch/with_numba/few": ["batch_few", "batch_broad", "batch_padded"],
+    "batch/with_numba/outlines": ["batch_few", "batch_outlines", "batch_padded", "batch_validation"],
     "engine/axes": ["axes", "trace", "failing"],
     "engine/sat": ["trace"],
     "engine/shortcut": ["failing", "trace"],
-    "engine/axis_count": ["recommendation"],
+    "engine/axis_count": ["advice"],
     "engine/mtv": ["mtv"],
     "engine/certificate": ["certificate", "trace"],
     "engine/trace": ["trace", "failing", "mtv"],
@@ -67,7 +72,10 @@ ABOUT = {  # of those files only these tests, as pytest -k takes them, since eac
     "batch/broad_phase": GRID,
     "batch/with_numba/grid": GRID,
     "batch/with_numpy/grid": GRID,
-    "engine/axis_count": "enough or touch or parts",
+    "batch/with_numba/few": f"{GRID} or few or giant or odd or order or pairs or sizes or sorted or swept",
+    "batch/with_numba/outlines": "bad or circles or layout or number or outline or padded or pose or radi or repeats"
+    " or tile or zero",
+    "engine/axis_count": "axes or axis or enough or touch",
     "batch/with_numba/filter": "circles or columns or filter or float32 or hard_pairs or look or plain or scalar"
     " or upright",
     "batch/with_numba/indexed": "columns or hard_pairs or index or lanes or many_corners or picked or plain or upright",
@@ -352,15 +360,15 @@ class Field:
                 print(f"line {line}: {key} is listed as equivalent, but {fate}", flush=True)
         return told
 
-    def sow(self, functions: list[str], step: int) -> None:
-        """Judge every mutant (or every third, say), of some functions only if any are named, after none at all."""
+    def sow(self, functions: list[str], most: int) -> None:
+        """Judge every mutant, or a sample of so many, of some functions only if any are named, after none at all."""
         self.start(0, "", self.path.read_text(encoding="utf-8"))
         self.times = self.end()["times"]
         every = [*mutants(self.path)]
         for key in sorted(self.known - {key for _, key, _ in every}):
             print(f"{key} is listed, but there is no such mutant", flush=True)
-        wanted = [mutant for mutant in every if not functions or mutant[1].partition(":")[0] in functions][::step]
-        for mutant in wanted:
+        wanted = [mutant for mutant in every if not functions or mutant[1].partition(":")[0] in functions]
+        for mutant in Random(1).sample(wanted, min(most, len(wanted))):
             if self.only_new and mutant[1] in self.known:
                 self.score["equivalent"] += 1
                 continue
@@ -379,10 +387,10 @@ def main(*names: str) -> None:
     rows = ["| module | mutants | " + " | ".join(FATES) + " |", "|---|--:|--:|--:|--:|--:|"]
     with tempfile.TemporaryDirectory() as folder:
         for name in [name for name in names if name != "--new"] or TESTS:
-            name, functions, step = re.fullmatch(r"([^:%]+)(?::([\w,]+))?(?:%(\d+))?", name).groups()
+            name, functions, most = re.fullmatch(r"([^:~]+)(?::([\w,]+))?(?:~(\d+))?", name).groups()
             print(f"## {name}", flush=True)
             field = Field(name, Path(folder), "--new" in names)
-            field.sow(functions.split(",") if functions else [], int(step or 1))
+            field.sow(functions.split(",") if functions else [], int(most or sys.maxsize))
             counts = field.score.total(), *(field.score[fate] for fate in FATES)
             rows.append(f"| {name} | {' | '.join(map(str, counts))} |")
     print("", *rows, sep="\n")

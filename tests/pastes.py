@@ -969,8 +969,8 @@ box2 = {'x1': 10, 'x2': 20, 'y1': 0, 'y2': 10}""",
         "decimal commas",
         """(0,5; 0,5) (4,5; 0,5) (0,5; 3,5)
 (5,5; 0,5) (9,5; 0,5) (9,5; 4,5)""",
-        (),
-        says="comma",
+        ((0.5, 0.5, 4.5, 3.5), (5.5, 0.5, 9.5, 4.5)),
+        as_="decimal-commas",
     ),
     Paste(
         "words around numbers",
@@ -993,7 +993,7 @@ shape2 = love.physics.newRectangleShape(10, 10)
 
 body = love.physics.newBody(world, 0, 0, "dynamic")""",
         ((0, 0, 10, 10), (-5, -5, 5, 5)),
-        says="world is a name",
+        says="newBody 0, 0",
     ),
     Paste(
         "w8r/martinez#6",
@@ -1006,7 +1006,6 @@ body = love.physics.newBody(world, 0, 0, "dynamic")""",
         "w8r/martinez#90",
         "martinez.union([[ [0,0],[10,0],[10,10],[0,10] ]], [[ [9,10],[21,9],[21,21],[9,21]   ]])",
         ((0, 0, 10, 10), (9, 9, 21, 21)),
-        says="union",
     ),
     Paste(
         "w8r/martinez#97",
@@ -1790,7 +1789,7 @@ b = Polygon([(5,0),(9,0),(9,4)])""",
 a = [(0,0),(4,0),(0,3)]
 b = [(5,0),(9,0),(9,4)]""",
         ((0, 0, 4, 3), (5, 0, 9, 4)),
-        says="3",
+        says="i * 2",
     ),
     Paste(
         "chain",
@@ -2744,7 +2743,6 @@ Rectangle(xy=(4, 0), width=2, height=2, angle=90)""",
 this.r2 = this.add.rectangle(200, 100, 100, 50, 0x00ff00);
 // Phaser.Geom.Intersects.RectangleToRectangle(r1.getBounds(), r2.getBounds())""",
         ((50, 75, 150, 125), (150, 75, 250, 125)),
-        says="0xff0000",
     ),
     Paste(
         "rapier js",

@@ -4,11 +4,12 @@
 
 DIR is where `satviz study --out` or `satviz bench --chart` has stored new rows, which are copied first: those of all
 charts of a study into `satviz/study/stored_run.json`, those of a bench into `figures`.  Nothing is measured.  Titles
-and readings are worked out again, and both SVGs are drawn.  The alternative texts of the guides are the titles, and
-what a reading begins with: a test says where they differ.
+and readings are worked out again, and both SVGs are drawn.  Then the guides get the alternative texts of these charts,
+and the sentences that have measured numbers.
 """
 
 import json
+import re
 import sys
 from pathlib import Path
 
@@ -16,10 +17,15 @@ from satviz.pictures import THEMES
 from satviz.study import bench_chart, frames_chart
 from satviz.study.bench import TimingRow
 from satviz.study.harness.chart import Chart, theme_suffix
+from satviz.study.harness.timings import format_ratio, interval_in_words, ratio_interval
+from satviz.study.methods import ENGINES
 from satviz.study.run import SECTIONS
-from satviz.study.stored_run import STORED_RUN, stored_charts
+from satviz.study.sections.speed_against_accuracy import in_metres
+from satviz.study.stored_run import STORED_RUN, stored_charts, stored_run
 
-FIGURES = Path(__file__).parent.parent / "figures"
+ROOT = Path(__file__).parent.parent
+FIGURES, GUIDES = ROOT / "figures", ROOT / "satviz" / "guides"
+READ_ALOUD = {"frames": 4, "bench": 1}  # sentences of the reading in an alternative text, below 450 letters in all
 BENCH_CHARTS = {"bench": bench_chart.bench_chart, "frames": frames_chart.frames_chart}
 STUDY_STEMS = "speed-against-accuracy", "decision-table", "pose-error"  # shown in the guides
 
@@ -54,13 +60,73 @@ def store_study(folder: Path) -> None:
     STORED_RUN.write_text("\n".join(["{", *lines, ' "rows": {', ",\n".join(rows), " }", "}", ""]), encoding="utf-8")
 
 
+def alternative_text(chart: Chart) -> str:
+    """The title of a chart, and for those of the bench what the reading begins with."""
+    return " ".join([f"{chart.title}.", *re.split(r"(?<=\.) ", chart.reading)[: READ_ALOUD.get(chart.stem, 0)]])
+
+
+def measured_sentences() -> list[str]:
+    """Each part of a sentence in the guides that was measured, with its numbers in braces."""
+    run, numpy, numba = stored_run(), *ENGINES
+    of = {row["method"]: row for row in run["rows"]["speed-against-accuracy"]}
+    exact, raw, unit = (of[name] for name in ("satviz", "SAT, raw normals", "SAT, unit normals"))
+    answer, whole = (format_ratio(ratio_interval(exact[key], raw[key])) for key in ("ns_runs", "whole_runs"))
+    found = [
+        f"wrong up to {{{in_metres(raw['metres'])}}} with raw normals, and up to {{{in_metres(unit['metres'])}}} with",
+        f"exact answers take {{{answer}}} as long",
+        f"In brackets is {{{interval_in_words(len(raw['ns_runs']))}}}.",
+        f"From bare arrays satviz takes {{{whole}}} as long",
+        f"Its processor is: {{{run['machine']['processor']}}}, with SIMD registers of {{{run['machine']['SIMD']}}}.",
+    ]
+    times = {(r.section, r.work, r.size, r.method): r.time for r in bench_rows("bench")}
+    start = "starts", "the first answer of a new process", 0
+    pays = {work: (times[*start, numba] - times[*start, numpy])
+            / (times["pairs", work, 0, numpy] - times["pairs", work, 0, numba])
+            for work in ("triangles", "mixed, 3 to 8 corners")}  # fmt: skip
+    found.append(
+        f"with up to {{{pays['triangles']:.0f}}} million pairs of triangles, or "
+        f"{{{pays['mixed, 3 to 8 corners']:.0f}}} million pairs of polygons with 3 to 8 corners"
+    )
+    slower = [
+        key[2] for key, time in times.items() if key[3] == numpy and time > times.get((*key[:3], "shapely"), time)
+    ]
+    found.append(f"slower than shapely only with the NumPy engine, for polygons from {{{min(slower)}}} corners on.")
+    frames = {(r.work, r.size, r.method): r.time for r in bench_rows("frames") if r.section == "frames"}
+    behind = [size for (work, size, method), time in frames.items() if method.endswith("STRtree")
+              and frames[work, size, numpy] > time]  # fmt: skip
+    found.append(f"STRtree only with the NumPy engine, in scenes of up to {{{max(behind):,}}} shapes.")
+    short = {key[:2] for key in frames if key[2] == fastest(frames, key[:2]) and key[2] in frames_chart.SHORT_PROGRAMS}
+    few = min(size for work, size, _ in frames if (work, size) not in short)
+    last = max(size for _, size, _ in frames if size < few)
+    return [*found, f"For up to {{{last:,}}} shapes, a short program that answers in floats is the fastest"]
+
+
+def fastest(frames: dict[tuple[str, int, str], float], scene: tuple[str, int]) -> str:
+    """The method with the least time for a scene (work, number of shapes)."""
+    return min((time, key[2]) for key, time in frames.items() if key[:2] == scene)[1]
+
+
+def with_numbers(text: str, drawn: dict[str, Chart]) -> str:
+    """A guide's text with the alternative texts of these charts, and with what was measured."""
+    for stem, chart in drawn.items():
+        alt = re.compile(rf'(<img src="../../figures/{stem}\.svg"[^>]* alt=")[^"]*')
+        text = alt.sub(lambda found, chart=chart: found[1] + alternative_text(chart), text)
+    for sentence in measured_sentences():
+        words = ".+?".join(map(re.escape, re.split(r"\{.*?\}", sentence)))
+        text = re.sub(words, lambda _, sentence=sentence: re.sub("[{}]", "", sentence), text)
+    return text
+
+
 def main(folder: Path | None = None) -> None:
     if folder and (folder / f"{STUDY_STEMS[0]}.json").is_file():
         store_study(folder)
     for stem in BENCH_CHARTS:
         if folder and (folder / f"{stem}.json").is_file():
             (FIGURES / f"{stem}.json").write_bytes((folder / f"{stem}.json").read_bytes())
-    for stem, chart in charts().items():
+    drawn = charts()
+    for path in GUIDES.glob("*.md"):
+        path.write_text(with_numbers(path.read_text(encoding="utf-8"), drawn), encoding="utf-8")
+    for stem, chart in drawn.items():
         if stem in BENCH_CHARTS:
             data = load(FIGURES / f"{stem}.json") | {"title": chart.title, "reading": chart.reading}
             (FIGURES / f"{stem}.json").write_text(json.dumps(data, indent=1) + "\n", encoding="utf-8")

@@ -34,7 +34,7 @@ from satviz.advice.relative_margin import relative_margin, signed_relative_margi
 from satviz.advice.scope import ANYWHERE, GRID, HERE, MOVED, Scope, power_of_two_bound
 from satviz.advice.shapesfile import load
 from satviz.cli import main
-from satviz.engine.axis_count import NUMBER_WORDS, count_axes
+from satviz.engine.axis_count import NUMBER_WORDS, axes_hint, count_axes
 from satviz.engine.convex_parts import parts
 from satviz.engine.geometry import Relation, Vec
 from satviz.pictures import THEMES
@@ -406,6 +406,33 @@ def test_a_hulls_normal_may_be_enough_where_no_edges_is():
         3,
         "No one normal of an edge is enough here, but one for each of the 3 pairs of convex parts is.",
     )
+
+
+NOTCH = sv.Polygon([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)])
+COIN = sv.Circle((0, 0), 1)
+CORNER, FACING = sv.Polygon([(0, 0), (4, 0), (0, 4)]), sv.Polygon([(4, 4), (4, 0.5), (0.5, 4)])
+ONLY_Y = sv.Shortcut("only y", "y is enough", sv.axes.directions((0, 1)))
+ONE_WITH_A_GAP = "One axis with a gap is enough here."
+NOT_ALL = "The axes of this scene are not all that are needed: without a gap on them, nothing is proven."
+
+
+@pytest.mark.parametrize(
+    ("trace", "hint"),
+    [
+        (sv.record(CORNER, FACING), f"{ONE_WITH_A_GAP} Wherever they are moved, three are enough."),
+        (sv.record(COIN, sv.Circle((3, 0), 1)), ONE_WITH_A_GAP),
+        (sv.record(NOTCH, sv.Circle((9, 9), 1)), ONE_WITH_A_GAP),
+        (sv.record(CORNER, FACING, axes=ONLY_Y), ""),
+        (sv.record(CORNER, FACING, axes=sv.axes.world), f"{ONE_WITH_A_GAP} Wherever they are moved, three are enough."),
+        (sv.record(CORNER, CORNER, axes=sv.axes.world), NOT_ALL),
+        (sv.record(NOTCH, sv.Circle((3, 3), 0.5), axes=sv.axes.world), NOT_ALL),
+        *((sv.record(a, b), None) for a in (NOTCH, COIN, CORNER) for b in (a, sv.Circle((2, 0), 1))),
+        (sv.record(NOTCH, sv.Circle((3, 3), 0.5)), None),
+    ],
+)
+def test_a_hint_says_how_many_axes_are_enough_and_no_gap(trace, hint):
+    """Beside a shortcut's run it says nothing, and where no one gap proves anything what is said of the shapes."""
+    assert axes_hint(trace) == (count_axes(trace)[1] if hint is None else hint)
 
 
 def test_enough_axes_are_counted_for_pairs_of_every_kind():

@@ -7,7 +7,7 @@ import tracemalloc
 
 import numpy as np
 import pytest
-from batches import ELL, ENGINES, RNG, Elsewhere, as_python, circles, in_python, kernels_of, ngons, scalar
+from batches import ELL, ENGINES, RNG, Elsewhere, as_python, circles, kernels_of, ngons, scalar
 
 import satviz as sv
 from satviz import batch
@@ -205,10 +205,8 @@ def test_the_grid_of_numpy_keeps_no_table_of_cells_in_which_hardly_anything_lies
 @pytest.mark.parametrize("seed", range(4))
 def test_the_grid_of_numba_looks_as_often_as_it_says(seed, monkeypatch):
     grid, rng = kernels_of("grid"), RNG(seed)
-    as_python(
-        monkeypatch, grid, "build_table", "count_candidates", "fill_pairs", "_first_cell", "_cell_number", "_entry"
-    )
-    places, asked = in_python(grid._stored_range), []
+    as_python(monkeypatch, grid, "_stored_range", "_cell_number")
+    places, asked = grid._stored_range, []
     monkeypatch.setattr(grid, "_stored_range", lambda *given: asked.append(places(*given)) or asked[-1])
     for _ in range(15):
         bounds, one, other, cell = in_cells(rng)
@@ -235,11 +233,11 @@ def test_of_many_boxes_the_grid_of_numba_asks_some_how_often_all_will_be_looked_
     bounds = np.c_[x, y, x + 1, y + 1]
     table = grid.build_table(bounds, np.arange(1000), 1.0, 1.0, 2048)
     queried = []
+    as_python(monkeypatch, grid, "_first_cell")
     monkeypatch.setattr(grid, "_first_cell", lambda *given: queried.append(given) or 0)
-    looks = in_python(grid.count_candidates)
     for n, each in ((999, 1), (1000, grid.SAMPLE_STEP)):
         queried.clear()
-        looks(bounds[:n], False, table)
+        grid.count_candidates(bounds[:n], False, table)
         assert len(queried) == 2 * -(-n // each)
     monkeypatch.undo()
     exact, told = grid.count_candidates(bounds[:999], True, table), grid.count_candidates(bounds, True, table)

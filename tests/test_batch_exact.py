@@ -18,7 +18,6 @@ from batches import (
     batches_of,
     beside_mirror,
     circles,
-    in_python,
     jolt,
     kernels_of,
     moved,
@@ -115,9 +114,7 @@ def flat_corners(rng, size):
 def search(monkeypatch):
     """Numba's kernels, the search among them run as Python."""
     settle = kernels_of("exact")
-    as_python(
-        monkeypatch, settle, "is_certainly_inside", "_is_certainly_left", "_gjk", "_lowest_corner", "_certified_cross"
-    )
+    as_python(monkeypatch, settle, "_is_certainly_left", "_lowest_corner", "_certified_cross", "MAX_STEPS")
     return settle
 
 
@@ -274,7 +271,8 @@ def test_numbas_turn_is_the_exact_one_wherever_it_is_told():
 def test_numbas_turn_looks_no_further_than_it_must(scale, monkeypatch):
     """Of plain points at no more than two products, of points nearly in a row at no long sum."""
     settle = kernels_of("exact")
-    turn, terms = in_python(settle.orient), np.empty(settle.MAX_TERMS)
+    as_python(monkeypatch, settle, "sign_of_sum", "_two_diff_tail")
+    turn, terms = settle.orient, np.empty(settle.MAX_TERMS)
     monkeypatch.setattr(settle, "sign_of_sum", lambda *_: pytest.fail("sums are asked"))
     for points in np.transpose([c * scale for c in in_a_row(RNG(2), 1000, 1000)]).tolist():
         if abs(exact := oracle.orientation(points[:2], points[2:4], points[4:])) > 1e-24 * scale**2:
@@ -289,8 +287,8 @@ def test_numbas_turn_looks_no_further_than_it_must(scale, monkeypatch):
 @pytest.mark.parametrize("scale", [2.0**-400, 1.0, 2.0**460])
 def test_numbas_turn_of_points_in_a_row_whose_differences_are_floats_is_a_sum_of_four(scale, monkeypatch):
     settle = kernels_of("exact")
-    turn, sums = in_python(settle.orient), []
-    real = in_python(settle.sign_of_sum)
+    as_python(monkeypatch, settle, "sign_of_sum")
+    turn, real, sums = settle.orient, settle.sign_of_sum, []
     monkeypatch.setattr(settle, "sign_of_sum", lambda terms, count: sums.append(count) or real(terms, count))
     for px, py, dx, dy in RNG(3).integers(-(2**20), 2**20, (50, 4)):
         points = np.array([px, py, px + dx, py + dy, px - 3 * dx, py - 3 * dy]) * scale
@@ -337,14 +335,14 @@ def test_a_corner_on_an_edge_touches_for_numba_and_no_point_of_an_edge_is_inside
 
 def test_wherever_the_search_of_numba_ends_every_edge_is_asked(monkeypatch):
     settle = kernels_of("exact")
-    of_many = in_python(settle.relate_many_corners)  # run as Python, which asks what stands here
+    as_python(monkeypatch, settle, "_gjk")
     rng = Random(1)
     for _ in range(100):
         one, other, reach, _ = as_rows(*corner_on_edge(rng))
         for i, j in product(*(rng.sample(range(*row[2:]), 2) for row in (one, other))):
             for these, ends in (((one, other), (i, j)), ((other, one), (j, i))):
                 monkeypatch.setattr(settle, "_gjk", lambda *_, ends=ends: (UNDECIDED, *ends))
-                assert of_many(*these[0], *these[1], reach, np.empty(settle.MAX_TERMS)) == 1, ends
+                assert settle.relate_many_corners(*these[0], *these[1], reach, np.empty(settle.MAX_TERMS)) == 1, ends
 
 
 class Counted(list):
@@ -361,7 +359,7 @@ class Counted(list):
 def test_of_edges_that_tell_nothing_numba_looks_at_few_corners(v, w, monkeypatch):
     """About twenty for each edge, however many there are: from each to the next the walk goes on where it was."""
     settle = kernels_of("exact")
-    as_python(monkeypatch, settle, "relate_many_corners", "_classify_edge", "_walk_down_onward", "_walk_down")
+    as_python(monkeypatch, settle, "_gjk", "_classify_edges", "_walk_down_onward")
     monkeypatch.setattr(settle, "_classify_edges", lambda *_: pytest.fail("all corners are looked at"))
     rng = RNG(4)
     for n in range(3):

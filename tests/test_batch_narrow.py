@@ -17,7 +17,6 @@ from batches import (
     batches_of,
     beside_mirror,
     circles,
-    in_python,
     jolt,
     kernels_of,
     ngons,
@@ -85,7 +84,7 @@ HARD = [
 
 
 @pytest.mark.parametrize("engine", ENGINES)
-@pytest.mark.parametrize("kind", HARD)
+@pytest.mark.parametrize("kind", one_in(2, HARD))
 def test_hard_pairs_are_told_as_one_by_one_side_by_side_and_picked(engine, kind):
     """Whichever edge or corner meets which, whichever comes first, beside any others in memory."""
     rng, pairs = Random(kind), []
@@ -463,7 +462,7 @@ def outlines_of_all_numbers(rng, across):
 def test_picked_outlines_of_all_numbers_of_corners_are_told_as_one_by_one(lanes, engine, monkeypatch):
     if engine == "numba":
         picked = kernels_of("indexed")
-        as_python(monkeypatch, picked, "fill_relations")
+        as_python(monkeypatch, picked, "LANES")
         monkeypatch.setattr(picked, "LANES", lanes)
     monkeypatch.setattr(indexed, "pairs_per_block", lambda *_: lanes)
     rng = RNG(lanes)
@@ -481,12 +480,12 @@ def test_picked_outlines_of_all_numbers_of_corners_are_told_as_one_by_one(lanes,
 def test_numba_asks_picked_pairs_that_are_plain_for_no_exact_sign(lanes, monkeypatch):
     """Nor upright boxes, nor, where the middle of what their boxes share is inside both, many corners for an axis."""
     picked = kernels_of("indexed")
-    as_python(monkeypatch, picked, "fill_relations")
+    look, sizes, longer = picked._evaluate_lanes, [], ("relate_few_corners", "relate_many_corners")
+    as_python(monkeypatch, picked, "LANES", "_evaluate_lanes", *longer)
     monkeypatch.setattr(picked, "LANES", lanes)
-    for name in "relate_few_corners", "relate_many_corners":
+    for name in longer:
         monkeypatch.setattr(picked, name, lambda *_: pytest.fail("looked at longer"))
     monkeypatch.setattr(exact_numpy, "relations", lambda *_: pytest.fail("left to the exact twin"))
-    look, sizes = picked._evaluate_lanes, []
     monkeypatch.setattr(picked, "_evaluate_lanes", lambda *given: sizes.append(given[10].size) or look(*given))
     box = batch.Polygons([[(5, 0), (6, 0), (6, 1), (5, 1)], [(6, 1), (7, 1), (7, 2), (6, 2)]])
     rng = RNG(2)
@@ -605,13 +604,13 @@ def test_picked_pairs_that_touch_touch(v, w, scale, engine):
 @pytest.mark.parametrize("e", [-600, -100, 0, 100, 400, 600])
 def test_numbas_picked_pairs_are_granted_an_error_bound_for_the_widest_and_the_farthest(e, w, monkeypatch):
     picked = kernels_of("indexed")
-    bound, granted = in_python(picked._error_bound), {}
+    as_python(monkeypatch, picked, "_error_bound")
+    bound, granted = picked._error_bound, {}
 
     def seen(box_a, i, box_b, j):
         granted[i, j] = bound(box_a, i, box_b, j)
         return granted[i, j]
 
-    as_python(monkeypatch, picked, "fill_relations", "_evaluate_lanes")
     monkeypatch.setattr(picked, "_error_bound", seen)
     rng = RNG(7)
     a, b = (batch.Polygons((ngons(rng, 40, v, 2) * rng.uniform(0.2, 5, (40, 1, 2))) * 2.0**e) for v in (3, w))

@@ -10,6 +10,7 @@ from itertools import pairwise, permutations, product
 
 import numpy as np
 import pytest
+from speeds import one_in
 
 import satviz as sv
 from satviz import batch
@@ -456,7 +457,7 @@ def around(corners):
     return corners[first:] + corners[:first]
 
 
-@pytest.mark.parametrize("block", [1, 3, 4, 11, 100, outlines.BLOCK_CORNERS])
+@pytest.mark.parametrize("block", one_in(3, [1, 3, 4, 11, 100, outlines.BLOCK_CORNERS]))
 def test_outlines_are_judged_as_one_by_one_however_many_at_a_time(block, monkeypatch):
     monkeypatch.setattr(outlines, "BLOCK_CORNERS", block)
     rng = np.random.default_rng(block)

@@ -1,5 +1,6 @@
 """How much work is done and where: executors, chunks, memory, kernels on disk, files in strips."""
 
+import inspect
 import os
 import pickle
 import shutil
@@ -13,7 +14,22 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from batches import ELL, ENGINES, RNG, Elsewhere, circles, ngons, one_by_one, regular, scalar
+from batches import (
+    ELL,
+    ENGINES,
+    RNG,
+    Elsewhere,
+    as_python,
+    circles,
+    compiled_kernels,
+    kernels_of,
+    names_any,
+    ngons,
+    numba_modules,
+    one_by_one,
+    regular,
+    scalar,
+)
 from speeds import one_in
 
 import satviz as sv
@@ -63,6 +79,18 @@ def test_processes_that_compile_a_kernel_at_once_never_run_each_others_code(tmp_
     for _ in range(2):
         later = compiled(second)
         assert (later(whole), later(skipping)) == (1, 2)
+
+
+@pytest.mark.parametrize(
+    ("module", "name"),
+    [("indexed", "relate_few_corners"), ("indexed", "LANES"), ("exact", "_certified_cross"), ("grid", "_stored_range")],
+)
+def test_what_a_test_replaces_is_named_by_no_compiled_kernel(module, name, monkeypatch):
+    """Compiled for the first time in that test, it would fail or keep the value that the test put there."""
+    as_python(monkeypatch, kernels_of(module), name)
+    python = [value for m in numba_modules() for value in vars(m).values() if inspect.isfunction(value)]
+    python.append(getattr(kernels_of(module), name))
+    assert not [kernel for kernel in compiled_kernels() if names_any(kernel, set(map(id, python)))]
 
 
 @pytest.mark.parametrize("v", [1, 4])

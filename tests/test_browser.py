@@ -54,6 +54,10 @@ class Hand:
         lab.run_all(self.page)
         self.page.locator(".sv-count").first.wait_for(timeout=60_000)
         self.widgets = self.page.locator(".satviz")
+        before = None
+        while (now := self.spot("B-move")) != before:  # JupyterLab still scrolls and lays out after the cells have run
+            before = now
+            self.page.wait_for_timeout(500)
 
     def complained(self, error):
         """Keep what goes wrong in a widget, whose code comes from a blob; Jupyter has errors of its own."""

@@ -253,3 +253,23 @@ def test_the_box_shuts_nobody_out(browser):
         desk.press("draw polygon")
         assert shut_out(source, page) == []
     assert errors == []
+
+
+@pytest.mark.parametrize("longest", [10, 1_000, 100_000])
+def test_no_explorer_is_wider_than_its_window_however_long_its_numbers(browser, longest):
+    a = sv.Polygon([(-0.6 * longest, 1), (longest, 3), (7, 0.45 * longest + 0.25)])
+    b = sv.Polygon(
+        [(-0.25 * longest, -0.25 * longest), (0.2 * longest + 0.5, -0.15 * longest), (longest, 0.4 * longest)]
+    )
+    errors = []
+    with explored(
+        browser, ExplorerModel(sv.Scene("own", a, b)), errors, viewport={"width": 1600, "height": 1000}
+    ) as page:
+        wider = []
+        for width in range(320, 1600, 40):
+            page.set_viewport_size({"width": width, "height": 1000})
+            page.wait_for_timeout(30)
+            if page.evaluate("document.documentElement.scrollWidth > innerWidth"):
+                wider.append(width)
+        assert wider == []
+    assert errors == []

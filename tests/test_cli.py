@@ -15,6 +15,7 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
+from speeds import one_in
 
 import satviz as sv
 from satviz.cli import DRAW_FORMATS, main
@@ -630,7 +631,7 @@ def test_options_that_cannot_be_together_get_one_line(line, capsys, tmp_path, mo
 
 
 @pytest.mark.parametrize("scene", ["circles", "no-area"])
-@pytest.mark.parametrize("form", DRAW_FORMATS)
+@pytest.mark.parametrize("form", one_in(3, DRAW_FORMATS))
 def test_no_option_of_draw_is_taken_in_silence(form, scene, capsys, tmp_path, monkeypatch):
     """What is given changes what is made, or is refused; or it is so in any case, as the help says."""
 

@@ -699,7 +699,7 @@ def test_big_outlines_are_filled_once_by_convex_parts(kind):
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", BIG)
 def test_outlines_of_thousands_of_vertices_are_filled_once_by_convex_parts(kind):
-    assert not refute_at_any_size(Polygon(BIG[kind](4000)))
+    assert not refute_at_any_size(Polygon(BIG[kind](2400)))
 
 
 @pytest.mark.parametrize("most", one_in(3, [0, 1, 5]))

@@ -3,10 +3,10 @@
 import os
 import re
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+from environments import environment
 
 ROOT = Path(__file__).parent.parent
 GUIDE = (ROOT / "satviz" / "guides" / "check.md").read_text(encoding="utf-8")
@@ -38,27 +38,15 @@ def recipe(of):
 @pytest.fixture(scope="module")
 def python(tmp_path_factory):
     """A Python of its own with both graders, from PyPI; satviz is found on its path."""
-    folder = tmp_path_factory.mktemp("graders")
-    subprocess.run([sys.executable, "-m", "venv", folder], check=True, timeout=120)
-    found = folder / ("Scripts" if os.name == "nt" else "bin") / "python"
-    done = subprocess.run([found, "-m", "pip", "install", "-q", *GRADERS], capture_output=True, text=True, timeout=600)
-    if done.returncode:
-        pytest.skip(f"the graders cannot be installed from PyPI: {done.stderr.strip().splitlines()[-1]}")
-    return found
+    return environment(tmp_path_factory.mktemp("graders"), *GRADERS)
 
 
 def run(python, folder, *arguments):
     """Run a module or a file in a folder; what it prints."""
     home = {"HOME": str(folder), "JUPYTER_PLATFORM_DIRS": "1"}
-    environment = {
-        **os.environ,
-        **home,
-        "PYTHONPATH": str(ROOT),
-        "PATH": f"{python.parent}{os.pathsep}{os.environ['PATH']}",
-    }
-    done = subprocess.run(
-        [python, *arguments], cwd=folder, env=environment, capture_output=True, text=True, timeout=300
-    )
+    path = f"{python.parent}{os.pathsep}{os.environ['PATH']}"
+    env = {**os.environ, **home, "PYTHONPATH": str(ROOT), "PATH": path}
+    done = subprocess.run([python, *arguments], cwd=folder, env=env, capture_output=True, text=True, timeout=300)
     assert done.returncode == 0, done.stderr[-3000:]
     return done.stdout
 

@@ -6,6 +6,7 @@ from itertools import pairwise
 from typing import get_args
 
 import pytest
+from speeds import one_in
 
 import satviz as sv
 from satviz.cli import PAPERS, main
@@ -31,7 +32,7 @@ def words(html):
     return re.sub(r"\s+", " ", unescape(body))
 
 
-@pytest.mark.parametrize("number", CHAPTERS)
+@pytest.mark.parametrize("number", one_in(4, CHAPTERS))
 def test_a_chapters_handout_asks_and_its_solutions_answer(number):
     (chapter,) = (each for each in chapters() if each.title.startswith(number))
     asked, solved = words(sv.handout(number)), words(sv.handout(number, solutions=True))
@@ -129,7 +130,8 @@ def test_each_tick_has_its_own_number_and_there_is_space_for_it(start, size):
     names = [mark for mark in drawn.marks if mark.part.endswith("-name") and "tick" in mark.part and mark.number == 1]
     values = [float(mark.text.replace("−", "-")) for mark in names]
     assert len(values) >= 2 and values == sorted(set(values))
-    assert len({round((q - p) / size, 6) for p, q in pairwise(values)}) == 1
+    (distance,) = {round((q - p) / size, 6) for p, q in pairwise(values)}
+    assert f"{distance * size:.2e}"[:4] in ("1.00", "2.00", "5.00")
     for p, q in pairwise(names):
         assert p.points[0].x + text_size(p.text)[0] / 2 < q.points[0].x - text_size(q.text)[0] / 2
 
@@ -140,7 +142,8 @@ def test_the_numbers_of_two_ticks_have_a_space_between_them(width):
     b = sv.Polygon([(3, 2), (6, 2), (5, 5)])
     drawn = number_lines(sv.record(a, b), filled=False)
     named = [m for m in drawn.marks if m.part.endswith("-name") and m.number == 1]
-    assert len(named) >= 5
+    assert len(named) >= 4
+    assert f"{float(named[-1].text) - float(named[-2].text):e}"[:3] in ("1.0", "2.0", "5.0")
     for left, right in pairwise(named):
         assert right.points[0].x - left.points[0].x > (text_size(left.text)[0] + text_size(right.text)[0]) / 2 + 4
 

@@ -3,6 +3,7 @@
 from random import Random
 
 import pytest
+from speeds import one_in
 
 import satviz as sv
 from satviz.engine.describe import RELATION_PHRASES
@@ -88,7 +89,7 @@ def test_the_gap_lies_on_the_canvas_and_the_difference_is_seen_however_far_and_s
 
 
 @pytest.mark.parametrize(
-    "name", ["triangles", "circle-polygon", "circles", "concave", "gap-as-distance", "touch-as-apart"]
+    "name", one_in(3, ["concave", "circle-polygon", "circles", "triangles", "gap-as-distance", "touch-as-apart"])
 )
 def test_while_b_minus_a_comes_about_the_shapes_stay_and_the_turned_a_covers_only_what_belongs_to_it(name):
     trace = sv.scene(name).record()

@@ -7,6 +7,7 @@ from random import Random
 
 import pytest
 import shapely
+from speeds import one_in
 from strategies import CONVEX, NotConvex, few_corners, notched, pairs, scaled, star
 
 import satviz as sv
@@ -226,6 +227,30 @@ def test_a_rounded_crossing_is_helped_outwards_by_next_to_nothing(k):
     assert out == pytest.approx((radius - 1 - x, (radius**2 - (2 - radius) ** 2) ** 0.5 - y / 2), abs=1e-14)
 
 
+@pytest.mark.parametrize("first", range(0, 300, 50))
+def test_a_circle_goes_up_in_a_groove_with_a_wall_that_ends_where_it_touches(first):
+    """Rounded, the crossing of both borders lies beyond the end of the side or of the arc, or of both."""
+    for k in range(first, first + 50):
+        c, s, up = cos(k), sin(k), 1 + k % 5
+        ring = [(0, 0), (24, 32), (60, 32), (0, -60), (-60, 16), (-12, 16)]
+        groove = sv.Polygon([(c * x - s * y, s * x + c * y) for x, y in ring])
+        move = sv.record(groove, sv.Circle((s * (up - 25), c * (25 - up)), 15)).mtv
+        assert move == pytest.approx((-s * up, c * up), abs=1e-12), k
+
+
+@pytest.mark.parametrize("e", [8, 16, 20, 24])
+@pytest.mark.parametrize("k", range(1, 4))
+def test_a_box_goes_back_in_a_slot_that_hardly_narrows_and_not_all_the_way_out(k, e):
+    """Where walls are nearly parallel, the sum of their normals is nearly 0 and helped no rounded crossing out."""
+    c, s, narrow = cos(k), sin(k), 2.0**-e
+    ring = [(-1, 1), (-3, 1), (-3, -3), (3, -3), (3, 1), (1, 1), (1 - 1.5 * narrow, -0.5), (1.5 * narrow - 1, -0.5)]
+    slot, fits = (
+        sv.Polygon([(c * x - s * y, s * x + c * y) for x, y in corners])
+        for corners in (ring, [(narrow - 1, -0.25), (1 - narrow, -0.25), (1 - narrow, 0.25), (narrow - 1, 0.25)])
+    )
+    assert sv.record(slot, fits).mtv == pytest.approx((-s * 0.25, c * 0.25), abs=2**-20)
+
+
 def test_a_circle_about_a_corner_goes_out_by_its_radius():
     trace = sv.record(L, sv.Circle((4, 2), 0.5))
     assert hypot(*trace.mtv) == pytest.approx(0.5) and ends_overlap(trace.a, trace.b, trace.mtv)
@@ -240,15 +265,21 @@ def test_no_shorter_move_of_a_circle_ends_the_overlap(a, b):
             assert not ends_overlap(a, b, move), move
 
 
-def forbidden(a, b):
-    """Return the moves of b that make the shapes overlap, computed by shapely: exact but for arcs, good to 1e-6."""
-    (p, q), radius = ([part.core for part in convex_parts.parts(shape)] for shape in (a, b)), a.radius + b.radius
+def forbidden(a, b, wider=0.0):
+    """Return the moves of b that make the shapes overlap, computed by shapely: exact but for arcs, good to 1e-6.
+
+    wider: by what the region is widened.
+    """
+    (p, q), radius = (
+        ([part.core for part in convex_parts.parts(shape)] for shape in (a, b)),
+        a.radius + b.radius + wider,
+    )
     sums = [shapely.MultiPoint([(ux - vx, uy - vy) for ux, uy in u for vx, vy in v]) for u in p for v in q]
     return shapely.union_all([points.convex_hull.buffer(radius, quad_segs=512) for points in sums])
 
 
 @pytest.mark.parametrize("kind", ["circle", "convex", "concave"])
-@pytest.mark.parametrize("seed", range(8))
+@pytest.mark.parametrize("seed", one_in(3, range(8)))
 def test_the_mtv_of_a_concave_outline_is_to_the_nearest_move_that_is_not_forbidden(kind, seed):
     rng, found = Random(f"{kind} {seed}"), 0
     while found < 15:
@@ -267,6 +298,43 @@ def test_the_mtv_of_a_concave_outline_is_to_the_nearest_move_that_is_not_forbidd
                 nearest = forbidden(a, b).boundary.distance(shapely.Point(0, 0))
                 room = 1e-9 * nearest + 1e-5 * (a.radius + b.radius)
                 assert ends_overlap(a, b, mtv) and hypot(*mtv) <= nearest + room
+
+
+def a_tight_fit(rng):
+    """Return a block with a slot, and a circle or a box that just fits between two corners of its walls, turned."""
+
+    def wall(x):
+        heights = [1, *sorted((rng.uniform(-1, 1) for _ in range(rng.randrange(3))), reverse=True), -1]
+        return [(x + rng.choice((0, 0, 1, -1)) * 2.0 ** -rng.randint(2, 48), y) for y in heights]
+
+    left, right = wall(-1), wall(1)
+    p, q, more = rng.choice(left), rng.choice(right), rng.choice((0, 0, 2.0**-45, -(2.0**-45), 2.0**-25, 2.0**-10))
+    x, y = rng.choice((0, rng.uniform(-0.5, 0.5))), rng.choice((p[1], q[1], rng.uniform(-2, 2)))
+    turn = complex(cos(k := rng.choice((0, 1, rng.uniform(0, 7)))), sin(k))
+    ring, fits = (
+        [((turn * complex(*v)).real, (turn * complex(*v)).imag) for v in vertices]
+        for vertices in (
+            [(-3, 1), (-3, -3), (3, -3), (3, 1), *right, *left[::-1]],
+            [(p[0] + x - more, y), (q[0] + x, y), (q[0] + x, y + 0.5), (p[0] + x - more, y + 0.5)],
+        )
+    )
+    radius = (rng.choice((hypot(q[0] - p[0], q[1] - p[1]), q[0] - p[0])) + more) / 2
+    middle = (fits[0][0] + fits[1][0]) / 2, (fits[0][1] + fits[1][1]) / 2
+    return sv.Polygon(ring), rng.choice((sv.Polygon(fits), sv.Circle(middle, radius)))
+
+
+@pytest.mark.parametrize("seed", one_in(3, range(6)))
+def test_no_shorter_move_ends_the_overlap_where_a_shape_just_fits_between_two_walls(seed):
+    """The crossing of borders that hardly turn is rounded far off, and the sum of their normals has no right digit."""
+    rng, found = Random(f"tight {seed}"), 0
+    while found < 40:
+        a, b = rng.sample(a_tight_fit(rng), 2)
+        if sv.relate(a, b) is sv.Relation.OVERLAPPING:
+            found += 1
+            mtv = sv.record(a, b).mtv
+            # each arc is drawn outside of the true one, so a free move here is one there too
+            wide = forbidden(a, b, wider=2e-6 * (a.radius + b.radius) + 1e-9)
+            assert ends_overlap(a, b, mtv) and hypot(*mtv) <= wide.boundary.distance(shapely.Point(0, 0)) + 1e-6
 
 
 @pytest.mark.parametrize("power", [-600, -40, 0])

@@ -63,7 +63,7 @@ def refute(form: Form, known: Known, name: str = "") -> None:
 def known(kind: str) -> Known:
     """Pairs of a kind with what they are; of all kinds, some of each."""
     if kind == ALL:
-        return [pair for name in KINDS for pair in judged(name, 0, 40)]
+        return [pair for name in KINDS for pair in judged(name, 0, 30)]
     return judged(kind, 1, ORDINARY // len(KINDS))
 
 
@@ -256,7 +256,7 @@ def changed(kind: str, count: int) -> list[tuple[str, Shape, Shape, int]]:
 
 def refute_by_changes(form: Form, kind: str, name: str = "") -> None:
     ask, one_in = form.ask, form.one_in
-    cases = changed(kind, (6 if one_in < 8 else 4 if one_in < 20 else 2) * (3 if kind == ALL else 1))
+    cases = changed(kind, (6 if one_in < 8 else 4 if one_in < 20 else 2) * (2 if kind == ALL else 1))
     answers = ask([(a, b) for _, a, b, _ in cases])
     base = {i: answer for (change, *_, i), answer in zip(cases, answers, strict=True) if change == "nothing"}
     wrong = [

@@ -352,7 +352,7 @@ def test_two_readings_with_different_answers_are_asked_and_none_is_taken():
 def test_two_readings_with_one_answer_are_said():
     pasted = sv.paste("[0, 0, 10, 10]\n[1, 1, 11, 11]")
     (question,) = pasted.questions
-    assert not question.matters and len(pasted.shapes) == 2 and "corner-size was taken" in str(question)
+    assert not question.matters and len(pasted.shapes) == 2 and "corner-size was taken" in str(pasted)
 
 
 def test_degrees_or_radians_is_asked():

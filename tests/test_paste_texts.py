@@ -1,9 +1,12 @@
 """Texts in notations of many libraries: each is read rightly, asked about, or named as unread."""
 
+import random
 import re
 
 import pytest
 from pastes import PASTES
+from reports import REPORTS
+from strangers import TEXTS
 
 import satviz as sv
 
@@ -28,6 +31,77 @@ def test_a_text_is_read_rightly_or_what_cannot_be_read_is_named(paste):
     assert [bounds(each.read) for each in pasted.readings] == [pytest.approx(b) for b in paste.bounds]
     assert paste.says in " ".join(map(str, pasted.findings))
     assert not pasted.open
+
+
+@pytest.mark.parametrize("text", TEXTS, ids=lambda text: re.sub(r"\W+", "-", text.name))
+def test_a_text_of_a_stranger_is_answered_at_once_unless_a_question_is_right(text):
+    if not text.bounds:
+        with pytest.raises(sv.InvalidScene):
+            sv.paste(text.text)
+        return
+    assert sv.paste(text.text).open == text.asks
+    pasted = sv.paste(text.text, text.as_)
+    assert not pasted.open and pasted.shapes
+    assert [bounds(each.read) for each in pasted.readings] == [pytest.approx(b, abs=1e-3) for b in text.bounds]
+
+
+AFTER_A_NUMBER = (
+    " * 2", " + 1", " - d", "*k", " / 2", " % 3", " ** 2", "^2", " << 1", " >> 1", " | 1", " & 3", "++", ".sin()",
+    " if c else 9", " ? 1 : 2", "%", "!", " mod 2", " || 9",
+)  # fmt: skip
+AFTER_A_BRACKET = (
+    " * 2", ".T", ".scale(2)", "[::-1]", " + d", " @ m", " << 1", " if c else d", ".rotate(t)", ".flip()", "'", " - 1",
+    ".map(f)", ".clone().flip()", " ** 2", "[1:]", ".mirrored", " || d",
+)  # fmt: skip
+BEFORE_A_BRACKET = ("-", "~", "2 * ", "d + ", "mirror ", "half * ", "!", "scale(2) * ", "k*")
+LINES_BEHIND = (
+    "{}.x += 5", "{} *= 2", "flip({})", "{}.flip()", "scale({}, 2)", "{}.vertices[0].x -= 2", "{0} = {0} * 2",
+)  # fmt: skip
+
+
+def places_of_data(pasted):
+    """The places behind the numbers and around the brackets of the shapes, each with what can be put there."""
+    text = pasted.text
+    for each in pasted.readings:
+        yield from ((place, AFTER_A_NUMBER) for place in sorted(each.read.used))
+        for place in range(each.read.start + 1, each.read.end):
+            if re.search(r"//|#|--", text[text.rfind("\n", 0, place) + 1 : place]):
+                continue  # in a comment
+            before, here = text[place - 1], text[place]
+            if before in ")]" and place > 1 and text[place - 2].isalnum():
+                yield place, AFTER_A_BRACKET
+            if here in "([" and not before.isalnum() and before not in "!_":
+                yield place, BEFORE_A_BRACKET
+
+
+def attack(count, seed):
+    """Put a sign or a call beside the data of texts that are answered, or a line behind them: none stays answered."""
+    rng = random.Random(seed)
+    answered = [sv.paste(each.text, each.as_) for each in (*PASTES, *REPORTS, *TEXTS) if getattr(each, "bounds", True)]
+    answered = [p for p in answered if not p.open and p.traces and "leave-out" not in p.chosen and "_" not in p.chosen]
+    for _ in range(count):
+        pasted = rng.choice(answered)
+        place, signs = rng.choice(list(places_of_data(pasted)) or [(0, ("",))])
+        sign = rng.choice(signs)
+        names = [
+            each.label for each in pasted.readings if each.label.isidentifier() and f"{each.label} =" in pasted.text
+        ]
+        if names and rng.random() < 0.2:
+            place, sign = len(pasted.text), "\n" + rng.choice(LINES_BEHIND).format(rng.choice(names))
+        changed = pasted.text[:place] + sign + pasted.text[place:]
+        try:
+            assert not sign or sv.paste(changed, pasted.chosen).open, (sign, changed[max(0, place - 80) : place + 80])
+        except sv.InvalidScene:
+            continue
+
+
+def test_a_sign_beside_the_data_is_never_dropped_without_a_question():
+    attack(150, seed=1)
+
+
+@pytest.mark.slow
+def test_two_thousand_signs_beside_the_data():
+    attack(2000, seed=2)
 
 
 CHANGES = (
@@ -69,6 +143,11 @@ def test_what_stands_around_a_shape_is_never_dropped_without_a_question(plain, c
         "circle(x ? 1 : 2, 3, 1)\ncircle((0, 0), 1)",
         '<rect x="0" y="0" width="10 - w" height="10"/><circle cx="5" cy="5" r="3"/>',
         '<path d="M 0 0 L 10 0 L 10++ 10 Z"/><circle cx="5" cy="5" r="3"/>',
+        "v = [(0,0),(4,0),(0,3)]\nd = [(9,9),(8,9),(9,8)]\na = Polygon(v if c else d)\ncircle((0,0), 1)",
+        "new THREE.Box2.flip()(new V(0,0), new V(4,4))\nnew THREE.Box2(new V(1,1), new V(5,4))",
+        "verts[0] = (0,0)\nverts[1] << 1 = (4,0)\nverts[2] = (0,3)\ncircle((9,9), 1)",
+        "circle((9,9), 1)\ncircle((0,0), 1)\nB is twice as large",
+        "circle((9,9), 1)\na = [(0,0),(1,0),(0,1)",
         "\\draw[rotate=30] (0,0) -- (3,0) -- (3,2) -- cycle;\n\\draw (2,1) circle (1);",
     ],
 )
@@ -76,6 +155,70 @@ def test_what_is_not_understood_is_asked_about(text):
     pasted = sv.paste(text, "corner-size")
     assert pasted.open and not pasted.shapes and not pasted.traces
     assert "\n" not in pasted.sentence and len(pasted.sentence) < 500
+
+
+def test_what_is_not_understood_is_named_with_its_line_where_it_is_short():
+    asked = sv.paste("verts[0] = (0,0)\nverts[1] << 1 = (4,0)\nverts[2] = (0,3)").questions[0].asks
+    assert asked == "Not understood: << (in verts[1] << 1 = (4,0))."
+
+
+@pytest.mark.parametrize("call", ["a.clone()", "copy.deepcopy(a)", "a.copy()"])
+def test_a_copy_is_a_shape_of_its_own(call):
+    text = f"a = {{x: 0, y: 0, r: 5}}\nb = {call}\nc = {{x: 20, y: 0, r: 5}}"
+    assert [each.label for each in sv.paste(text).readings] == ["a", "b", "c"]
+    assert sv.paste(f"{text}\nb.x = 7").open
+
+
+def test_a_call_that_gives_the_hull_of_points_is_read_as_the_hull():
+    pasted = sv.paste("p = [(0,0),(4,0),(1,1),(0,3)]\nh = cv2.convexHull(p)\ncircle((9, 9), 1)")
+    assert pasted.shapes[0].vertices == ((0, 0), (4, 0), (0, 3))
+    assert pasted.readings[0].said == "a polygon of 3 corners, the convex hull of 4 points"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "(0,5; 0,5) (4,5; 0,5) (0,5; 3,5)",
+        "POLYGON((0,5 0,5, 4,5 0,5, 0,5 3,5))",
+        "[(0,5, 0,5), (4,5, 0,5), (0,5, 3,5)]",
+    ],
+)
+def test_decimal_commas_are_asked_about_and_then_read(text):
+    (question,) = sv.paste(f"{text}\n{text}").questions
+    assert [answer.choice for answer in question.answers] == ["decimal-commas", "separators"]
+    first, second = sv.paste(f"{text}\n{text}", "decimal-commas").readings
+    assert first.vertices == second.vertices == ((0.5, 0.5), (4.5, 0.5), (0.5, 3.5))
+    assert "0,5" in first.excerpt
+
+
+@pytest.mark.parametrize(
+    "text", ["[(0,0),(4,0),(0,3)] 0,0 4,0", 'points="0,5 4,5 0,3"', "0,5;4,0;0,3", "Rect(0,5, 4,5)"]
+)
+def test_commas_between_numbers_are_no_decimal_commas(text):
+    try:
+        assert "commas" not in [question.what for question in sv.paste(text).questions]
+    except sv.InvalidScene as error:
+        assert "comma" not in str(error)
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("<Widget>:\n    canvas:\n        Rectangle:\n            pos: 10, 20\n            size: 9, 9", "Kivy"),
+        ("shapes {\n  shape_type: TYPE_BOX\n  position {\n    x: 0.0\n  }\n}\ndata: 16.0", "Defold"),
+    ],
+)
+def test_texts_whose_shapes_cannot_be_told_say_what_helps(text, said):
+    with pytest.raises(sv.InvalidScene, match=f"{said}: write each shape on a line of its own"):
+        sv.paste(text)
+
+
+def test_nothing_is_said_to_be_taken_while_a_question_is_open():
+    text = "THREE.Box2((0, 0), (4, 4)).flip()\n[0, 0, 10, 10]\n[1, 1, 11, 11]"
+    pasted = sv.paste(text)
+    assert pasted.open and [question.matters for question in pasted.questions] == [True, False]
+    assert "was taken" not in str(pasted)
+    assert "was taken" in str(sv.paste("[0, 0, 10, 10]\n[1, 1, 11, 11]"))
 
 
 def test_a_name_with_two_values_is_asked_about():
@@ -98,7 +241,6 @@ def test_a_missing_corner_and_lists_of_two_lengths_are_named():
         ("xs = [0, 4, 4]; ys = [0, 0, 4, 4]", "3 and 4 numbers"),
         ("v = [(0, 0), (4, 0), (0, 4)]; v[1] = (9, 9)", "changed after"),
         ("new Polygon(new int[]{0, 4, 4}, new int[]{0, 0, 4}, 9)", "do not fit"),
-        ("((0,5; 0,5), (4,5; 0,5), (0,5; 3,5))", "decimal commas"),
         ("0 0.5 0.5 0.2 0.2", "five numbers"),
         ('{"center": [0, 0], "width": 4, "height": 4, "originX": "right"}', "origin"),
         ('{"vertices": [[0,0],[1,0],[0,1]], "offset": [1, 1], "angle": 30}', "offset and an angle"),

@@ -18,9 +18,10 @@ from satviz.engine import axes, describe
 from satviz.pictures import LIGHT, THEMES, Mark, Stage, Step
 from satviz.pictures.curve import unit_vector
 from satviz.pictures.drag import KNOB_RADIUS_PT, decisive_test, drag_layout, drag_picture, free_axis_picture
-from satviz.pictures.figures import FIGURES
+from satviz.pictures.figures import FIGURES, STRIP
 from satviz.pictures.float_geometry import clip_segment
 from satviz.pictures.label_placer import RIM_PT
+from satviz.pictures.layout import NARROW_SIZE_PT
 from satviz.pictures.letters import text_size
 from satviz.pictures.playback import first_row_numbers, table_rows
 from satviz.pictures.theme import CHART_ROLES, DOT_PT, PICTURE_ROLES
@@ -48,6 +49,7 @@ def every_picture():
     for name, trace in TRACES.items():
         for i in range(len(sv.steps(trace))):
             yield f"{name} {i}", partial(sv.picture, trace, i)
+            yield f"{name} {i} narrow", partial(sv.picture, trace, i, largest=NARROW_SIZE_PT)
         if trace.pairs:
             yield f"{name} convex parts", partial(convex_parts, trace)
         yield (
@@ -706,9 +708,14 @@ def test_a_label_far_from_its_corner_has_a_line_to_it_or_is_left_out():
                     assert off * drawn.scale < 30, label.text
 
 
-@pytest.mark.parametrize("figure", [f for f in FIGURES if f.number in (5, 16, 20)], ids=lambda f: f.name)
-def test_a_figure_of_several_panels_is_as_wide_as_a_telephone_so_that_no_letter_is_made_smaller_there(figure):
+@pytest.mark.parametrize("figure", (*FIGURES, STRIP), ids=lambda f: f.name)
+def test_a_figure_is_as_narrow_as_a_telephones_page_so_that_no_letter_is_made_smaller_there(figure):
     drawn = figure.picture()
-    assert drawn.size[0] <= 390 and drawn.size[1] > drawn.size[0]
+    assert drawn.size[0] <= 340 and min(label.style.size for label in drawn.labels) >= 11
+
+
+@pytest.mark.parametrize("number", [5, 16, 20])
+def test_the_panels_of_a_figure_stand_one_below_the_other(number):
+    drawn = FIGURES[number - 1].picture()
     tops = {mark.panel: mark.points[0].y for mark in drawn.marks if mark.part == "verdict"}
     assert len(set(tops.values())) == len(tops) >= 2  # one below the other

@@ -97,6 +97,13 @@ def test_a_difference_from_a_root_has_the_exact_sign(squares):
             assert predicates.sign(predicates.root_difference(s, r, squares, 0)) == root_sign(s, r, squares), (s, r)
 
 
+def test_a_root_is_rounded_up():
+    assert predicates.ceil_sqrt(0) == 0
+    for n in [*range(1, 100), *(k**2 + d for k in (10**9 + 7, 3**99) for d in (-1, 0, 1))]:
+        root = predicates.ceil_sqrt(n)
+        assert (root - 1) ** 2 < n <= root**2
+
+
 def test_an_integer_over_a_power_of_two_is_rounded_once():
     rng = Random(4)
     for _ in range(500):

@@ -31,6 +31,11 @@ def test_no_label_of_a_sheet_runs_over_another_or_off_it(name):
     assert len({mark.id for mark in picture.marks}) == len(picture.marks)
 
 
+@pytest.mark.parametrize("name", TRACES)
+def test_the_names_of_usual_axes_are_not_cut(name):
+    assert not [text for text in SHEETS[name].texts if "\u2026" in text]
+
+
 @pytest.mark.parametrize("name", ["triangles", "aabb", "circle-polygon", "overlap"])
 def test_bars_lie_on_one_scale_with_one_zero(name):
     trace, picture = TRACES[name].without_early_exit(), SHEETS[name]

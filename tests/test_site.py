@@ -397,6 +397,13 @@ def test_the_gallery_has_every_scene(files, pages):
     assert openable == {s.name for s in SCENES} | {row.name for row in FAILURE_CASES if row.how != REFUSED}
 
 
+def test_no_letter_is_replaced(files):
+    """A no-break space between a number and its unit is a letter, too."""
+    texts = {path: data for path, data in files.items() if path.endswith((".html", ".svg"))}
+    assert [path for path, data in texts.items() if "\ufffd" in data.decode()] == []
+    assert "below 1.8\xa0pm" in texts["7-speed-against-accuracy.html"].decode()
+
+
 def test_pictures_follow_the_theme(pages, files):
     assert not re.search(r'(?:fill|stroke)="#', pages["2-sat.html"])
     assert "prefers-color-scheme: dark" in files["pictures/triangles.svg"].decode()
@@ -711,10 +718,12 @@ def test_a_site_that_is_no_text_is_named():
 
 def test_draw_prints_the_link(capsys, tmp_path):
     assert main(["draw", "far-centers", "--format", "link", "--site", "https://example.org/s/"]) == 0
-    assert capsys.readouterr().out == "https://example.org/s/scene.html#far-centers\n"
+    assert capsys.readouterr() == ("https://example.org/s/scene.html#far-centers\n", "")
     assert main(["draw", "triangles", "--axes", "world", "--format", "link"]) == 0
-    shown, _ = links.parse_fragment(capsys.readouterr().out.strip().partition("#")[2])
+    printed = capsys.readouterr()
+    shown, _ = links.parse_fragment(printed.out.strip().partition("#")[2])
     assert shown.axes == "world"
+    assert "--site URL makes it whole" in printed.err  # without a site the link alone opens nothing
 
 
 def test_draw_prints_the_link_beside_the_files(capsys, tmp_path):
@@ -871,6 +880,14 @@ def test_the_first_minute_ends_at_the_largest_gap(pages):
     assert "overlap" in parts[0] and "gap" in parts[-1] and len(parts) > 30
     x0, y0, x1, y1 = data["limits"]
     assert all(x0 < x < x1 and y0 < y < y1 for mark in data["marks"] for x, y in mark["points"])
+
+
+def test_no_picture_of_a_card_is_wider_than_a_telephones_page():
+    """A page of 390 px has 362 px for it, and a canvas of as many points letters of 11 px."""
+    drawn = [term.draw() for term in TERMS] + [
+        build.pages._scene_picture(name, narrow=True) for name in (s.name for s in ALL_SCENES)
+    ]
+    assert max(picture.size[0] for picture in drawn) <= 362
 
 
 # -- the glossary

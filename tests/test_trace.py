@@ -520,7 +520,7 @@ def test_relate_moved_by_nothing_is_relate():
         assert relate_moved(a, b, sv.Vec(0.0, 0.0)) is sv.relate(a, b)
 
 
-@pytest.mark.parametrize("share", one_in(2, range(20)))
+@pytest.mark.parametrize("share", one_in(4, range(20)))
 def test_a_trace_survives_json(share):
     for _, a, b in SOME[share::20]:
         for every in (False, True):

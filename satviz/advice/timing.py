@@ -1,6 +1,7 @@
 """Timing of several methods in turn within each round, so that a slow moment of the machine affects all of them.
 
-The order is new in each round, because a method finds in the cache what the previous one left there.
+The order is new in each round, because a method finds in the cache what the previous one left there.  It is also new
+in each process: with one order for all, this would favour the same methods every time, and no interval would show it.
 """
 
 import gc
@@ -43,7 +44,7 @@ def time_in_turn(
             if perf_counter() - start < seconds / 4:
                 times[name] = []
     a_round = perf_counter() - begin
-    order, shuffle = [(name, jobs[name]) for name in times], Random(rounds).shuffle
+    order, shuffle = [(name, jobs[name]) for name in times], Random().shuffle
     collecting = gc.isenabled()
     gc.disable()
     try:

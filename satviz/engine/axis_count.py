@@ -56,7 +56,7 @@ def axes_hint(trace: Trace) -> str:
     many, said = count_axes(trace)
     if trace.relation is Relation.APART and many == 1:
         return f"One axis with a gap is enough here.{_any_position_sentence(needed(a, b).axes, a, b)}"
-    if not trace.choice.complete and not trace.pairs:
+    if not trace.choice.complete:
         return "The axes of this scene are not all that are needed: without a gap on them, nothing is proven."
     return said
 

@@ -116,10 +116,8 @@ def separating_line(a: Shape, b: Shape, axis: Axis) -> SeparatingLine:
     The ends of the gap are lo + r |n| and hi - r |n| with r a circle's radius and n the axis's normal.
     """
     (nx, ny), dots_a, dots_b, _, k = exact_dots(a, b, axis)
-    if min(dots_a) > max(dots_b):
-        (lo, low), (hi, high) = (max(dots_b), b), (min(dots_a), a)
-    else:
-        (lo, low), (hi, high) = (max(dots_a), a), (min(dots_b), b)
+    (below, low), (above, high) = sorted([(dots_a, a), (dots_b, b)])  # one shape lies wholly below the other
+    lo, hi = max(below), min(above)
     square = nx * nx + ny * ny
     bits = 16
     while True:

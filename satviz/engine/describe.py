@@ -78,12 +78,13 @@ class _Trace(Protocol):
     def sentence(self) -> str: ...
 
 
-_JOINERS = "\u200c\u200d\u200e\u200f"  # invisible characters that Persian, emoji and Hebrew need
+# invisible characters: Persian, emoji and Hebrew need joiners and marks; a number and its unit keep on one line
+_INVISIBLE = "\u200c\u200d\u200e\u200f\xa0\u202f"
 
 
 def printable(text: str) -> str:
     """Return the text with a replacement character for each control character, which would break an SVG."""
-    return "".join(c if c.isprintable() or c in _JOINERS else "\ufffd" for c in text)
+    return "".join(c if c.isprintable() or c in _INVISIBLE else "\ufffd" for c in text)
 
 
 def vertex_name(shape: Shape, name: str, i: int) -> str:
@@ -184,7 +185,7 @@ def conclusion(trace: _Trace, i: int) -> str:
         return f"A gap: {who} are apart."
     found = "The ranges only touch" if t.gap == 0 else "The ranges overlap"
     if not last:
-        return f"{found} on this axis: no verdict yet, on to the next."
+        return f"{found} on this axis: no verdict yet."
     if trace.separating or not trace.choice.complete:
         return f"{found} on this axis: it does not separate."
     collide = "touch" if trace.relation is Relation.TOUCHING else "collide"
@@ -220,7 +221,7 @@ def test_sentence(trace: _Trace, i: int) -> str:
 def verdict_sentence(trace: _Trace, move: Vec | None, digits: NumberFormat = digits) -> str:
     """Return a sentence on the result of the whole run and what proves it; `move`: the MTV of an overlap."""
     if trace.shortcut:
-        return _shortcut_verdict(trace, digits)
+        return shortcut_verdict(trace, digits)
     if trace.pairs:
         return _parts_verdict(trace, move, digits)
     a, b = trace.names
@@ -253,16 +254,16 @@ def verdict_in_brief(trace: _Trace) -> str:
 RELATION_PHRASES = {Relation.APART: "are apart", Relation.TOUCHING: "touch", Relation.OVERLAPPING: "overlap"}
 
 
-def _shortcut_verdict(trace: _Trace, digits: NumberFormat) -> str:
-    """Return a sentence on what a shortcut claims, the axis that made it do so, and what is true."""
+def shortcut_verdict(trace: _Trace, digits: NumberFormat | None = None) -> str:
+    """Return a sentence on what a shortcut claims, with `digits` the axis that made it do so, and what is true."""
     assert trace.shortcut
     a, b = trace.names
     says = f"By the shortcut “{trace.shortcut.claim}” {a} and {b} {RELATION_PHRASES[trace.claim]}"
-    if trace.ended_by:
+    if digits and trace.ended_by:
         i = trace.tests.index(trace.ended_by)
         name = axis_name(trace.ended_by.axis, (trace.a, trace.b), trace.names)
         says += f": {outcome(trace.ended_by, digits(trace, trace.ended_by))} on axis {i + 1} ({name})"
-    elif trace.tests:
+    elif digits and trace.tests:
         says += f": no gap on {_any_of_axes(len(trace.tests))}"
     is_so = RELATION_PHRASES[trace.relation]
     if trace.missed_hit or trace.false_hit:

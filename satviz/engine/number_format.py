@@ -115,6 +115,9 @@ class Digits(NamedTuple):
         return text.replace("-", MINUS)
 
 
+USUAL_DIGITS = Digits()  # where no scene decides the format
+
+
 def _scientific(value: float) -> str:
     """Return a number as text with a power of ten and four significant digits."""
     mantissa, _, power = f"{value:.3e}".partition("e")
@@ -123,17 +126,17 @@ def _scientific(value: float) -> str:
 
 def number(value: float) -> str:
     """Return a number as text with up to three decimals, where no scene decides the format."""
-    return Digits().number(value)
+    return USUAL_DIGITS.number(value)
 
 
 def signed(value: float) -> str:
     """Return a number as text with its sign and up to three decimals; "0" only for exactly 0."""
-    return Digits().signed(value)
+    return USUAL_DIGITS.signed(value)
 
 
 def vector(value: Vec) -> str:
     """Return a vector as text, each component with up to three decimals."""
-    return Digits().vector(value)
+    return USUAL_DIGITS.vector(value)
 
 
 def ascii_minus(text: str) -> str:
@@ -146,7 +149,7 @@ def digits_for_shapes(*shapes: Shape) -> Digits:
     boxes = [shape.bounds for shape in shapes]
     size = max(max(box[i + 2] for box in boxes) - min(box[i] for box in boxes) for i in (0, 1))
     if PLAIN_SIZES[0] <= size < PLAIN_SIZES[1]:
-        return Digits()
+        return USUAL_DIGITS
     # the size may be infinite: beyond float64
     return Digits(power=max(-300, min(300, 3 * floor(log10(min(size, 1e300)) / 3))))
 

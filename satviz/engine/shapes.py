@@ -223,16 +223,17 @@ def _slabs(corners: tuple[Vec, ...], edges: list[tuple[float, float]]) -> tuple[
     If another edge runs exactly opposite (the far side of a box), lo is the value of that edge
     and the slab has both edges; otherwise lo is -inf.
     """
-    slabs = []
+    slabs: list[Slab] = []
     ends = list(cyclic_pairs(corners))
     index = {edge: i for i, edge in enumerate(edges)}
     for i, (dx, dy) in enumerate(edges):
+        hi = dy * corners[i].x - dx * corners[i].y
         # the float components are exactly opposite; the error bound of `relate` covers the rounding of both edges
-        j = index.get((-dx, -dy), -1)
-        if index.get((dx, dy)) == i and 0 <= j < i:
-            continue
-        lo = dy * corners[j].x - dx * corners[j].y if j >= 0 else -INF
-        slabs.append((dy, -dx, lo, dy * corners[i].x - dx * corners[i].y, tuple(ends[k] for k in (i, j) if k >= 0)))
+        j = index.get((-dx, -dy))
+        if j is None:
+            slabs.append((dy, -dx, -INF, hi, (ends[i],)))
+        elif i < j or index[dx, dy] != i:  # else the slab of j has this edge, too
+            slabs.append((dy, -dx, dy * corners[j].x - dx * corners[j].y, hi, (ends[i], ends[j])))
     return tuple(slabs)
 
 

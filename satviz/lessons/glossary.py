@@ -9,12 +9,12 @@ from typing import NamedTuple
 
 from ..engine.axes import hull_normals
 from ..engine.shapes import Polygon
-from ..engine.trace import record
+from ..engine.trace import Trace, record
 from ..pictures import Picture, Stage, Step, picture, views
 from ..pictures.figures import FIGURES
+from ..pictures.layout import NARROW_SIZE_PT
 from ..pictures.minkowski import difference
-from ..pictures.sheet import sheet
-from ..scenes.named import scene
+from ..pictures.playback import NARROW_PANEL_SIZES_PT
 
 
 class Term(NamedTuple):
@@ -49,7 +49,21 @@ def _figure(number: int) -> Callable[[], Picture]:
 
 def _stage(stage: Stage, test: int = 0) -> Callable[[], Picture]:
     """Return a function that draws one stage of a test of the two triangles."""
-    return lambda: picture(record(*_TRIANGLES), Step(stage, test), by_itself=True)
+    return _narrow(lambda: record(*_TRIANGLES), Step(stage, test), by_itself=True)
+
+
+def _narrow(
+    make: Callable[[], Trace | str], step: int | Step = -1, *, by_itself: bool = False
+) -> Callable[[], Picture]:
+    """Return a function that draws a step of what `make` returns, as wide as a card of the page."""
+
+    def draw() -> Picture:
+        """Draw the step; two panels stand one above the other."""
+        what = make()
+        largest = NARROW_PANEL_SIZES_PT[0] if isinstance(what, str) else NARROW_SIZE_PT
+        return picture(what, step, largest=largest, by_itself=by_itself)
+
+    return draw
 
 
 TERMS = (
@@ -59,7 +73,7 @@ TERMS = (
         "A corner of a polygon, given by its coordinates.",
         "v",
         "corner, point; exterior.coords (shapely)",
-        lambda: picture(record(*_TRIANGLES), 0, by_itself=True),
+        _narrow(lambda: record(*_TRIANGLES), 0, by_itself=True),
     ),
     Term(
         "edge",
@@ -115,7 +129,7 @@ TERMS = (
         "An axis on which there is a gap, which proves that the shapes are apart.",
         "n with gap > 0",
         "isSeparatingAxis (SAT.js)",
-        lambda: picture(scene("aabb").record(), Step(Stage.GAP, 1)),
+        _figure(3),
     ),
     Term(
         "separating line",
@@ -131,7 +145,7 @@ TERMS = (
         "The test stops at the first gap, since one gap is a proof.",
         "",
         "early out",
-        lambda: sheet(record(*_TRIANGLES)),
+        _figure(14),
     ),
     Term(
         "AABB",
@@ -147,7 +161,7 @@ TERMS = (
         "The shapes share boundary points but no inner ones; satviz counts this as a hit.",
         "gap = 0",
         "contact; touches (shapely)",
-        lambda: picture(record(*_BOXES), -1, by_itself=True),
+        _narrow(lambda: record(*_BOXES), by_itself=True),
     ),
     Term(
         "false hit",
@@ -155,7 +169,7 @@ TERMS = (
         "A test says “hit”, but the shapes are apart.",
         "",
         "false positive",
-        lambda: picture("no-nearest-vertex"),
+        _narrow(lambda: "no-nearest-vertex"),
     ),
     Term(
         "missed hit",
@@ -163,7 +177,7 @@ TERMS = (
         "A test says “apart”, but the shapes collide.",
         "",
         "false negative",
-        lambda: picture("extremes-once"),
+        _narrow(lambda: "corner-inside"),
     ),
     Term(
         "penetration depth",
@@ -171,7 +185,7 @@ TERMS = (
         "The length of the shortest move that ends an overlap.",
         "d = |m|",
         "Penetration.getDepth (dyn4j), Response.overlap (SAT.js)",
-        lambda: sheet(record(*_OVERLAP)),
+        _narrow(lambda: record(*_OVERLAP), Step(Stage.GAP, 1), by_itself=True),
     ),
     Term(
         "MTV",
@@ -179,7 +193,7 @@ TERMS = (
         "The minimum translation vector: the shortest move of B that ends an overlap.",
         "m",
         "way out; Response.overlapV (SAT.js), Penetration (dyn4j)",
-        lambda: picture(record(*_OVERLAP), -1, by_itself=True),
+        _narrow(lambda: record(*_OVERLAP), by_itself=True),
     ),
     Term(
         "support point",
@@ -211,7 +225,7 @@ TERMS = (
         "The smallest convex shape around a shape, with all dents filled.",
         "conv A",
         "convex_hull (shapely), ConvexHull (SciPy), b2ComputeHull (Box2D)",
-        lambda: picture(record(*_DART, axes=hull_normals), -1),
+        _narrow(lambda: record(*_DART, axes=hull_normals)),
     ),
     Term(
         "convex parts",
@@ -235,7 +249,7 @@ TERMS = (
         "The quick search for pairs whose bounding boxes meet; the narrow phase then tests these pairs.",
         "",
         "BroadphaseDetector (dyn4j), b2BroadPhase (Box2D), STRtree (shapely)",
-        lambda: picture("aabb-turned"),
+        _narrow(lambda: "aabb-turned"),
     ),
     Term(
         "tunnelling",
@@ -243,7 +257,7 @@ TERMS = (
         "A shape moves through another one between two frames, so no frame shows a collision.",
         "",
         "what continuous collision detection (CCD) and bullet bodies (Box2D) prevent",
-        lambda: picture("tunnelling"),
+        _narrow(lambda: "tunnelling"),
     ),
 )
 

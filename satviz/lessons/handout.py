@@ -12,6 +12,7 @@ from ..engine.shapes import Circle, Shape
 from ..engine.trace import Trace
 from ..pictures import Picture, picture
 from ..pictures.float_geometry import bounding_box
+from ..pictures.layout import NARROW_SIZE_PT
 from ..pictures.number_lines import number_lines
 from ..pictures.playback import table_rows
 from ..pictures.sheet import MAX_ROWS
@@ -164,7 +165,8 @@ def _worksheet(trace: Trace, name: str) -> tuple[str, str]:
         case = None
     whole = true.without_early_exit()
     try:
-        shapes, verdict = picture(true, 0, by_itself=True), picture(true, -1)
+        shapes = picture(true, 0, by_itself=True)
+        verdict = picture(true, largest=NARROW_SIZE_PT, by_itself=True)
     except ValueError as error:
         raise InvalidScene(str(error)) from None
     x0, y0, x1, y1 = bounding_box([true.a, true.b])

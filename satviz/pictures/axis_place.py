@@ -24,7 +24,7 @@ CLEARANCE_PT = 34.0  # from the shapes to an axis, at least
 LABEL_HEIGHT_PT = 18.0  # space for the label of a range
 OVERHANG_PT = 20.0  # by which an axis runs on beyond the ranges
 MAX_ZERO_DISTANCE_PT = 45.0  # an axis is prolonged to coordinate 0 where that lies no further from the ranges
-MAX_WORLD_DISTANCE_PT = 130.0  # the x axis and the y axis are drawn in their true places no further from the shapes
+WORLD_DISTANCES_PT = 20.0, 130.0  # the x axis and the y axis are drawn in their true places so far from the shapes
 TRACK_PT = 5.5  # from the axis to the bars: A's on the side of the shapes, B's on the other
 
 
@@ -102,7 +102,8 @@ def both_sides(
         A world axis that lies near the shapes and clear of them stays where it is.
         """
         beyond = -_furthest(shapes, out)
-        if test.source.kind == WORLD and CLEARANCE_PT / scale <= beyond <= MAX_WORLD_DISTANCE_PT / scale and not slide:
+        least, most = (points / scale for points in WORLD_DISTANCES_PT)
+        if test.source.kind == WORLD and least <= beyond <= most and not slide:
             first, last = min(lo, 0.0) - OVERHANG_PT / points, max(hi, 0.0) + OVERHANG_PT / points
             return AxisPlace(n, out, Vec(0.0, 0.0), first, last, TRACK_PT / scale)
         label = abs(out.x) * label_width + abs(out.y) * LABEL_HEIGHT_PT + TRACK_PT + 7.0

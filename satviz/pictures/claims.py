@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from ..engine import describe
 from ..engine.geometry import Vec
+from ..engine.number_format import USUAL_DIGITS, Digits
 from ..engine.trace import Trace, record
 from ..scenes.failing import FALSE_HIT, MISSED_HIT, FailureCase, case_of
 from ..scenes.failing.true_value import Answer
@@ -30,8 +31,11 @@ class Answers(NamedTuple):
 
 
 @lru_cache(maxsize=64)
-def answers(trace: Trace) -> Answers:
-    """Return what a shortcut answers for its shapes and what is right, in words, and whether the first is wrong."""
+def answers(trace: Trace, digits: Digits = USUAL_DIGITS) -> Answers:
+    """Return what a shortcut answers for its shapes and what is right, in words, and whether the first is wrong.
+
+    Lengths are printed with `digits`.  Where the verdict is right, but for another number, the words are the verdict.
+    """
     assert trace.shortcut
     case = case_of(trace.shortcut)
     if case is None and trace.push and trace.hit and is_about_push(trace):
@@ -44,10 +48,16 @@ def answers(trace: Trace) -> Answers:
         return Answers(str(trace.claim), str(trace.relation), False)  # there is nothing to push
     claimed, actual = case.claimed_value(trace), case.true_value(trace.a, trace.b)
     if case.how in (FALSE_HIT, MISSED_HIT) and not isinstance(actual, tuple):
-        words = case.verdict_in_words(trace.claim, claimed), case.verdict_in_words(trace.relation, actual)
-        return Answers(*words, bool(trace.claim) is not trace.hit)
+        words = (
+            case.verdict_in_words(trace.claim, claimed, digits),
+            case.verdict_in_words(trace.relation, actual, digits),
+        )
+        is_wrong = bool(trace.claim) is not trace.hit
+        if not is_wrong and words[0] != words[1]:
+            words = str(trace.claim), str(trace.relation)
+        return Answers(*words, is_wrong)
     is_wrong = _contradicts(case, trace, claimed, actual)
-    return Answers(case.in_words(claimed), case.in_words(actual), is_wrong)
+    return Answers(case.in_words(claimed, digits), case.in_words(actual, digits), is_wrong)
 
 
 def _contradicts(case: FailureCase, trace: Trace, claimed: float, actual: Answer) -> bool:
@@ -87,10 +97,10 @@ def verdict_words(trace: Trace) -> tuple[str, str]:
     return (str(trace.claim), str(trace.relation)) if own is None else own
 
 
-def heading(trace: Trace) -> tuple[str, str]:
+def heading(trace: Trace, digits: Digits = USUAL_DIGITS) -> tuple[str, str]:
     """Return two lines: the claim, and what is wrong with it or that it happens to be right."""
     assert trace.shortcut
-    found = answers(trace)
+    found = answers(trace, digits)
     claim = f"Claim: {trace.shortcut.claim}."
     if found.is_wrong:
         return claim, f"Wrong: {found.claimed}. Right: {found.actual}."

@@ -17,13 +17,13 @@ from . import step_picture
 from .axis_place import AxisPlace
 from .claims import answers, heading, verdict_words
 from .comparison_panels import PANELS, PIECES
-from .default_panels import Panel, PanelSketch, claimed_tests, drawable_test, is_as_measured
+from .default_panels import Panel, PanelSketch, claimed_tests, drawable_test, exact_gap, is_as_measured
 from .draw_steps import draw_other_parts, draw_test
-from .float_geometry import bounding_box, point_along, segments_cross
+from .float_geometry import bounding_box, crossing_point
 from .insets import add_insets
 from .label_placer import LabelRequest
 from .labels import with_labels
-from .layout import NARROW_PAD_PT, Group, Layout, arrange, place_axis_within
+from .layout import Group, Layout, arrange_readable, place_axis_within
 from .letters import text_size, wrap_text
 from .marks import Mark, Picture
 from .panels import marks_moved_to
@@ -41,7 +41,6 @@ BETWEEN, HEAD, RIM = 20.0, 24.0, 16.0  # between the panels, for each one's head
 BOTH_PANELS_WIDTH_PT = 2 * MAX_PANEL[0] + BETWEEN
 MIN_PANEL = 170.0  # a smaller panel has no space for its words
 AXES_RIM = 0.2  # of the shapes' size: space on all sides for the axes of the steps
-LEAST_PART = 0.3  # of a panel's width: where the shapes would be smaller, ranges have names without numbers
 TALL = 1.5  # a canvas that is this many times as tall as wide has the panels one above the other
 
 
@@ -112,13 +111,8 @@ def _frame(trace: Trace, largest: tuple[float, float]) -> _Frame:
     rim = max(x1 - x0, y1 - y0) * AXES_RIM if tests else 0.0
     groups = [panel.needs(trace) for panel in _panels(trace)]
     groups.append(Group([box(x0 - rim, y0 - rim, x1 + rim, y1 + rim)]))
-    # on a telephone small shapes are better than small letters
-    shrink = 2.5 if largest == MAX_PANEL else 10.0
     for _ in range(2):
-        found = arrange(groups, largest=largest, pad=NARROW_PAD_PT, one_frame=True, shrink=shrink)
-        if max(x1 - x0, y1 - y0) * found[0].scale * min(1.0, largest[0] / found[0].size[0]) < LEAST_PART * largest[0]:
-            groups = [group._replace(brief=True) for group in groups]
-            found = arrange(groups, largest=largest, pad=NARROW_PAD_PT, one_frame=True, shrink=shrink)
+        found = arrange_readable(groups, shapes, largest)
         claimed, actual, *_ = add_insets(found, named)
         places = [place_axis_within(claimed, shapes, test) for test in tests]
         outside = [t for t, place in zip(tests, places, strict=True) if not _is_inside(place, claimed)]
@@ -209,6 +203,8 @@ def strike_wrong_answers(drawn: Picture, trace: Trace) -> Picture:
     best = max((test.gap for test in tests), default=0.0)
     # an overlap that is as measured is true: only what was concluded from it is wrong
     false = [test for test in tests if test.gap == best and not (trace.false_hit and is_as_measured(trace, test))]
+    # and so is an overlap where there is a gap
+    false += [test for test in tests if test.gap < 0 and any(test.axis.normal) and exact_gap(trace, test) > 0]
     axes = {str(trace.tests.index(test) + 1) for test in false}
     wrong = {"push-name", "number"} | ({"claim"} if claim != verdict else set())
     missed = trace.missed_hit or (case is not None and case.how == MISSED_HIT)
@@ -265,14 +261,8 @@ def refused_picture(case: FailureCase, *, title: str = "", width: float = BOTH_P
 
 def _crossings(ring: Sequence[Vec]) -> list[tuple[Vec, int, int]]:
     """Return each point where two edges of a ring cross, with the numbers of both edges."""
-    edges = list(pairwise([*ring, ring[0]]))
-    found = []
-    for (i, (p, q)), (j, (r, s)) in combinations(enumerate(edges), 2):
-        if segments_cross((p, q), (r, s)):
-            across = (q.x - p.x) * (s.y - r.y) - (q.y - p.y) * (s.x - r.x)
-            t = ((r.x - p.x) * (s.y - r.y) - (r.y - p.y) * (s.x - r.x)) / across
-            found.append((point_along(p, Vec(q.x - p.x, q.y - p.y), t), i, j))
-    return found
+    edges = enumerate(pairwise([*ring, ring[0]]))
+    return [(spot, i, j) for (i, s), (j, t) in combinations(edges, 2) if (spot := crossing_point(s, t))]
 
 
 def _lies_on(p: Vec, edge: tuple[Vec, Vec]) -> bool:

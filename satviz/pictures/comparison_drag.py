@@ -52,7 +52,7 @@ def drag_view(
         sketch.edge(test)
         sketch.normal(test)
         sketch.project(test, place, numbers=False)
-    draw_answer(sketch, trace, "claim", verdict_words(trace)[0], answers(trace).claimed)
+    draw_answer(sketch, trace, "claim", verdict_words(trace)[0], answers(trace, drag_digits(layout)(trace)).claimed)
     if show_mtv and not trace.pairs:  # pieces show their pushes themselves
         draw_push(sketch)
     if region:

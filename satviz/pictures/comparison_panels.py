@@ -13,7 +13,6 @@ from ..engine import describe
 from ..engine.certificate import SeparatingLine
 from ..engine.geometry import Relation, Vec
 from ..engine.number_format import MINUS, number
-from ..engine.predicates import orient
 from ..engine.sat import AxisTest, axis_tests
 from ..engine.shapes import Shape, centroid
 from ..engine.trace import Trace, record
@@ -36,7 +35,7 @@ from .default_panels import (
     true_run,
 )
 from .draw_steps import draw_mtv, draw_separating_line
-from .float_geometry import bounding_box, midpoint, point_along, segments_cross
+from .float_geometry import bounding_box, crossing_point, midpoint, point_along
 from .layout import NARROW_PAD_PT, Group, Layout, arrange
 from .letters import text_size, wrap_text
 from .sketch import RING_PT, Sketch
@@ -200,14 +199,15 @@ def draw_support_points(trace: Trace, layout: Layout) -> Sketch:
         found = (_support(corners, Vec(-n.x * way, -n.y * way)),)
     xs, ys = [0.0, *(v.x for v in corners)], [0.0, *(v.y for v in corners)]
     count = len(trace.a.vertices) + len(trace.b.vertices)
-    rest = "and a triangle round the origin three corners" if trace.hit else "and for a miss one corner may be enough"
+    rest = f"three corners round the origin: {MIN_SUPPORT_POINTS} \u00d7 {count} = {MIN_SUPPORT_POINTS * count}"
+    if not trace.hit:
+        rest = "a miss may need only this one"
     wide, high = layout.size
-    looks = f": {MIN_SUPPORT_POINTS} \u00d7 {count} = {MIN_SUPPORT_POINTS * count}" if trace.hit else ""
-    lines = f"a corner of B {MINUS} A takes {count} looks,", rest + looks
+    lines = f"one corner of B {MINUS} A: {count} vertices looked at;", rest
     text = "\n".join(wrap_text(line, wide - 2 * NARROW_PAD_PT) for line in lines)
     band = text_size(text)[1] + NARROW_PAD_PT  # below the picture, for words
     around = Group([box(min(xs), min(ys), max(xs), max(ys))])
-    layout = arrange([around], largest=(wide, high - band), least=(wide, high - band), pad=NARROW_PAD_PT)[0]
+    layout = arrange([around], largest=(wide, high - band), least=(wide, high - band))[0]
     (x0, y0, x1, y1), (wide, high) = layout.limits, layout.size
     low = y0 - layout.units(band)
     sketch = Sketch(trace, layout._replace(limits=(x0, low, x1, y1), size=(wide, high + band)))
@@ -250,7 +250,7 @@ def draw_axes_of_sat(trace: Trace, layout: Layout) -> Sketch:
     tests = axes_of_sat(run)
     sketch = draw_shapes(run, layout)
     for test, place in zip(tests, sketch.layout.places, strict=True):
-        sketch.project(test, place, interval=False)
+        sketch.project(test, place, numbers=False)
     corners = len(trace.a.vertices) + len(trace.b.vertices)
     if len(run.tests) == len(tests) and corners:
         text = f"{len(tests)} axes, {corners} corners on each: {len(tests)} \u00d7 {corners} = {len(tests) * corners}"
@@ -289,12 +289,8 @@ def draw_edges(trace: Trace, layout: Layout) -> Sketch:
 
 def _meeting_points(s: tuple[Vec, Vec], t: tuple[Vec, Vec]) -> list[Vec]:
     """Return where two segments cross, in float64, and the ends of each that lie on the other."""
-    (p, q), (u, v) = s, t
-    at_u, at_v = orient(p, q, u), orient(p, q, v)
-    if segments_cross(s, t):
-        k = at_u / (at_u - at_v)
-        return [Vec(u.x + (v.x - u.x) * k, u.y + (v.y - u.y) * k)]
-    return [c for c, edge in ((u, s), (v, s), (p, t), (q, t)) if _nearest_on_edge(c, edge) == c]
+    crossing, ends = crossing_point(s, t), [*((c, s) for c in t), *((c, t) for c in s)]
+    return [crossing] if crossing else [c for c, edge in ends if _nearest_on_edge(c, edge) == c]
 
 
 def draw_two_frames(trace: Trace, layout: Layout) -> Sketch:

@@ -91,7 +91,7 @@ def draw_claimed_tests(trace: Trace, layout: Layout) -> Sketch:
             sketch.project(test, place, drops=len(tests) == 1, interval=False, remark=remark)
         else:
             sketch.no_axis(test)
-    if len(tests) < len(trace.tests) and not trace.ended_by:
+    if len(tests) < len(trace.tests) and not trace.ended_by and any(any(test.axis.normal) for test in tests):
         sketch.note("tested", f"the least overlap of {len(trace.tests)} axes", "guide", first=7)
     draw_push(sketch)
     return sketch
@@ -119,10 +119,12 @@ def meeting_point(trace: Trace, test: AxisTest) -> str:
 
 def is_as_measured(trace: Trace, test: AxisTest) -> bool:
     """Check whether a shortcut measured the gap on its axis as it is, up to rounding."""
-    if not any(test.axis.normal):
-        return False
-    exact = next(axis_tests(trace.a, trace.b, [test.axis])).gap
-    return isclose(exact, test.gap, rel_tol=1e-9, abs_tol=1e-300)
+    return any(test.axis.normal) and isclose(exact_gap(trace, test), test.gap, rel_tol=1e-9, abs_tol=1e-300)
+
+
+def exact_gap(trace: Trace, test: AxisTest) -> float:
+    """Return the gap as it is on the axis of a test, which must have a direction."""
+    return next(axis_tests(trace.a, trace.b, [test.axis])).gap
 
 
 def forgotten_normals(trace: Trace) -> list[Axis]:

@@ -123,11 +123,16 @@ def drag_sentence(trace: Trace, layout: Layout, shown: ShownTest | None) -> str:
     """
     digits = drag_digits(layout)
     verdict = describe.verdict_sentence(trace, trace.known_mtv, digits)
-    if shown is None or trace.shortcut or trace.relation is not Relation.APART:
+    if shown is None or (trace.claim if trace.shortcut else trace.relation) is not Relation.APART:
         return verdict
     run = trace if shown.pair is None else trace.pairs[shown.pair]
     test, who = run.tests[shown.test], " and ".join(run.names)
     axis = f"axis {shown.test + 1} ({describe.axis_name(test.axis, (run.a, run.b), run.names)})"
+    if trace.shortcut:
+        if trace.pairs or test == trace.ended_by:
+            return verdict
+        found = describe.outcome(test, digits(run, test))
+        return f"{describe.shortcut_verdict(trace)} A{axis[1:]}: {found}."
     if test.separates:
         leaves = f"{axis} leaves a gap of {digits(run, test).gap(test.gap)}"
         return f"{verdict} Between {who} {leaves}." if trace.pairs else f"{who} are apart: {leaves}."

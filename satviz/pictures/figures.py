@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 from ..engine.trace import Trace
 from ..scenes.named import scene
 from . import views
+from .layout import NARROW_SIZE_PT
 from .marks import Picture
 from .stages import Stage, Step
 from .step_picture import picture
@@ -44,7 +45,7 @@ def recorded_trace(name: str) -> Trace:
 
 def from_step(stage: Stage, test: int) -> Callable[[Trace, str], Picture]:
     """Return a function of (trace, title) that draws one stage of test number `test`."""
-    return lambda trace, title: picture(trace, Step(stage, test), title=title)
+    return lambda trace, title: picture(trace, Step(stage, test), title=title, largest=NARROW_SIZE_PT)
 
 
 def from_view(draw: Callable[..., Picture], **options: Any) -> Callable[[Trace, str], Picture]:

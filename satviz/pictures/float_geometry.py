@@ -79,6 +79,16 @@ def segments_cross(s: tuple[Point, Point], t: tuple[Point, Point]) -> bool:
     return on_opposite_sides(*t, s) and on_opposite_sides(*s, t)
 
 
+def crossing_point(s: tuple[Vec, Vec], t: tuple[Vec, Vec]) -> Vec | None:
+    """Return where two segments cross in a point inside both; None if they do not."""
+    if not segments_cross(s, t):
+        return None
+    (p, q), (u, v) = s, t
+    along = Vec(q.x - p.x, q.y - p.y)
+    area = along.x * (v.y - u.y) - along.y * (v.x - u.x)
+    return point_along(p, along, ((u.x - p.x) * (v.y - u.y) - (u.y - p.y) * (v.x - u.x)) / area)
+
+
 def boxes_overlap(p: Box, q: Box) -> bool:
     """Check whether two upright boxes share more than their rims."""
     return p[0] < q[2] and q[0] < p[2] and p[1] < q[3] and q[1] < p[3]

@@ -196,6 +196,12 @@ def _outline_points(shape: Shape, spot: Vec) -> list[Vec]:
     return [Vec(x + r * cos(toward + t), y + r * sin(toward + t)) for t in angles]
 
 
+def a_is_left(test: AxisTest) -> bool:
+    """Check whether A's range faces B's from the lower side."""
+    a, b = test.a.interval, test.b.interval
+    return b.lo - a.hi >= a.lo - b.hi
+
+
 def _float_ticks(layout: Layout, inset: Inset, test: AxisTest) -> tuple[Vec, ...]:
     """Return ticks on the axis of a gap's inset where float64 has a number; () where they are too dense to be seen."""
     end = min(test.a.interval.hi, test.b.interval.hi)  # of the range on the left
@@ -211,7 +217,6 @@ def _float_ticks(layout: Layout, inset: Inset, test: AxisTest) -> tuple[Vec, ...
 
 def _gap_marks(layout: Layout, inset: Inset, test: AxisTest, shapes: Sequence[Role], number: int) -> list[Mark]:
     """Return the marks of a gap's inset: the facing ends of both ranges on a level axis, and the gap."""
-    a, b = test.a.interval, test.b.interval
     x0, _, x1, _ = inset.box
     units, (cx, cy) = layout.units, inset.center
     half = test.gap * inset.times / 2
@@ -219,8 +224,7 @@ def _gap_marks(layout: Layout, inset: Inset, test: AxisTest, shapes: Sequence[Ro
     if ticks := _float_ticks(layout, inset, test):
         marks.append(Mark("inset-floats", "segment", "ink", ticks, number=number))
     sides = [(x0, cx - half), (cx + half, x1)]
-    a_is_left = b.lo - a.hi >= a.lo - b.hi
-    for (role, name, _), ends in zip(shapes if a_is_left else shapes[::-1], sides, strict=True):
+    for (role, name, _), ends in zip(shapes if a_is_left(test) else shapes[::-1], sides, strict=True):
         level = cy + units(TRACK_PT if role == "A" else -TRACK_PT)
         points = tuple(Vec(x, level) for x in ends)
         marks.append(Mark("inset-range", "interval", role, points, owner=name, number=number))

@@ -33,7 +33,6 @@ COVER_COST = 1e4  # of covering a label or a dot
 OUTSIDE_COST = 1e5  # of leaving the canvas
 STROKE_COST, FAINT_COST, GUIDE_COST, KEPT_FREE_COST = 300, 60, 40, 100  # of covering a line
 MAX_OPTIONAL_COST = 300  # an optional label whose best spot costs so much or more is left out
-MAX_LONGER_COST = 3  # the longer text of a label is not taken where it costs so much or more
 OTHER_SIDE_COST = 200  # of standing beyond the separating line
 WALL_COST = 150  # of standing beyond the label's own wall
 ANYWHERE_COST = 60  # of a spot that has nothing to do with the anchor
@@ -70,9 +69,9 @@ class LabelRequest(NamedTuple):
     far: bool = False  # may stand anywhere on the canvas
     steady: bool = False  # stands at one spot in all steps
     wall: Segment | None = None  # the label belongs on its anchor's side of this line
-    pieces: tuple[tuple[str, str], ...] = ()  # the text in pieces, each with its own role: (text, role)
+    pieces: tuple[tuple[str, str], ...] = ()  # the text, which may have lines, in pieces with their roles: (text, role)
     target: Vec | None = None  # what the label follows in a drag, where its anchor may change; else its anchor
-    longer: str = ""  # the text where there is clear space for it; never in a drag
+    longer: str = ""  # the text where there is still clear space once all labels stand; never in a drag
 
     @property
     def key(self) -> LabelKey:
@@ -136,6 +135,7 @@ class LabelPlacer:
         self.strokes: list[tuple[float, float, float, float, float]] = []  # x, y, x, y, cost of covering it
         self.walls: list[tuple[Spot, Spot]] = []  # steady labels stay on their anchors' side of these
         self.boxes: list[Box] = []
+        self.taken: dict[LabelKey, Box] = {}  # those of the labels
 
     def add_mark(self, mark: Mark) -> None:
         """Record the space that a mark takes, so that labels avoid it."""
@@ -193,7 +193,6 @@ class LabelPlacer:
         """Return a label for each request that finds a place, with a line to its anchor if that is far."""
         found = []
         for r in requests:
-            r = self._with_longer_text(r)
             at = self._keep(r)
             if at is None:
                 r, at = self._place(r)
@@ -215,26 +214,56 @@ class LabelPlacer:
                 found.append(Mark(r.part, "label", r.role, (at,), *key, text=r.text, weight=r.weight))
         return found
 
-    def _with_longer_text(self, request: LabelRequest) -> LabelRequest:
-        """Return the request with its longer text if that is kept from another step or has clear space nearby."""
-        long = request._replace(text=request.longer, longer="", near=True, optional=True)
+    def with_text_as_kept(self, request: LabelRequest) -> LabelRequest:
+        """Return the request with that of its two texts which its label has in another step; else with both."""
         if not request.longer or self.memory is not None:
-            return request
-        if self.kept_spot(request) or self.kept_spot(long):
-            return long if self.kept_spot(long) else request
-        return long if self._best_spot(long)[1] < MAX_LONGER_COST else request
+            return request._replace(longer="")
+        long = request._replace(text=request.longer, longer="")
+        if self.kept_spot(long):
+            return long
+        return request._replace(longer="") if self.kept_spot(request) else request
+
+    def lengthen(self, labels: Sequence[Mark], requests: Sequence[LabelRequest]) -> list[Mark]:
+        """Return the labels with their longer texts where these cover nothing and need no line to their anchors.
+
+        The labels of one axis are all lengthened, or none of them.
+        """
+        spots: dict[LabelKey, Vec] = {}
+        longer = {r.key: r._replace(text=r.longer, optional=True) for r in requests if r.longer and r.key in self.taken}
+        for axis in dict.fromkeys(r.axis for r in longer.values()):
+            group = [r for r in longer.values() if r.axis == axis]
+            before, taken = self.boxes, self.taken
+            self.boxes = [box for box in before if box not in [taken[r.key] for r in group]]
+            self.taken = dict(taken)
+            found = {r.key: self._take(r, *best) for r in group if (best := self._best_spot(r))[1] < MIN_LEADER_PT}
+            if len(found) == len(group):
+                spots |= {key: at for key, at in found.items() if at}
+            else:
+                self.boxes, self.taken = before, taken
+        marks = []
+        for label in labels:
+            key = label.part, label.owner, label.axis, label.number
+            at = spots.get(key)
+            marks.append(label._replace(text=longer[key].text, points=(at,)) if at else label)
+        return marks
 
     def _pieces(self, request: LabelRequest, at: Vec) -> Iterator[Mark]:
-        """Yield a label for each piece of a text of one line; together they stand centered at `at`."""
-        x = at.x - self.layout.units(text_size(request.text)[0] / 2)
-        for number, (text, role) in enumerate(request.pieces):
-            bare = text.strip()
-            before = len(text) - len(text.lstrip())
-            width = self.layout.units(text_size(text)[0])
-            left = x + self.layout.units(text_size(text[:before])[0])
-            spot = Vec(left + self.layout.units(text_size(bare)[0]) / 2, at.y)
-            yield Mark(request.part, "label", role, (spot,), request.owner, request.axis, number, text=bare)
-            x += width
+        """Yield a label for each piece of a text; its lines begin at one x, and together they are centered at `at`."""
+        width, height = map(self.layout.units, text_size(request.text))
+        high = height / (request.text.count("\n") + 1)
+        left, x, y = at.x - width / 2, at.x - width / 2, at.y + (height - high) / 2
+        number = 0
+        for text, role in request.pieces:
+            for k, line in enumerate(text.split("\n")):
+                if k:
+                    x, y = left, y - high
+                bare = line.strip()
+                start = x + self.layout.units(text_size(line[: len(line) - len(line.lstrip())])[0])
+                x += self.layout.units(text_size(line)[0])
+                if bare:
+                    spot = Vec(start + self.layout.units(text_size(bare)[0]) / 2, y)
+                    yield Mark(request.part, "label", role, (spot,), request.owner, request.axis, number, text=bare)
+                    number += 1
 
     def _leader_end(self, request: LabelRequest, at: Vec) -> Vec | None:
         """Return where a line from the anchor meets the label's box; None if the label is near and needs no line."""
@@ -380,7 +409,8 @@ class LabelPlacer:
         width, height = self.layout.size
         cx = min(max(spot[0], w / 2 + RIM_PT), width - w / 2 - RIM_PT)
         cy = min(max(spot[1], h / 2 + RIM_PT), height - h / 2 - RIM_PT)
-        self.boxes.append((cx - w / 2 - 2, cy - h / 2 - 1, cx + w / 2 + 2, cy + h / 2 + 1))
+        self.taken[request.key] = cx - w / 2 - 2, cy - h / 2 - 1, cx + w / 2 + 2, cy + h / 2 + 1
+        self.boxes.append(self.taken[request.key])
         x0, y0, _, _ = self.layout.limits
         return Vec(x0 + cx / self.layout.scale, y0 + cy / self.layout.scale)
 

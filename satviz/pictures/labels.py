@@ -38,6 +38,7 @@ def with_labels(
     insets = [mark for mark in marks if mark.part in ("inset", "inset-name")]
     for mark in insets:
         placer.add_mark(mark)
+    requests = [placer.with_text_as_kept(r) for r in requests]
     stay = [r for r in requests if placer.kept_spot(r)]
     names = [r for r in requests if r.steady and r.part == "name" and r not in stay]
     vertex_names = [r for r in requests if r.steady and r.part != "name" and r not in stay]
@@ -56,7 +57,7 @@ def with_labels(
     labels += placer.labels(vertex_names)
     for mark in others if steady else ():
         placer.add_mark(mark)
-    labels += placer.labels(rest)
+    labels = placer.lengthen(labels + placer.labels(rest), requests)
     if memory is not None:
         there = {r.key for r in requests}
         memory.spots = {key: spot for key, spot in memory.spots.items() if key in there}

@@ -16,9 +16,15 @@ MAX_LINE_LETTERS = 30  # of the label of a range in one line
 MAX_WIDTH_PT, MAX_HEIGHT_PT = 500.0, 400.0  # of the canvas
 MIN_WIDTH_PT, MIN_HEIGHT_PT = 420.0, 190.0
 PAD_PT = 36.0  # kept free on all sides
-NARROW_PAD_PT = 12.0  # kept free to the left and right in a panel beside another one
+NARROW_PAD_PT = 12.0  # kept free to the left and right on a narrow canvas
+# how much smaller than half of the canvas the shapes may become before the canvas is made larger, which is then shown
+# smaller; on a telephone small shapes are better than small letters
+MAX_SHRINK, MAX_NARROW_SHRINK = 2.5, 10.0
+MIN_NARROW_PT = 250.0  # the shorter side of a telephone's canvas, at least
+LEAST_PART = 0.3  # of a narrow canvas's width: where the shapes would be smaller, ranges need no space for numbers
 HEAD_PT = 16.0  # a line of words above the scene
 NARROW_PT = 400.0  # a canvas narrower than this is for a telephone
+NARROW_SIZE_PT = 340.0, 380.0  # a canvas that such a page shows without making its letters smaller
 NAME_WIDTH_PT = 24.0  # of a label that is a name alone
 
 
@@ -98,16 +104,15 @@ def arrange(
     *,
     largest: tuple[float, float] = (MAX_WIDTH_PT, MAX_HEIGHT_PT),
     least: tuple[float, float] = (MIN_WIDTH_PT, MIN_HEIGHT_PT),
-    pad: float = PAD_PT,
     one_frame: bool = False,
-    shrink: float = 2.5,
+    tight: bool = False,
 ) -> list[Layout]:
     """Return a layout for each group, all on one scale, with each axis clear of the shapes and of the other axes.
 
-    `largest` and `least`: bounds of the canvas in points; `pad`: points that are kept free to the left and right.
+    `largest` and `least`: bounds of the canvas in points.
     `one_frame`: all layouts have the same limits, around the contents of all groups, so that no shape moves from one
-    picture to the next.  `shrink`: how much smaller than half of the canvas the shapes may become before the canvas
-    is made larger.
+    picture to the next.  `tight`: an axis lies near the shapes, so that the label of the range between them has to
+    stand where it fits.
     ValueError for a scene whose outlines float64 cannot draw.
     """
     x0, y0, x1, y1 = bounding_box([shape for group in groups for shape in group.shapes])
@@ -119,11 +124,29 @@ def arrange(
         )
     label_widths = [[_range_label_width(group, test) for test in group.tests] for group in groups]
     while True:
-        layouts = _layouts_on(largest, least, groups, label_widths, size, pad, one_frame, shrink)
+        layouts = _layouts_on(largest, least, groups, label_widths, size, one_frame, tight)
         if layouts is not None:
             return layouts
         # labels have a fixed size in points: a scene too small for them gets a larger canvas, which is shown smaller
         largest = largest[0] * 1.25, largest[1] * 1.25
+
+
+def arrange_readable(
+    groups: Sequence[Group],
+    shapes: Sequence[Shape],
+    largest: tuple[float, float],
+    *,
+    one_frame: bool = True,
+    tight: bool = False,
+) -> list[Layout]:
+    """Return what `arrange` does; where the scene's shapes would be small on a narrow canvas, the groups are brief."""
+    found = arrange(groups, largest=largest, one_frame=one_frame, tight=tight)
+    x0, y0, x1, y1 = bounding_box(shapes)
+    part = max(x1 - x0, y1 - y0) * found[0].scale / max(largest[0], found[0].size[0])
+    if largest[0] >= NARROW_PT or part >= LEAST_PART:
+        return found
+    brief = [group._replace(brief=True) for group in groups]
+    return arrange(brief, largest=largest, one_frame=one_frame, tight=tight)
 
 
 def range_label(name: str, text: str) -> str:
@@ -146,22 +169,24 @@ def _layouts_on(
     groups: Sequence[Group],
     label_widths: Sequence[Sequence[float]],
     size: float,
-    pad: float,
     one_frame: bool,
-    shrink: float,
+    tight: bool,
 ) -> list[Layout] | None:
     """Return the layouts on canvases of at most the largest size; None if the shapes would be too small there.
 
     `size`: of the shapes, in scene units.  The space around the shapes is given in points, so it depends on the
     scale, and the scale depends on the space: a few rounds settle both.
     """
+    pad = PAD_PT if largest[0] >= NARROW_PT else NARROW_PAD_PT
+    shrink = MAX_NARROW_SHRINK if min(largest) >= MIN_NARROW_PT and largest[0] < NARROW_PT else MAX_SHRINK
     scale = start = min(largest) / size / 2
     for _ in range(8):
         places: list[list[AxisPlace]] = []
         boxes: list[Box] = []
         for group, widths in zip(groups, label_widths, strict=True):
-            places.append(place_axes(group.shapes, group.tests, widths, scale, boxes if one_frame else ()))
-            boxes.append(_needed_box(group, places[-1], widths, scale, PAD_PT - pad))
+            near = [NAME_WIDTH_PT] * len(widths) if tight else widths
+            places.append(place_axes(group.shapes, group.tests, near, scale, boxes if one_frame else ()))
+            boxes.append(_needed_box(group, places[-1], widths, scale, PAD_PT - pad, tight))
         if one_frame:
             boxes = [common_box(boxes)] * len(boxes)
         space = largest[0] - 2 * pad, largest[1] - 2 * PAD_PT - HEAD_PT
@@ -187,22 +212,32 @@ def limits_around(center: tuple[float, float], size: tuple[float, float], scale:
 
 
 def _needed_box(
-    group: Group, places: Sequence[AxisPlace], label_widths: Sequence[float], scale: float, normal_pt: float
+    group: Group,
+    places: Sequence[AxisPlace],
+    label_widths: Sequence[float],
+    scale: float,
+    normal_pt: float,
+    tight: bool,
 ) -> Box:
     """Return the box around the shapes, the axes, and the labels on the far sides of the axes.
 
-    Where an edge gives an axis, the shapes have `normal_pt` points to both sides for an arrow.
+    Where an edge gives an axis, the shapes have `normal_pt` points to both sides for an arrow.  `tight`: a label has
+    space at one part of its bar, where it makes the box grow least, instead of along the whole axis.
     """
     x0, y0, x1, y1 = bounding_box(group.shapes)
     if any(test.source.shape for test in group.tests):
         x0, x1 = x0 - normal_pt / scale, x1 + normal_pt / scale
     ends = [place.at(t, role) for place in places for t in (place.lo, place.hi) for role in "AB"]
-    for place, width in zip(places, label_widths, strict=True):
-        for part in (0.15, 0.85):
-            spot = place.at(place.lo + part * (place.hi - place.lo), "B")
-            ends.append(Vec(spot.x + place.out.x * width / scale, spot.y + place.out.y * LABEL_HEIGHT_PT / scale))
     xs, ys = [x0, x1, *(p.x for p in ends)], [y0, y1, *(p.y for p in ends)]
-    return min(xs), min(ys), max(xs), max(ys)
+    found = min(xs), min(ys), max(xs), max(ys)
+    for test, place, width in zip(group.tests, places, label_widths, strict=True):
+        lo, hi = test.b.interval if tight else (place.lo, place.hi)
+        parts = (0.3, 0.5, 0.7) if tight else (0.15, 0.85)
+        spots = (place.at(lo + part * (hi - lo), "B") for part in parts)
+        labels = [Vec(p.x + place.out.x * width / scale, p.y + place.out.y * LABEL_HEIGHT_PT / scale) for p in spots]
+        boxes = [common_box([found, (*p, *p)]) for p in labels]
+        found = min(boxes, key=lambda box: box[2] - box[0] + box[3] - box[1]) if tight else common_box(boxes)
+    return found
 
 
 def place_axis_within(

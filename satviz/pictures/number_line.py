@@ -101,7 +101,7 @@ def _log10(value: float) -> float:
 def _ticks(start: float, scale: float, width: float, digits: Digits) -> Iterator[Mark]:
     """Yield ticks at round numbers, with these numbers below them where they have space."""
     plain = digits._replace(padded=False)
-    for step in _round_steps(MIN_TICK_DISTANCE_PT / scale):
+    for step in round_steps(MIN_TICK_DISTANCE_PT / scale):
         first, last = ceil((start + RIM_PT / scale) / step), floor((start + (width - RIM_PT) / scale) / step)
         names = [plain.landing(k * step) for k in range(first, last + 1)]
         if all(text_size(name)[0] + TICK_GAP_PT <= step * scale for name in names):
@@ -115,7 +115,7 @@ def _ticks(start: float, scale: float, width: float, digits: Digits) -> Iterator
             yield Mark("tick-name", "label", "guide", (Vec(x, TICK_NAMES_PT),), number=k, text=name)
 
 
-def _round_steps(least: float) -> Iterator[float]:
+def round_steps(least: float) -> Iterator[float]:
     """Yield the round numbers (1, 2 or 5 times a power of ten) from `least` on."""
     power = floor(_log10(least))
     for k in range(power, power + 12):

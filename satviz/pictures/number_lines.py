@@ -1,6 +1,6 @@
 """Number lines for paper: a line for each axis of a run, empty to draw the ranges on, or with the ranges."""
 
-from math import ceil, floor, log10
+from math import ceil, floor, isclose
 
 from ..engine import describe
 from ..engine.geometry import Vec
@@ -8,6 +8,7 @@ from ..engine.trace import Trace
 from .float_geometry import gap_or_overlap
 from .letters import text_size
 from .marks import Mark, Picture
+from .number_line import round_steps
 from .sheet import MAX_ROWS, Row, all_rows, covered_range, text_from, truncate
 
 WIDTH_PT, ROW_PT, MARGIN_PT = 480.0, 68.0, 18.0
@@ -25,7 +26,8 @@ def number_lines(trace: Trace, *, filled: bool) -> Picture:
     """
     rows = all_rows(trace)[:MAX_ROWS]
     ends = [covered_range(row.test) for row in rows]
-    step = _tick_step(max((hi for _, hi in ends), default=1.0) - min((lo for lo, _ in ends), default=0.0))
+    length = max((hi for _, hi in ends), default=1.0) - min((lo for lo, _ in ends), default=0.0)
+    step = next(round_steps((length or 1.0) / MAX_TICKS))
     first = floor(min((lo for lo, _ in ends), default=0.0) / step) - 1
     last = ceil(max((hi for _, hi in ends), default=1.0) / step) + 1
     scale = (WIDTH_PT - 2 * MARGIN_PT) / ((last - first) * step)
@@ -41,12 +43,6 @@ def number_lines(trace: Trace, *, filled: bool) -> Picture:
     return Picture(tuple(marks), (0.0, 0.0, WIDTH_PT, height), (WIDTH_PT, height), "", said)
 
 
-def _tick_step(length: float) -> float:
-    """Return 1, 2 or 5 times a power of ten, so that at most 16 ticks cover the length."""
-    power = 10.0 ** floor(log10((length or 1.0) / MAX_TICKS))
-    return next(factor * power for factor in (1, 2, 5, 10, 20) if length / (factor * power) <= MAX_TICKS)
-
-
 def _line(row: Row, number: int, y: float, ticks: range, step: float, scale: float) -> list[Mark]:
     """Return a named line with a tick at each multiple of the step, and numbers where they have space."""
     pair = "" if row.run.names == ("A", "B") else f"{row.run.names.a} and {row.run.names.b}: "
@@ -58,7 +54,9 @@ def _line(row: Row, number: int, y: float, ticks: range, step: float, scale: flo
     figures = max(MIN_FIGURES, len(str(10 * max(map(abs, ticks)))))  # all of a tick's number, and none of its rounding
     texts = {k: f"{k * step:.{figures}g}" for k in ticks}
     widest = max(text_size(text)[0] for text in texts.values()) + TICK_GAP_PT
-    every = next(count for count in (1, 2, 4, 8) if count == 8 or count * step * scale >= widest)
+    # also the numbers that are named go up by 1, 2 or 5 times a power of ten
+    ratios = (each / step for each in round_steps(max(step, widest / scale)))
+    every = next(round(ratio) for ratio in ratios if isclose(ratio, round(ratio)))
     for k, text in texts.items():
         x = MARGIN_PT + (k - ticks[0]) * step * scale
         part = f"tick-{text}"

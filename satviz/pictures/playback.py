@@ -10,6 +10,7 @@ from ..engine.trace import Trace
 from .caption import reading_time_ms
 from .comparison import picture
 from .difference_steps import difference_steps
+from .layout import NARROW_SIZE_PT
 from .marks import Mark, Picture, marks_data
 from .moves import TURN_FRAME_MS
 from .stages import Stage, Step, steps
@@ -36,7 +37,6 @@ PSEUDOCODE_OF_PAIRS = (
 PROVED, NOT_PROVED = "the shapes collide", "no gap found (no proof of a hit)"
 
 MAX_STEPS = 600
-NARROW_SIZE_PT = 340.0, 340.0  # a canvas for a telephone
 # two panels, one above the other; the second size is for panels whose words need more space
 NARROW_PANEL_SIZES_PT = (338.0, 680.0), (350.0, 700.0)
 MAX_NARROW_WIDTH_PT = 430.0  # a narrow playback that gets wider than this is left out

@@ -17,6 +17,7 @@ from .insets import Role, inset_marks, is_too_small
 from .label_placer import LabelMemory, LabelOptions, LabelRequest, Segment
 from .labels import contains_point, name_spots, short_name, with_labels
 from .layout import Layout
+from .letters import wrap_text
 from .marks import Mark, MarkOptions, Picture
 
 CROWDED_SIZES = 6.0  # a shape smaller than so many of the smallest visible sizes has no marks at corners and edges
@@ -157,6 +158,8 @@ class ShapeSketch:
     def note(self, part: str, text: str, role: str, *, weight: str = "plain", first: int = 8) -> None:
         """Request a label that belongs to no mark; it stands near the top, or where there is space."""
         x0, _, x1, y1 = self.layout.scene_limits
+        space = (x1 - x0) * self.layout.scale - 2 * RIM_PT
+        text = "\n".join(wrap_text(line, space, weight) for line in text.split("\n"))
         anchor = Vec((x0 + x1) / 2, y1 - self.layout.units(NOTE_PT))
         self.label(part, text, role, anchor, weight=weight, first=first, inside=True, far=True, optional=True)
 

@@ -11,7 +11,7 @@ from ..engine.shapes import Circle, Shape
 from ..engine.trace import Trace
 from ..scenes.resolve import SceneLike, resolve
 from .float_geometry import bounding_box, circle_points, gap_or_overlap
-from .insets import MIN_GAP_PT, magnification_text, round_down
+from .insets import MIN_GAP_PT, a_is_left, magnification_text, round_down
 from .letters import text_size, wrap_text
 from .marks import Mark, Picture
 
@@ -149,13 +149,14 @@ def _row_marks(row: Row, number: int, top: float, scale: float, zero: float | No
     if test.gap:
         role = "gap" if test.gap > 0 else "overlap"
         bar("gap", role, *gap_or_overlap(test), y)
-    inset = _inset_marks(row, number, top, scale, end)
-    space = end - BARS_LEFT_PT - (INSET_PT[0] + text_size(inset[1].text)[0] + 4 * INSET_RIM_PT if inset else 0.0)
+    inset, lines = _inset_marks(row, number, top, scale, end), _outcome_lines(row)
+    # the name may run on above two lines of the outcome, but neither above three nor into an inset
+    space = (end if inset or len(lines) > 2 else WIDTH_PT - MARGIN_PT) - BARS_LEFT_PT
+    space -= INSET_PT[0] + text_size(inset[1].text)[0] + 4 * INSET_RIM_PT if inset else 0.0
     marks += inset
     name = describe.axis_name(test.axis, (run.a, run.b), run.names)
     pair = "" if run.names == ("A", "B") else f"{run.names.a} | {run.names.b}: "
     marks.append(text_from("name", truncate(f"{pair}{row.number} {name}", space), ink, BARS_LEFT_PT, top - 10, number))
-    lines = _outcome_lines(row)
     for n, (line, role) in enumerate(lines):
         up = y + 7 * (len(lines) - 1) - 14 * n
         marks.append(text_from(f"outcome-{n + 1}", line, role, end + 8, up, number))
@@ -184,12 +185,9 @@ def _inset_marks(row: Row, number: int, top: float, scale: float, end: float) ->
         Mark("inset", "outline", "guide", corners, number=number, weight="faint"),
         Mark("inset-name", "label", "guide", (spot,), number=number, text=text),
     ]
-    a, b = test.a.interval, test.b.interval
     facing = [("A", run.names.a), ("B", run.names.b)]
-    sides = zip(
-        facing if b.lo - a.hi >= a.lo - b.hi else facing[::-1], ((x0, cx - half), (cx + half, end)), strict=True
-    )
-    for (role, name), (left, right) in sides:
+    sides = (x0, cx - half), (cx + half, end)
+    for (role, name), (left, right) in zip(facing if a_is_left(test) else facing[::-1], sides, strict=True):
         level = cy + (INSET_TRACK_PT if role == "A" else -INSET_TRACK_PT)
         points = Vec(left, level), Vec(right, level)
         marks.append(Mark("inset-range", "interval", role, points, owner=name, number=number, weight=weight))

@@ -235,7 +235,7 @@ class Sketch(ShapeSketch):
         self.add("slide", "segment", "guide", arrow[0], foot, axis=self.axis_id(test), start=arrow[:1])
         self.right_angle_at_axis(test, place, arrow[0], foot)
         if self.arrow_direction(test.axis) != test.axis.direction:
-            text = "the other way round: either direction will do"
+            text = "turned round: either direction will do"
             options: LabelOptions = {"axis": self.axis_id(test), "prefer": place.out, "optional": True}
             self.label("either-way", text, "ink", place.at((place.lo + 3 * place.hi) / 4), first=6, **options)
 
@@ -275,7 +275,8 @@ class Sketch(ShapeSketch):
         i = max(range(len(side.landings)), key=lambda k: side.landings[k])
         colours = {AXIS: "ink", POINT: role, PLAIN: "guide"}
         digits = describe.digits(self.trace, test)
-        pieces = tuple((text, colours[whose]) for text, whose in landing_sum(digits, test, role, i))
+        found = landing_sum(digits, test, role, i)
+        pieces = tuple((text.replace(";  ", ";\n"), colours[whose]) for text, whose in found)
         name, shape = self.named_shape(role)
         if pieces:
             if who := self.vertex_names(name, shape, side.points[i : i + 1]):
@@ -285,7 +286,7 @@ class Sketch(ShapeSketch):
                 "axis": self.axis_id(test),
                 "pieces": pieces,
                 "optional": True,
-                "prefer": place.out,
+                "far": True,  # it says itself which landing it is of
             }
             self.label("landing-sum", text, "guide", place.at(side.landings[i]), first=6, **options)
 
@@ -360,13 +361,14 @@ class Sketch(ShapeSketch):
         test: AxisTest,
         place: AxisPlace,
         *,
+        named: bool = True,
         drops: bool = True,
         numbers: bool = True,
         interval: bool = True,
         remark: str = "",
     ) -> None:
-        """Draw a finished test: the axis, the drops of the extreme points, both ranges, the gap or overlap."""
-        self.axis(test, place)
+        """Draw a finished test: the axis (`named`), drops of the extreme points, both ranges, the gap or overlap."""
+        self.axis(test, place, named=named)
         for role in "AB":
             if drops:
                 self.drops(test, place, role, ends_only=True, named=False)

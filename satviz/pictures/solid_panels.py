@@ -93,7 +93,7 @@ def _draw_crossing_edges(sketch: Sketch, best: AxisGap, at: Callable[[Vec3], Vec
         p, q = ends[0], ends[-1]
         sketch.add("facing-edge", "segment", role, at(p), at(q), owner=role, weight="strong")
     start = tuple((p + q) / 2 for p, q in zip(a.center, b.center, strict=True))
-    _draw_axis(sketch, at, start, n, f"{best.name}: {gap_in_words(best.gap, Digits())}", "gap")
+    _draw_axis(sketch, at, start, n, f"across both edges, {best.name}:\n{gap_in_words(best.gap, Digits())}", "gap")
 
 
 def _draw_axis(

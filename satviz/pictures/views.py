@@ -1,6 +1,7 @@
 """Views: pictures that show no single step, such as all normals, several axes at once, or a circle by itself."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import pairwise
 from math import cos, hypot, pi, sin
 
@@ -17,24 +18,22 @@ from .draw_steps import draw_separating_line
 from .float_geometry import mean_point, midpoint, point_along
 from .label_placer import LabelOptions
 from .labels import short_name
-from .layout import NARROW_PAD_PT, Group, arrange
+from .layout import NARROW_SIZE_PT, Group, Layout, arrange
 from .marks import Picture
 from .panels import panel_grid, with_headline
 from .sketch import Sketch
 from .stages import Stage, Step, step_sentence
 from .step_picture import step_layouts
 
-# of pictures one below the other; as wide as a telephone's screen, so that no letter has to become smaller there
-PANEL_PT, LOW_PANEL_PT, INSET_PT = (390.0, 360.0), (390.0, 250.0), (390.0, 240.0)
-PANEL_SHRINK = 5.0  # there small shapes are better than small letters
+LOW_PANEL_PT = NARROW_SIZE_PT[0], 270.0  # one of several pictures below each other
 QUARTER_TURN_PART = 0.45  # of an edge's length: the radius of the arc of a quarter turn
-STRIP_WIDTH_PT = 230.0  # one of several small multiples
+STRIP_WIDTH_PT = NARROW_SIZE_PT[0] / 2  # one of several small multiples
 MAX_FAILED_AXES = 3
 
 
 def single_shape(shape: Shape) -> Picture:
     """Draw one shape by itself."""
-    sketch = Sketch(record(shape, shape, axes=Choice(())), arrange([Group([shape])])[0])
+    sketch = Sketch(record(shape, shape, axes=Choice(())), arrange([Group([shape])], largest=NARROW_SIZE_PT)[0])
     sketch.shape("A", "A", shape, named=False)
     if isinstance(shape, Polygon) and shape.labels:
         sketch.vertices("A", range(len(shape.vertices)))
@@ -43,7 +42,7 @@ def single_shape(shape: Shape) -> Picture:
 
 def all_normals(trace: Trace, *, title: str = "") -> Picture:
     """Draw both shapes with an outward normal on every edge."""
-    sketch = Sketch(trace, step_layouts(trace)[0])
+    sketch = Sketch(trace, step_layouts(trace, NARROW_SIZE_PT)[0])
     sketch.shapes()
     sketch.all_normals()
     count = sum(mark.kind == "arrow" for mark in sketch.marks)
@@ -52,7 +51,7 @@ def all_normals(trace: Trace, *, title: str = "") -> Picture:
 
 def world_axes(trace: Trace, *, title: str = "") -> Picture:
     """Draw both shapes beside the world axes, with ticks and numbers, and nothing projected yet."""
-    layouts = step_layouts(trace)
+    layouts = step_layouts(trace, NARROW_SIZE_PT)
     sketch = Sketch(trace, layouts[0])
     sketch.shapes()
     for test, layout in zip(trace.tests, layouts[1:-1], strict=True):
@@ -70,7 +69,7 @@ def world_axes(trace: Trace, *, title: str = "") -> Picture:
 
 def quarter_turn(trace: Trace, number: int, *, title: str = "") -> Picture:
     """Draw the edge of test `number` as a vector, and the normal as that vector after a quarter turn."""
-    sketch, test = Sketch(trace, step_layouts(trace)[0]), trace.tests[number]
+    sketch, test = Sketch(trace, step_layouts(trace, NARROW_SIZE_PT)[0]), trace.tests[number]
     sketch.shapes()
     sketch.edge(test)
     (kind, role, ids) = test.source
@@ -101,36 +100,35 @@ def quarter_turn(trace: Trace, number: int, *, title: str = "") -> Picture:
 
 
 def all_tests(trace: Trace, *, title: str = "") -> Picture:
-    """Draw all tests in one picture: every axis with both ranges, and the verdict if it is wrong."""
-    groups = [Group([trace.a, trace.b], trace.tests)]
-    (layout,) = arrange(groups, largest=PANEL_PT, pad=NARROW_PAD_PT, shrink=PANEL_SHRINK)
+    """Draw all tests in one picture: every axis with both ranges; of a wrong verdict also the axis left out."""
+    shapes = trace.a, trace.b
+    missing = [max(record(*shapes).tests, key=lambda test: test.gap)] if trace.false_hit else []
+    groups = [Group(shapes, tests, brief=True) for tests in (trace.tests, missing) if tests]
+    layout, *rest = arrange(groups, largest=NARROW_SIZE_PT)
     sketch = Sketch(trace, layout)
     if {test.source.kind for test in trace.tests} == {WORLD}:
         sketch.bounding_boxes()
     sketch.shapes()
     for test, place in zip(trace.tests, layout.places, strict=True):
-        sketch.project(test, place)
-    if trace.false_hit:
+        sketch.project(test, place, numbers=False)
+    if missing:
         sketch.note("verdict", describe.claim_and_truth(trace), "wrong", first=1)
     tests = " ".join(describe.test_sentence(trace, i) for i in range(len(trace.tests)))
     drawn = sketch.finish(title, f"{tests} {trace.sentence}")
-    if not trace.false_hit:
-        return drawn
-    return panel_grid([drawn, _missing_axis(trace)], 1, title=title, sentence=drawn.sentence)
+    panels = [drawn, *(_missing_axis(trace, test, layout) for test, layout in zip(missing, rest, strict=True))]
+    return panel_grid(panels, 1, title=title, sentence=drawn.sentence) if missing else drawn
 
 
-def _missing_axis(trace: Trace) -> Picture:
-    """Draw small the axis of the largest gap, which the trace's choice of axes left out."""
-    run = record(trace.a, trace.b)
-    test = max(run.tests, key=lambda test: test.gap)
-    (layout,) = arrange([Group([trace.a, trace.b], [test], brief=True)], largest=INSET_PT, least=INSET_PT)
-    sketch = Sketch(run, layout)
+def _missing_axis(trace: Trace, test: AxisTest, layout: Layout) -> Picture:
+    """Draw an axis that the trace's choice of axes left out."""
+    sketch = Sketch(replace(trace, tests=(test,)), layout)
     sketch.shapes()
     sketch.edge(test)
+    sketch.vertices(test.source.shape or "A", test.source.ids)
     sketch.normal(test)
-    sketch.project(test, layout.places[0], numbers=False)
+    sketch.project(test, layout.places[0], named=False, numbers=False)
     name = describe.axis_name(test.axis, (trace.a, trace.b), trace.names)
-    sketch.note("verdict", f"not tested: {name}", "ink", first=1)
+    sketch.note("verdict", f"not tested: the {name}", "ink", first=1)
     return sketch.finish("", "")
 
 
@@ -138,7 +136,7 @@ def separation(trace: Trace, *, title: str = "") -> Picture:
     """Draw the separating axis and, across it, the separating line, each with its name; the shapes must be apart."""
     test, certificate = trace.separating, trace.certificate
     assert test and isinstance(certificate, SeparatingLine)
-    layout = step_layouts(trace)[-1]
+    layout = step_layouts(trace, NARROW_SIZE_PT)[-1]
     sketch = Sketch(trace, layout)
     sketch.shapes()
     (place,) = layout.places
@@ -151,7 +149,7 @@ def separation(trace: Trace, *, title: str = "") -> Picture:
         sketch.range(test, place, role)
     sketch.gap(test, place)
     line = certificate.equation
-    draw_separating_line(sketch, certificate, f"separating line: {line}")
+    draw_separating_line(sketch, certificate, f"separating line:\n{line}")
     return sketch.finish(
         title, f"The separating axis is {name}; the separating line {line} runs across it, through the gap."
     )
@@ -161,7 +159,7 @@ def radii(trace: Trace, *, title: str = "") -> Picture:
     """Draw two circles with radius, gap (or overlap) and radius along the line of centers, and the test on the axis."""
     a, b, test = trace.a, trace.b, trace.tests[0]
     assert isinstance(a, Circle) and isinstance(b, Circle)
-    layout = step_layouts(trace)[1]
+    layout = step_layouts(trace, NARROW_SIZE_PT)[1]
     sketch = Sketch(trace, layout)
     digits = describe.digits(trace, test)
     (place,) = layout.places
@@ -200,7 +198,7 @@ def panels_of_tests(trace: Trace, *, title: str = "") -> Picture:
     """Draw every test in a picture of its own: the axis, both ranges, and whether it separates."""
     shapes = trace.a, trace.b
     groups = [Group(shapes, [t], brief=True) for t in trace.tests]
-    layouts = arrange(groups, largest=LOW_PANEL_PT, least=LOW_PANEL_PT, pad=NARROW_PAD_PT, one_frame=True)
+    layouts = arrange(groups, largest=LOW_PANEL_PT, least=LOW_PANEL_PT, one_frame=True)
     panels = []
     for i, (test, layout) in enumerate(zip(trace.tests, layouts, strict=True)):
         sketch = Sketch(trace, layout)
@@ -209,12 +207,11 @@ def panels_of_tests(trace: Trace, *, title: str = "") -> Picture:
         sketch.normal(test)
         sketch.project(test, layout.places[0], numbers=False)
         says = "a gap" if test.separates else "no gap"
-        name = describe.short_axis_name(test.axis, shapes, trace.names)
-        kind = f"normal of {name}"
+        sketch.vertices(test.source.shape or "A", test.source.ids)
+        kind = describe.axis_name(test.axis, shapes, trace.names)
         if test.source.kind == VERTEX:
-            sketch.vertices(test.source.shape or "A", test.source.ids)
-            of, polygon = sketch.named_polygon(test.source.shape)
-            kind = f"nearest vertex {short_name(polygon, of, test.source.ids[0])}"
+            name, polygon = sketch.named_polygon(test.source.shape)
+            kind = f"to the nearest vertex {short_name(polygon, name, test.source.ids[0])}"
         sketch.note("verdict", f"axis {i + 1}, {kind}: {says}", "ink", first=1)
         panels.append(sketch.finish("", ""))
     tests = " ".join(describe.test_sentence(trace, i) for i in range(len(trace.tests)))
@@ -228,7 +225,7 @@ def single_circle(trace: Trace, number: int, role: str, *, extremes: bool, title
     side, circle = (test.a, trace.a) if role == "A" else (test.b, trace.b)
     assert isinstance(circle, Circle)
     name = trace.names["AB".index(role)]
-    (layout,) = arrange([Group([circle], [test._replace(a=side, b=side)])])
+    (layout,) = arrange([Group([circle], [test._replace(a=side, b=side)])], largest=NARROW_SIZE_PT)
     place = layout.places[0]
     sketch = Sketch(trace, layout)
     sketch.shape(role, name, circle, named=False)
@@ -273,13 +270,13 @@ def failed_axes(trace: Trace, *, title: str = "") -> Picture:
         if all(test.axis.direction != other.axis.direction for other in best):
             best.append(test)
     shown = best[:MAX_FAILED_AXES]
-    (layout,) = arrange([Group([trace.a, trace.b], shown, brief=True)])
+    (layout,) = arrange([Group([trace.a, trace.b], shown, brief=True)], largest=NARROW_SIZE_PT)
     sketch = Sketch(trace, layout)
     sketch.shapes()
     digits = describe.digits(trace, *shown)
     for test, place in zip(shown, layout.places, strict=True):
         sketch.axis(test, place, named=False)
-        kind = "normal of the hull alone" if test.source.kind == HULL and not _is_edge(trace, test) else "edge normal"
+        kind = "across the dent" if test.source.kind == HULL and not _is_edge(trace, test) else "edge normal"
         text = f"{kind}:\n{describe.gap_in_words(test.gap, digits)}"
         options: LabelOptions = {"axis": sketch.axis_id(test), "along": (place.at(place.lo),), "prefer": place.n}
         sketch.label("axis-caption", text, "ink", place.at(place.hi), first=1, **options)
@@ -291,12 +288,13 @@ def failed_axes(trace: Trace, *, title: str = "") -> Picture:
         if pair.separating:
             _draw_distance(sketch, pair, pair.separating, n)
     worst = digits.gap(best[0].gap)
-    sketch.note("verdict", "No axis tested shows a gap: each dotted line cuts B.\nYet they are apart.", "ink", first=1)
-    return sketch.finish(
+    drawn = sketch.finish(
         title,
         f"No axis here separates {trace.names.a} and {trace.names.b}: the least overlap is {worst}. {trace.sentence}",
         steady=False,
     )
+    words = f"Each dotted line cuts {trace.names.b}: no axis shows a gap.\nYet they are apart."
+    return with_words_below(drawn, words)
 
 
 def _draw_line_that_cuts(sketch: Sketch, test: AxisTest) -> None:
@@ -331,7 +329,7 @@ def convex_parts(trace: Trace, *, title: str = "") -> Picture:
     """Draw each pair of convex parts in a panel of its own, with the axis that separates it; the parts have tints."""
     tests = [pair.separating for pair in trace.pairs]
     groups = [Group([trace.a, trace.b], [test] if test else []) for test in tests]
-    layouts = arrange(groups, largest=LOW_PANEL_PT, least=LOW_PANEL_PT, pad=NARROW_PAD_PT, one_frame=True)
+    layouts = arrange(groups, largest=LOW_PANEL_PT, least=LOW_PANEL_PT, one_frame=True)
     panels = []
     for pair, test, layout in zip(trace.pairs, tests, layouts, strict=True):
         sketch = Sketch(pair, layout)
@@ -348,7 +346,7 @@ def convex_parts(trace: Trace, *, title: str = "") -> Picture:
 
 
 def strip(pictures: Sequence[tuple[str, Picture]], *, title: str = "") -> Picture:
-    """Return pictures of one frame as small multiples, three in a row, each with its words below it.
+    """Return pictures of one frame as small multiples, two in a row, each with its words below it.
 
     Each keeps its marks and the names of the shapes; other labels would be too small to read.
     """
@@ -359,7 +357,7 @@ def strip(pictures: Sequence[tuple[str, Picture]], *, title: str = "") -> Pictur
         size = STRIP_WIDTH_PT, STRIP_WIDTH_PT * picture.size[1] / picture.size[0]
         panels.append(with_words_below(picture._replace(marks=marks, size=size), words))
         sentences.append(picture.sentence)
-    return panel_grid(panels, 3, title=title, sentence=" ".join(dict.fromkeys(sentences)))
+    return panel_grid(panels, 2, title=title, sentence=" ".join(dict.fromkeys(sentences)))
 
 
 def _split_shapes(trace: Trace) -> list[tuple[str, list[tuple[Shape, str]]]]:

@@ -16,7 +16,8 @@ from ..pictures import DARK, LIGHT, picture
 from ..pictures.claims import heading
 from ..pictures.comparison import refused_picture
 from ..pictures.difference_steps import difference_steps
-from ..pictures.playback import NARROW_SIZE_PT, difference_playback, narrow_playbacks, playbacks, sweep_playback
+from ..pictures.layout import NARROW_SIZE_PT
+from ..pictures.playback import difference_playback, narrow_playbacks, playbacks, sweep_playback
 from ..pictures.turning_axis import sweep as turning_axis
 from ..safe_write import MADE_BY
 from ..scenes.failing import FailureCase

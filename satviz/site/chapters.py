@@ -222,8 +222,14 @@ def _output_html(output: dict[str, Any]) -> str:
     if "image/svg+xml" in data:
         # what `sv.check` found has both
         report = f'<div class="report">{words}</div>' if "<pre>" in data.get("text/html", "") else ""
-        return f"<figure>{themed_svg(data['image/svg+xml'])}</figure>{report}"
+        return f"{_figure(data['image/svg+xml'])}{report}"
     return words
+
+
+def _figure(svg: str, attributes: str = "") -> str:
+    """Return a picture as HTML; a point of its canvas is a pixel, so that its letters have 11 px on a telephone."""
+    sized = re.sub(r'(width|height)="([\d.]+)pt"', r'\1="\2"', themed_svg(svg), count=2)
+    return f"<figure{attributes}>{sized}</figure>"
 
 
 class _WidgetFinder:
@@ -262,10 +268,7 @@ class _WidgetFinder:
 def _slider_html(draw: Callable[[float], Any], least: float, most: float, begin: float) -> str:
     """Return pictures of a notebook's slider from `least` to `most`, of which the page's slider shows one."""
     values = sorted({begin, *(least + (most - least) * i / (FRAMES - 1) for i in range(FRAMES))})
-    frames = (
-        f"<figure{'' if value == begin else ' hidden'}>{themed_svg(draw(value)._repr_svg_())}</figure>"
-        for value in values
-    )
+    frames = (_figure(draw(value)._repr_svg_(), "" if value == begin else " hidden") for value in values)
     return f'<div class="frames">{"".join(frames)}</div>'
 
 

@@ -11,11 +11,12 @@ from ..scenes.named import scene
 SHOWN = "outline", "name", "drop", "axis", "range", "overlap", "gap"  # of the turning axis; no dial and no curve
 STEP_DEGREES, FROM_DEGREES = 2, 90  # it begins where the shadows overlap most
 MARGIN_PT = 16.0
-# what is seen, and read aloud, in this order; the page marks the sentence that the picture has come to
+# What is seen, and read aloud, in this order: the page marks the sentence that the picture has come to.  They are true
+# of the still picture, too, which has the gap.
 SENTENCES = (
-    "Each triangle throws a shadow on a line. On this line the shadows overlap.",
-    "The line turns. The triangles stay where they are.",
-    "Now there is a gap between the shadows. So the triangles are apart.",
+    "Each triangle throws a shadow on a line. On some lines the shadows overlap.",
+    "If the line turns, the shadows change. The triangles stay where they are.",
+    "On this line there is a gap between the shadows. So the triangles are apart.",
 )
 
 

@@ -11,13 +11,14 @@ from ..lessons.chapter_text import Chapter
 from ..lessons.handout import chapter_sheets
 from ..lessons.themed import themed_svg_file
 from ..pictures import Picture, picture
+from ..pictures.layout import NARROW_SIZE_PT
 from ..pictures.playback import NARROW_PANEL_SIZES_PT
 from ..render.files import encode
 from ..safe_write import MADE_BY
 from ..scenes.article import SCENES
 from ..scenes.failing import FAILURE_CASES, REFUSED
 from ..scenes.failing import NAMED as FAILING
-from ..scenes.link import BREAK, PAGE, link
+from ..scenes.link import PAGE, TOUCH, link
 from ..scenes.named import ALL_SCENES, scene
 from ..scenes.scenefile import Scene
 from ..widgets.explorer_model import ExplorerModel
@@ -47,7 +48,7 @@ HOW_IN_WORDS = {
 # the levels of the challenges: title, and what is said about them
 LEVELS = {
     1: ("First steps", "A few drags are enough."),
-    2: ("For some thought", "Only some places are right. The red area shows where, if the scene has one."),
+    2: ("For some thought", "Only a few places will do. Think first about where they could be."),
     3: ("Hard to find", "The place is small, or it needs exact steps. The arrow keys move a shape step by step."),
 }
 FAILING_ON_FRONT = "aabb-turned", "no-nearest-vertex", "far-centers", "box-in-u"
@@ -137,6 +138,7 @@ def front_page(frame: Frame) -> bytes:
 <ol class="told">{"".join(f"<li>{sentence}</li>" for sentence in SENTENCES)}</ol>
 <p class="lead"><b>Now you: drag a triangle.</b> If some line shows a gap, the triangles are apart. If no line shows a
 gap, they collide.</p>
+<p class="action"><a href="1-aabb.html">Begin with chapter 1</a></p>
 </div>
 <section class="stage" aria-label="two triangles to drag">{parts.explorer(ExplorerModel(scene("triangles")))}
 {first_minute()}</section>
@@ -149,14 +151,14 @@ shadows. <span class="gap">A gap</span> between the ranges proves that the shape
 lines are enough: those at right angles to an edge.</p>
 <p>Games, robots and drawing programs ask this question thousands of times a second. A test that is nearly right lets a
 ball fall through a floor. Here you see why, and you can check each answer yourself.</p>
-<p class="action"><a href="1-aabb.html">Begin with chapter 1</a></p>
 </section>
 <section id="chapters"><h2>The chapters</h2>
 <p>They begin with two boxes and end with your own program. You need to know what a point is. The
 <a href="{GLOSSARY}">glossary</a> has each term with a picture.</p>
 <ol class="chapters">{listed}</ol></section>
 <section><h2>Where shortcuts fail</h2>
-<p>A collision test is often made shorter than the theorem allows. Then it is sometimes wrong.</p>
+<p>A collision test is often made shorter than the theorem allows. Then it is sometimes wrong. A <b>false hit</b> says
+that two shapes collide, but they are apart. A <b>missed hit</b> says that they are apart, but they collide.</p>
 <div class="cards wide">{cards}</div>
 <p class="action"><a href="challenges.html">Break a shortcut yourself</a>
 <a class="other" href="gallery.html#failing">See all {len(FAILURE_CASES)}</a></p></section>
@@ -201,10 +203,8 @@ def explorer_page(frame: Frame) -> bytes:
     offered = "".join(f'<li><a href="{PAGE}#{name}">{escape(title)}</a></li>' for name, title in titles)
     body = f"""
 <h1>Explorer</h1>
-<p class="lead">Drag the shapes, their corners, or a free axis.
-<b>Paste your own shapes</b> in the box below the picture: WKT, JSON or lines of code, as they stand in a log or in a
-report. The page says whether they collide, and why.
-The address of this page is always a link to the present scene.</p>
+<p class="lead">Drag the shapes, or <b>paste your own</b> below. The address of this page opens the scene as it is
+now.</p>
 <noscript><p>This page needs JavaScript. Without JavaScript you cannot drag anything, and the picture always shows two
 triangles. The <a href="gallery.html">gallery</a> has a still picture of every scene.</p></noscript>
 <section class="stage">{parts.explorer(ExplorerModel(scene("triangles")))}</section>
@@ -234,20 +234,20 @@ def challenges_page(frame: Frame) -> bytes:
     items: dict[int, list[str]] = {number: [] for number in LEVELS}
     for goal, begin in challenges():
         text, to = escape(_challenge_text(goal, begin)), escape(link(begin, goal=goal))
-        asks = "Break it: " if goal == BREAK else ""
         items[level(goal, begin)].append(
-            f'<li data-challenge="{goal}:{escape(begin.name)}"><a href="{to}">{asks}{text}</a> '
-            '<span class="mark"></span></li>'
+            f'<li data-challenge="{goal}:{escape(begin.name)}"><a href="{to}">{text} '
+            '<span class="mark"></span></a></li>'
         )
     listed = "".join(
-        f'<section><h2>{title}</h2><p>{words}</p><ul class="challenges">{"".join(items[number])}</ul></section>'
+        f'<section><h2>{title}</h2><p>{words}</p><ul class="tiles">{"".join(items[number])}</ul></section>'
         for number, (title, words) in LEVELS.items()
     )
     body = f"""
 <h1>Challenges</h1>
-<p class="lead"><b>Choose a challenge, and drag the shapes until it is met.</b> Most challenges are a claim that many
-people believe. Each claim begins with shapes for which it is right: find a place where it is wrong. If you have broken
-a shortcut once, you will not use it. Every answer is checked exactly.</p>
+<p class="lead">Each claim in quotation marks is a shortcut that many people believe. It begins with shapes for which it
+is right. <b>Drag the shapes until it is wrong.</b> If you have broken a shortcut once, you will not use it. If you give
+up, most scenes show in red where the claim is wrong.</p>
+<p class="action"><a href="{escape(link(scene("aabb"), goal=TOUCH))}">Begin with the first challenge</a></p>
 <p class="progress" hidden><span class="count" role="status" tabindex="-1"></span>
 <button type="button">Forget what I have solved</button></p>
 {listed}
@@ -322,7 +322,12 @@ def scene_pictures() -> list[tuple[str, bytes]]:
 
 @cache
 def _scene_picture(name: str, *, narrow: bool = False) -> Picture:
-    """Return a scene's Picture; with `narrow` its panels stand one above the other, for a telephone."""
+    """Return a scene's Picture; with `narrow` its panels stand one above the other, for a telephone.
+
+    The cards of scenes without panels are narrow on every screen.
+    """
+    if name not in FAILING:
+        return picture(name, largest=NARROW_SIZE_PT)
     return picture(name, largest=NARROW_PANEL_SIZES_PT[0]) if narrow else picture(name)
 
 

@@ -353,7 +353,7 @@ def _bench_frames(plan: BenchPlan) -> Iterator[TimingRow]:
 
 
 def _bench_hits(plan: BenchPlan) -> Iterator[TimingRow]:
-    """Time the way from two raw arrays of boxes to the answers, beside plain SAT that reads the arrays as they lie.
+    """Time the way from two raw arrays of boxes to the answers, beside plain SAT, which checks nothing.
 
     Answers are checked by two exact oracles.
     """

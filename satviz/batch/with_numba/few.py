@@ -5,6 +5,8 @@ Names in the kernels: x, y are corners, those of shape i from start[i] to start[
 bounds are boxes (x min, y min, x max, y max).
 """
 
+from typing import SupportsIndex
+
 import numpy as np
 
 from ..array_types import Array, Indices, Mask, Pairs, Signs
@@ -229,7 +231,7 @@ def _all_pairs(bounds: Array) -> Pairs:
     x0, y0, x1, y1 = sides[0], sides[1], sides[2], sides[3]
     mask = np.empty((n // WORD_BYTES + 1) * WORD_BYTES, np.uint8)
     words = mask.view(np.uint64)
-    out, found = np.empty((4 * n, 2), np.intp), 0
+    out, found = np.empty((4 * n, 2), np.intp), np.intp(0)  # as Python, 0 would grow in the type of the mask
     for i in range(n - 1):
         first, width = i + 1, n - i - 1
         left, bottom, right, top = x0[i], y0[i], x1[i], y1[i]
@@ -249,7 +251,7 @@ def _all_pairs(bounds: Array) -> Pairs:
 
 
 @compiled
-def _longer(pairs: Pairs, found: int) -> Pairs:
+def _longer(pairs: Pairs, found: SupportsIndex) -> Pairs:
     """Return an array of twice the length that begins with the first `found` pairs."""
     more = np.empty((2 * len(pairs), 2), np.intp)
     more[:found] = pairs[:found]

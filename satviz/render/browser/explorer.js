@@ -33,7 +33,8 @@ const KEY_STEP = 8; // points that an arrow key moves; with Shift a tenth
 const KEY_TURN = 5; // degrees that [ and ] turn; with Shift 1
 const ANNOUNCE_MS = 400; // a sentence is said aloud when the scene has rested so long
 const FULL_WIDTH = 540; // points; a picture in a narrower place is laid out for it
-const HINT = "Drag a shape, a corner or the turn handle. Keys: Tab to a shape; arrows move it, [ and ] turn it, Page Down goes to its corners.";
+const HINT = "Drag a shape, a corner or the turn handle.";
+const HINT_OF_KEYS = " Keys: Tab to a shape; arrows move it, [ and ] turn it, Page Down goes to its corners.";
 const KEYS_HELP = "Arrow keys move, with Shift less; [ and ] turn; Page Down and Page Up go to the other handles of the shape.";
 /** @type {Record<string, Point>} */
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
@@ -41,6 +42,14 @@ const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowD
 const TURNS = { "[": 1, "{": 1, "]": -1, "}": -1 };
 /** @type {Record<string, number>} */
 const HANDLE_STEPS = { PageDown: 1, n: 1, PageUp: -1, p: -1, Escape: 0 }; // Escape: back to the first
+
+/**
+ * The width that a picture in a place is laid out for, in points; null: as wide as a picture ever is.
+ * @param {number} wide Of the place.
+ */
+export function pictureWidth(wide) {
+  return wide && wide < FULL_WIDTH ? Math.floor(wide / 20) * 20 : null;
+}
 
 export class Explorer {
   /**
@@ -69,7 +78,7 @@ export class Explorer {
     this.keepsRefusal = false; // a refused outline stays on the screen until the next change
     this.announcing = 0;
     /** @type {number | null} Of the place for the picture, in points; null: as wide as a picture ever is. */
-    this.width = null;
+    this.width = model.get("width") ?? null;
 
     this.svg = element("svg", { class: "sv-picture", role: "img" });
     this.pen = new Pen(this.svg);
@@ -89,7 +98,7 @@ export class Explorer {
     this.goal = new GoalPanel(() => this.chooseGoal(""));
     this.map = element("p", { class: "sv-map", hidden: true });
     this.refusal = element("p", { class: "sv-why", role: "alert", hidden: true });
-    this.hint = element("p", { class: "sv-hint" }, HINT);
+    this.hint = element("p", { class: "sv-hint" }, HINT, element("span", { class: "sv-of-keys" }, HINT_OF_KEYS));
     this.tip = element("div", { class: "sv-tip" }, this.hint, this.enough); // one place: the hint goes, and what is enough comes
     this.table = new LiveTable(this.state.names, { pick: (row) => this.change({ pinned: this.pose.pinned === row ? null : row }) });
     this.controls = new ExplorerControls(this);
@@ -227,7 +236,7 @@ export class Explorer {
     const wide = this.stage.clientWidth || this.columns.clientWidth;
     if (!wide) return;
     this.handles.pixelsPerPoint = this.board.clientWidth / this.pen.width;
-    const width = wide < FULL_WIDTH ? Math.floor(wide / 20) * 20 : null;
+    const width = pictureWidth(wide);
     if (width !== this.width) {
       this.width = width;
       this.send(this.pose, true);

@@ -11,7 +11,7 @@ export class ExplorerControls {
   constructor(explorer) {
     const { model } = explorer;
     /** @type {Record<string, string[]>} */
-    const groups = { "the article's": model.get("presets"), "where a shortcut fails": model.get("failing") };
+    const groups = { "of the chapters": model.get("presets"), "where a shortcut fails": model.get("failing") };
     const scenes = Object.entries(groups).map(([label, names]) => element("optgroup", { label }, ...names.map((name) => element("option", { value: name }, name))));
     this.presets = element("select", { "aria-label": "presets", onchange: () => explorer.choosePreset(this.presets.value) }, element("option", { value: "" }, "presets"), ...scenes);
     /** @type {Record<string, string>} */

@@ -29,7 +29,8 @@ export class LiveTable extends Table {
 }
 
 /**
- * Change an element, and what it contains, to what another one of the same structure shows.
+ * Change an element, and what it contains, to what another one shows, which takes the place only of what is built
+ * otherwise.
  * @param {Element} old
  * @param {Element} made
  */
@@ -39,6 +40,7 @@ function copyInto(old, made) {
     if (value === null) old.removeAttribute(name);
     else if (value !== old.getAttribute(name)) old.setAttribute(name, value);
   }
-  if (!made.childElementCount && old.textContent !== made.textContent) old.textContent = made.textContent;
-  for (const [i, child] of [...old.children].entries()) copyInto(child, made.children[i]);
+  if (made.childElementCount && made.childElementCount === old.childElementCount) {
+    for (const [i, child] of [...old.children].entries()) copyInto(child, made.children[i]);
+  } else if (old.textContent !== made.textContent) old.replaceChildren(...made.childNodes);
 }

@@ -54,6 +54,7 @@
  * @typedef {object} Pasted
  * @property {string} [why]
  * @property {string} [sentence]
+ * @property {boolean} [open] Whether a question must be answered first.
  * @property {PastedShape[]} [shapes]
  * @property {PastedQuestion[]} [questions]
  * @property {PastedFinding[]} [findings]

@@ -26,7 +26,7 @@ export class PasteBox {
     this.text = element("textarea", { class: "sv-text", rows: 7, spellcheck: "false", autocomplete: "off", "aria-label": "shapes as text", placeholder: PLACEHOLDER, onkeydown });
     this.why = element("p", { class: "sv-unread", role: "alert", hidden: true });
     this.answer = element("div", { class: "sv-answer", "aria-live": "polite" });
-    const what = element("p", { class: "sv-note" }, "WKT, GeoJSON, JSON, or lines of code with two shapes or more. Nothing in it is run. Control and Enter explain it too.");
+    const what = element("p", { class: "sv-note" }, "WKT, GeoJSON, JSON, or lines of code with two shapes or more. Nothing in it is run.", element("span", { class: "sv-of-keys" }, " Control and Enter explain it too."));
     this.element = element("details", { class: "sv-paste" }, element("summary", {}, "paste your own shapes"), what, this.text, element("div", { class: "sv-controls" }, button("explain", () => this.explain([])), button("take the shapes above", () => this.take())), this.why, this.answer);
     if (explorer.model.get("pasting")) this.element.open = true;
     /** @type {Listener} */
@@ -63,7 +63,7 @@ export class PasteBox {
   *parts(pasted) {
     const { sentence = "", questions = [], findings = [], shapes = [], pairs = [], refused } = pasted;
     yield element("p", { class: "sv-verdict" }, sentence);
-    for (const question of questions) yield this.question(question, sentence);
+    for (const question of questions) yield this.question(question, sentence, pasted.open ?? false);
     if (refused) yield drawn(refused);
     if (findings.length) yield element("ul", { class: "sv-findings" }, ...findings.map(finding));
     if (pairs.length > 1) yield element("div", { class: "sv-controls", role: "group", "aria-label": "pairs" }, ...pairs.map((pair, i) => this.pairButton(pair, i, pasted.pair ?? 0)), element("span", { class: "sv-note" }, pasted.note ?? ""));
@@ -78,10 +78,11 @@ export class PasteBox {
   /**
    * @param {PastedQuestion} question
    * @param {string} sentence the verdict, which can begin with the question
+   * @param {boolean} open whether nothing is taken yet, because of this question or another one
    */
-  question({ asks, answers, matters }, sentence) {
+  question({ asks, answers }, sentence, open) {
     const buttons = answers.map(({ choice, meaning, gives }) => button(`${meaning}: ${gives}`, () => this.explain([...this.chosen, choice])));
-    const taken = matters ? [] : [element("span", { class: "sv-note" }, `The first was taken: the relation is the same.`)];
+    const taken = open ? [] : [element("span", { class: "sv-note" }, `The first was taken: the relation is the same.`)];
     return element("div", { class: "sv-question", role: "group", "aria-label": asks }, ...(sentence.startsWith(asks) ? [] : [element("b", {}, asks)]), ...buttons, ...taken);
   }
 

@@ -84,6 +84,7 @@ export class Table {
     const shown = known && !("reason" in row) ? row : { a: "", b: "", outcome: "", gap: null };
     const role = shown.gap === null ? "" : shown.gap >= 0 ? "sv-gap" : "sv-overlap";
     const [a, b] = this.names;
-    return [element("td", { class: "sv-A", "data-of": a }, shown.a), element("td", { class: "sv-B", "data-of": b }, shown.b), element("td", { class: role }, shown.outcome)];
+    const outcome = shown.outcome.split(/(?<=,)( )/).map((part) => (part === " " ? part : element("span", {}, part))); // breaks after a comma only
+    return [element("td", { class: "sv-A", "data-of": a }, shown.a), element("td", { class: "sv-B", "data-of": b }, shown.b), element("td", { class: role }, ...outcome)];
   }
 }

@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from ...engine import describe, number_format
 from ...engine.geometry import InvalidShape, Relation
+from ...engine.number_format import USUAL_DIGITS, Digits
 from ...engine.shapes import Polygon, Shape
 from ...engine.shortcut import Shortcut
 from ...engine.trace import Trace, record
@@ -110,8 +111,8 @@ class FailureCase(NamedTuple):
         except InvalidShape as error:
             return str(error)
 
-    def in_words(self, answer: Answer) -> str:
-        """Return an answer in words: "gap +0.424", "overlap 1.5", "depth 2"."""
+    def in_words(self, answer: Answer, digits: Digits = USUAL_DIGITS) -> str:
+        """Return an answer in words: "gap +0.424", "overlap 1.5", "depth 2"; `digits` are those of a length."""
         if isinstance(answer, str):
             return f"refused ({answer})"
         if isinstance(answer, tuple):
@@ -121,12 +122,13 @@ class FailureCase(NamedTuple):
         if isnan(answer):
             return f"{self.quantity} none"
         if self.quantity == "gap":
-            return describe.gap_in_words(answer, number_format.Digits())
-        return f"{self.quantity} {number_format.number(answer)}"
+            return describe.gap_in_words(answer, digits)
+        is_length = answer and not self.quantity.endswith(":")
+        return f"{self.quantity} {digits.number(answer) if is_length else number_format.number(answer)}"
 
-    def verdict_in_words(self, relation: Relation, answer: Answer) -> str:
+    def verdict_in_words(self, relation: Relation, answer: Answer, digits: Digits = USUAL_DIGITS) -> str:
         """Return an answer in words, with the relation before it where the number alone would say another one."""
-        words = self.in_words(answer)
+        words = self.in_words(answer, digits)
         if not isinstance(answer, float | int) or self.quantity != "gap":
             return f"{relation}, {words}"
         said = Relation.APART if answer > 0 else Relation.OVERLAPPING if answer < 0 else Relation.TOUCHING

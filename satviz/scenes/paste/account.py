@@ -7,41 +7,55 @@ outside the brackets of a shape is prose.
 
 import re
 from bisect import bisect_left, bisect_right
-from collections.abc import Collection, Sequence
-from itertools import accumulate
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from itertools import accumulate, groupby, pairwise
 from operator import itemgetter
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from .harmless import (
     ADJECTIVES,
+    ANY_CHANGE,
     CALLS,
     CASTS,
     CHANGING_CALLS,
     CHANGING_KEYS,
     CHANGING_WORDS,
+    COMPARING,
     COUNTED,
     DECLARES,
+    DRAWS,
     FLOW,
     INSIDE,
     KEYS,
     LABELS,
     METHODS,
+    OTHER_NUMBERS,
     PRODUCERS,
     PUNCTUATION,
+    SAYS,
     TESTS,
     words,
 )
-from .notations import MOVES, SETTERS, SHAPE_STEMS, SHIFTS, TURNS, TWO_SHAPES, key, notation
-from .statements import ADDERS, ATTACHERS, PEN_STARTS, PENS
+from .notations import MOVES, SETTERS, SHAPE_STEMS, SHAPE_WORDS, SHIFTS, TURNS, TWO_SHAPES, key, notation
+from .statements import ADDERS, ATTACHERS, PEN_STARTS, PENS, owner_of
 from .tokens import CLOSE, FIELD, LINE, MARK, NAME, NUMBER, OPEN, OTHER, TEXT, Token, tokens
 
 MAX_PARTS = 50  # that are not understood; fewer are named
+MAX_ARGUMENTS = 200  # words and signs in a call in which the names of shapes are looked for
+MAX_ASIDE = 2  # numbers of a line of other things; three can be a shape
+_FIELD_LINE = re.compile("[nt]mnm?")  # by the kinds of tokens: a name or a text, a mark, a number
 APPLIED = frozenset([*METHODS, *MOVES, *SHIFTS, *TURNS, *ADDERS, *ATTACHERS, *PENS, *PEN_STARTS, *SETTERS])
 MOVERS = frozenset([*MOVES, *SHIFTS, *TURNS, "scale", "transform", "settransform"]) - {"offset", "translation"}
 ASSIGNS = ("=", ":=", ":")
 STYLE = re.compile(r"[a-z]?[-.:ox]{1,2}[a-z]?")  # of a plot: b-
 NO_WORDS = re.compile(r"[A-Za-z_][\w.]*")
+LOOP = re.compile(r"^\s*for\s*\([^;]*;[^;]*;[^;)]*\)")
 COMPARES, SETS = re.compile(r"[<>]|[=!]="), re.compile(r"(?<![<>=!])=(?!=)|\+\+|--|<<|>>|\?")
+NAMED_SHAPE = re.compile(r"\b(?:A|B|C|both|second)\b")
+STREAM = re.compile(r"cout|cerr|debug|stream|log|\bout", re.IGNORECASE)
+DATA = re.compile(r"[(\[{]|^\s*[Mm]\s*[-.\d]|^\s*(?:[-.\d]+[\s,]+){3,}[-.\d]+\s*$")
+COLOR = re.compile(r"\b(?:rgb|hsl)a?\(", re.IGNORECASE)
 NUMERALS = re.compile(r"[0-9]+")
 PADDED = re.compile(r"0[0-9]+")  # 000, of 1,000
 NOTHING = Token(LINE, "", 0, 0)
@@ -55,11 +69,14 @@ class Part(NamedTuple):
 
 
 class Frame(NamedTuple):
-    """A bracket of the text: its tokens, the place of the word before it, and whether it holds data of a shape."""
+    """A bracket of the text: where it begins, whether it holds data of a shape, statements, a shape to draw or to
+    test, or an index."""
 
     begin: int
     data: bool
     block: bool
+    drawn: bool = False
+    counts: bool = False
 
 
 class Account:
@@ -70,12 +87,13 @@ class Account:
         text: str,
         found: Sequence[Token],
         places: Collection[int],
-        variables: Collection[str],
+        variables: Mapping[str, int],
         known: Sequence[tuple[int, int]] = (),
         changed: Collection[str] = (),
+        aliases: Mapping[str, str] = MappingProxyType({}),
     ) -> None:
-        """`places`: where numbers of shapes end; `variables`: names of data; `known`: parts of a known form;
-        `changed`: names with a value of which a field is set afterwards.
+        """`places`: where numbers of shapes end; `variables`: names of data, with their sizes; `known`: parts of a
+        known form; `changed`: names with a value of which a field is set afterwards; `aliases`: names of other things.
         """
         self.text = text
         removed = within(known, found)
@@ -85,14 +103,77 @@ class Account:
         self.tokens = sorted([*kept, *rows], key=lambda token: token.start) if rows else kept
         self.variables = variables
         self.changed = changed
+        self.aliases = aliases
         self.parts: list[Part] = []
         self.counts: set[int] = set()  # where numbers end that count or name something
+        self.aside: set[int] = set()  # where numbers end that stand on lines of other things
         self.nested = False  # within a text in quotes, whose numbers nobody else counts
         self.quoted = False  # behind a quote of a text that goes over several lines
         self.session = ">>>" in text or "In [" in text
         self.close: dict[int, int] = {}
         self.open: dict[int, int] = {}
         self._match()
+        self._lines_aside = self._find_lines_aside()
+
+    def _find_lines_aside(self) -> set[int]:
+        """Return the places of the tokens of lines that have a word, no shape, and nothing that could change one."""
+        ends = [-1, *(i for i, token in enumerate(self.tokens) if token.kind == LINE), len(self.tokens)]
+        lines = [range(a + 1, b) for a, b in pairwise(ends)]
+        shaped = [any(map(self._is_of_shape, line)) for line in lines]
+        fields = [_FIELD_LINE.fullmatch("".join(self.tokens[i].kind[0] for i in line)) is not None for line in lines]
+        for is_field, group in groupby(range(len(lines)), key=fields.__getitem__):
+            rows = list(group)
+            if is_field and any(shaped[row] for row in rows):  # x = 1 and radius = 2 on lines of their own
+                for row in rows:
+                    shaped[row] = True
+        found = (
+            line if self._says(line) else () if is_shaped else self._aside(line)
+            for line, is_shaped in zip(lines, shaped, strict=True)
+        )
+        return {i for line in found for i in line}
+
+    def _is_of_shape(self, i: int) -> bool:
+        """Return whether a token is a number or a name of a shape."""
+        token = self.tokens[i]
+        return self.holds(token.start, token.end) if token.kind in (NUMBER, TEXT) else self.is_variable(token)
+
+    def _aside(self, line: range) -> range:
+        """Return the places of a line that says nothing of a shape; none if it can."""
+        named = [self.tokens[i] for i in line if self.tokens[i].kind in (NAME, FIELD, TEXT)]
+        numbers = sum(self.tokens[i].kind == NUMBER and self._is_listed(i) for i in line)
+        changes = any(
+            words(token.text) & ANY_CHANGE or (token.text != "by" and owner_of(last_of(token.text))[1])
+            for token in named
+        )
+        makes = numbers and any(SHAPE_WORDS.search(token.text) and not is_test(token.text) for token in named)
+        lists = any(self.tokens[i].kind == OPEN and self.tokens[i + 1].kind == NUMBER for i in self._top(line))
+        return range(0) if not named or changes or makes or lists or numbers > MAX_ASIDE else line
+
+    def _is_listed(self, i: int) -> bool:
+        """Return whether a number stands in a list or a call, and not among words."""
+        among = (NAME, LINE, TEXT, OTHER)
+        return self.at(i - 1).kind not in among or self.at(i + 1).kind not in among
+
+    def _says(self, line: range) -> bool:
+        """Return whether a line of code compares or prints, and gives nothing a value: return a.x < b.x + b.w."""
+        first = words(self.tokens[line.start].text) if line else frozenset()
+        if not first & (SAYS | COMPARING):
+            return False
+        start, end = self.line(self.tokens[line.start])
+        sets = first & COMPARING and SETS.search(LOOP.sub("", self.text[start:end]))
+        named = (self.tokens[i] for i in line if self.tokens[i].kind in (NAME, FIELD))
+        changes = any(
+            words(token.text) & CHANGING_CALLS - {"abs", "round"} and not is_test(token.text) for token in named
+        )
+        return not (changes or self.holds(start, end) or sets)
+
+    def _top(self, line: range) -> Iterator[int]:
+        """Yield the places of the brackets of a line that stand in no other one, and are no call."""
+        i = line.start
+        while i < line.stop - 1:
+            if self.tokens[i].kind == OPEN and not self.callee(i):
+                yield i
+            i = self.close.get(i, i) + 1
 
     def holds(self, start: int, end: int) -> bool:
         """Return whether a number of a shape ends within these places of the text."""
@@ -110,6 +191,7 @@ class Account:
                 self.open[i] = stack.pop()
         for i in stack:
             self.close[i] = len(self.tokens)
+        self.unclosed = stack
 
     def at(self, i: int) -> Token:
         """Return a token, or a line's end beyond the text."""
@@ -131,7 +213,14 @@ class Account:
         token = self.at(i)
         if token.kind in (OPEN, CLOSE):
             begin = i if token.kind == OPEN else self.open.get(i, i)
-            named = any(self.is_variable(t) for t in self.tokens[begin : min(self.close.get(begin, i), begin + 8)])
+            word, end = self.callee(begin), self.close.get(begin, i)
+            if token.kind == CLOSE and begin == i - 1 and word and word.kind == FIELD:
+                return self.is_data(begin - 2)  # a shape.clone()
+            if token.kind == OPEN and end == i + 2 and self.at(end + 1).kind == OPEN:
+                return self.is_data(end + 1)  # (Rectangle){ 0, 0, 4, 4 }
+            if token.kind == CLOSE and word and self.is_variable(word) and token.text == "]":
+                return True  # vertices[1]
+            named = any(self.is_variable(t) for t in self.tokens[begin : min(end, begin + 8)])
             return named or self.holds(*self.span(i))
         if token.kind == TEXT:
             return self.holds(token.start, token.end)
@@ -141,7 +230,7 @@ class Account:
 
     def is_variable(self, token: Token) -> bool:
         """Return whether a name is that of data."""
-        return token.kind == NAME and _root(token.text) in self.variables
+        return token.kind == NAME and root(token.text) in self.variables
 
     def callee(self, i: int) -> Token | None:
         """Return the word before a bracket that makes it a call or a typed list."""
@@ -161,17 +250,39 @@ class Account:
             or (inner[0].kind == LINE and not any(self.at(k).text in (",", ":") for k in range(i, min(end, i + 12))))
         )
         call = word is not None and self.at(i).text == "(" and not (is_shape(word.text) or word.text[0] in ".-:")
-        return Frame(i, self.holds(*self.span(i)) and not block and not call, block)
+        data = self.holds(*self.span(i))
+        draws = word is not None and not data and bool(words(word.text) & DRAWS) and (call or word.text in DRAWS)
+        draws = draws or (word is not None and is_test(word.text))
+        index = self.at(i).text == "[" and word is not None and self.is_variable(word) and ":" not in self.between(i)
+        return Frame(
+            i,
+            data and not block and not call and not index,
+            block,
+            draws and not data and any(map(self.is_variable, self.arguments(i))),
+            index,
+        )
+
+    def between(self, i: int) -> str:
+        """Return the text in a bracket."""
+        return self.text[self.at(i).end : self.span(i)[1]]
 
     def run(self) -> list[Part]:
         """Return the parts of the text that are not understood."""
         frames = [Frame(-1, False, True)]
+        begins_in_block = True
         for i, token in enumerate(self.tokens):
             if len(self.parts) >= MAX_PARTS:
                 break
-            if token.kind == OPEN:
+            if token.kind == LINE:
+                begins_in_block = frames[-1].block
+            aside = begins_in_block and i in self._lines_aside
+            aside = (aside or frames[-1].counts) and token.kind in (NUMBER, OTHER)
+            if (aside or (frames[-1].drawn and token.kind == NUMBER)) and not self.holds(token.start, token.end):
+                self.aside.add(token.end)
+            elif token.kind == OPEN:
                 self.check_call(i)
-                frames.append(self.frame(i))
+                frame = self.frame(i)
+                frames.append(frame._replace(counts=frame.counts or frames[-1].counts))
             elif token.kind == CLOSE and len(frames) > 1 and self.open.get(i) == frames[-1].begin:
                 frames.pop()
             elif token.kind == NAME:
@@ -192,6 +303,10 @@ class Account:
                 self.miss(i - 1, i + 1)
         return self.parts
 
+    def is_cut(self) -> bool:
+        """Return whether a bracket with numbers of a shape is never closed, so that some can be missing."""
+        return any(self.frame(i).data for i in self.unclosed)
+
     def is_count(self, i: int, frame: Frame) -> bool:
         """Return whether a number counts or names something: a label before a colon, a length, 4 corners, { 0 }."""
         before, after = self.at(i - 1), self.at(i + 1)
@@ -200,15 +315,30 @@ class Account:
             return True
         if not self.at(i).text.isdigit():
             return False
+        if self.is_row(i):
+            return True
         if before.kind == LINE:
             return after.text in (":", "|") or (self.session and after.kind == LINE)
         if before.text == "{" and after.text == "}":
             return self.at(i).value == 0
+        if before.text == "," and after.text == ")":  # ST_GeomFromText('POLYGON(...)', 4326), polygon.Set(points, 4)
+            data = self.at(i - 2)
+            size = self.variables.get(data.text, -1)
+            return (data.kind == TEXT and self.holds(data.start, data.end)) or self.at(i).value == size
         if before.text == "(" and after.text == ")" and self.at(i + 2).text == "[":
             return True
         if after.text.lower() in COUNTED:
             return not self.holds(*self.span(i + 2)) if self.at(i + 2).kind == OPEN else True
         return before.text.lower() in LABELS and (after.kind == LINE or after.text in (":", ",", "at", "is", "of", ""))
+
+    def is_row(self, i: int) -> bool:
+        """Return whether a number is that of a row in a table whose shape is in WKT."""
+        k = i
+        while self.at(i).kind == NUMBER:
+            i += 1
+        while self.at(k).kind == NUMBER:
+            k -= 1
+        return self.at(k).kind == LINE and self.at(i).text in ("POLYGON", "MULTIPOLYGON")
 
     def miss(self, first: int, last: int) -> None:
         """Note that the tokens from one place to another are not understood."""
@@ -220,15 +350,33 @@ class Account:
         if not self.parts or self.parts[-1].end < end_at:
             self.parts.append(Part(start, end_at))
 
+    def arguments(self, i: int) -> Iterator[Token]:
+        """Yield the tokens in a bracket, without those of the tests in it: they give no shape."""
+        end, k = min(self.close[i], i + MAX_ARGUMENTS), i + 1
+        while k < end:
+            tests = self.at(k).text == "(" and (word := self.callee(k)) and is_test(word.text)
+            k = self.close[k] if tests else k
+            yield self.at(k)
+            k += 1
+
     def check_call(self, i: int) -> None:
         """Name a call of an unknown function around the numbers of a shape, or of a shape by its name."""
-        word = self.callee(i)
-        if word is None or word.kind == FIELD or self.at(i).text != "(":
+        word, opens = self.callee(i), self.at(i).text
+        touches = opens == "[" and self.at(i - 1).kind == CLOSE and self.at(i - 1).end == self.at(i).start
+        cuts = self.at(i + 1).text != "None" and any(t.text == ":" for t in self.tokens[i : self.close[i]][:4])
+        if touches and cuts and self.is_data(i - 1):
+            self.miss(i, i)  # [::-1]
+        begin = self.open.get(i - 1)
+        if opens == "(" and begin == i - 2 and self.callee(begin) and self.holds(*self.span(i)):
+            self.miss(begin - 1, i)  # Box.flip()(0, 0, 4, 4)
+        if word is None or word.kind == FIELD:
             return
-        inside = self.tokens[i + 1 : self.close[i]]
-        if not self.holds(*self.span(i)) and not any(self.is_variable(t) for t in inside[:200]):
-            inside = []
-        last = word.text.replace("->", ".").replace("::", ".").split(".")[-1]
+        if opens != "(":
+            if word.text.lower() in CHANGING_CALLS and self.holds(*self.span(i)):
+                self.miss(i - 1, i)  # flip[(0, 0), (4, 0)]
+            return
+        inside = self.holds(*self.span(i)) or any(map(self.is_variable, self.arguments(i)))
+        last = last_of(word.text)
         defines = self.at(i - 2).text in ("new", "def", "function", "fn", "func", "fun", "void", "class", "struct")
         if not inside and last.lower() in MOVERS and self.close[i] > i + 1 and not defines and self.places:
             self.miss(i - 1, i)  # ctx.translate(cx, cy)
@@ -236,9 +384,9 @@ class Account:
         if not inside and not (self.is_variable(word) and last != word.text):
             return
         method = self.is_variable(word) and last != word.text and last.lower() in APPLIED
-        declared = self.at(i - 2).kind == NAME and notation(self.at(i - 2).text) is not None  # Circle c(0, 0, 1)
-        makes = last.lower() in PRODUCERS and "." in word.text and not defines and last[0].islower()
-        known = method or defines or declared or last.lower() in PENS | PEN_STARTS or is_call(word.text)
+        declared = notation(self.at(i - 2).text) is not None and last.lower() not in CHANGING_CALLS  # Circle c(0, 0, 1)
+        makes = last.lower() in PRODUCERS and "." in word.text and not defines and self.is_given(i)
+        known = method or defines or declared or last.lower() in PENS | PEN_STARTS | PRODUCERS or is_call(word.text)
         if makes or not known:
             self.miss(i - 1, i)
 
@@ -247,14 +395,16 @@ class Account:
         token, after = self.at(i), self.at(i + 1)
         if after.kind == OPEN and self.callee(i + 1) is token:
             return  # of the call
-        last = token.text.replace("->", ".").replace("::", ".").split(".")[-1]
+        last = last_of(token.text)
+        if token.text.startswith("is") and after.text in ASSIGNS and self.at(i + 2).text in ("true", "false"):
+            return  # isBox2: true
         if self.is_variable(token):
-            again = "." in token.text and after.text == "=" and _root(token.text) in self.changed
+            again = "." in token.text and after.text == "=" and root(token.text) in self.changed
             if again and self.at(i + 2).kind == NAME and self.at(i + 3).kind != OPEN:
                 self.miss(i, i + 2)  # a.x = b.x, where a has a value already
                 return
             known = (key(last) and last != "T") or last.lower() in KEYS or is_call(last)
-            if last != token.text and not known and after.text not in ASSIGNS:
+            if last != root(token.text) and not known and after.text not in ASSIGNS:
                 self.miss(i, i)  # pts.T
             elif after.text in ASSIGNS and self.is_field(token.text, last) and not self.takes_value(i + 1):
                 self.miss(i, i + 2)  # a.flip = true
@@ -264,8 +414,12 @@ class Account:
         elif token.text in ("if", "else", "elif") and (self.gives_value(i) or self.is_choice(i)):
             self.miss(i, i + 1)
         if not frame.data:
-            scales = token.text.lower() in CHANGING_CALLS and after.text == "(" and self.is_data(i + 1)
-            if (scales or token.text.lower() in CHANGING_WORDS) and self.holds(*self.line(token)):
+            scales = (
+                token.text.lower() in CHANGING_CALLS and (after.kind == OPEN or not after.text) and self.is_data(i + 1)
+            )
+            start, end = self.line(token)
+            told = self.holds(start, end) or NAMED_SHAPE.search(self.text, start, end)
+            if scales or (token.text.lower() in CHANGING_WORDS and told):
                 self.miss(i, i)  # A: rect(0, 0, 4, 4), twice as large
             if after.text in ASSIGNS and words(token.text) & CHANGING_KEYS and not self.takes_value(i + 1):
                 self.miss(i, i + 2)
@@ -275,8 +429,13 @@ class Account:
                 self.miss(i, i + 2)
         elif self.at(i - 1).text in DECLARES:
             return  # (def a [[0 0] [4 0] [4 3]])
-        elif not (last.lower() in INSIDE or words(last) & INSIDE or is_shape(token.text) or self.is_value(i)):
+        elif not (self.is_inside(token.text) or is_shape(token.text) or self.is_value(i)):
             self.miss(i, i)
+
+    def is_inside(self, name: str) -> bool:
+        """Return whether a name among numbers is that of a color, a body, a type; also by what it stands for."""
+        last = last_of(name)
+        return bool(last.lower() in INSIDE or words(last) & INSIDE or words(self.aliases.get(name, "")) & INSIDE)
 
     def line(self, token: Token) -> tuple[int, int]:
         """Return where the line of a token begins and ends."""
@@ -311,7 +470,17 @@ class Account:
         """Return whether a word is the value of a known key: type: Polygon."""
         before = self.at(i - 2)
         known = before.text.strip("\"'")
-        return self.at(i - 1).text in (*ASSIGNS, "=>") and (bool(key(known)) or bool(words(known) & KEYS))
+        known_key = key(known) or words(known) & KEYS
+        return (
+            self.at(i - 1).text in (*ASSIGNS, "=>") and bool(known_key) and not words(self.at(i).text) & CHANGING_CALLS
+        )
+
+    def is_given(self, i: int) -> bool:
+        """Return whether a name gets the value of a statement: c = a.union(b)."""
+        i -= 1
+        while self.at(i).kind != LINE and self.at(i).text not in (";", "=", ":="):
+            i = self.open.get(i, i) - 1
+        return self.at(i).text in ("=", ":=")
 
     def takes_value(self, i: int) -> bool:
         """Return whether what stands behind a sign is data, which the numbers account for, or a new line."""
@@ -322,7 +491,7 @@ class Account:
     def is_choice(self, i: int) -> bool:
         """Return whether data stands before a word in its line, and `else` behind it: a if b else c."""
         start, end = self.line(self.at(i))
-        before = self.holds(start, self.at(i).start) or (self.at(i - 1).kind == CLOSE and self.is_data(i - 1))
+        before = self.holds(start, self.at(i).start) or (self.at(i - 1).kind != NUMBER and self.is_data(i - 1))
         return before and "else" in self.text[self.at(i).end : end]
 
     def gives_value(self, i: int) -> bool:
@@ -359,8 +528,8 @@ class Account:
             inside = self.tokens[i + 2 : self.close[i + 1]]
             given = self.holds(*self.span(i + 1)) or any(map(self.is_variable, inside[:20]))
             applied = given if name.lower() in MOVERS else name.lower() in APPLIED
-            known = rows and (applied or (name.lower() not in MOVERS and is_call(name)))
-            if name.lower() in PRODUCERS or not known:
+            known = rows and (words(name) & OTHER_NUMBERS or applied or (name.lower() not in MOVERS and is_call(name)))
+            if self.is_given(i) if name.lower() in PRODUCERS else not known:
                 self.miss(i, i + 1)
         elif not (name.lower() in KEYS - {"x", "y"} or is_call(name) or (after.text in ASSIGNS and key(name))):
             self.miss(i, i)
@@ -379,7 +548,8 @@ class Account:
                 self.parts += within_text.run()
             return
         word = self.callee(frame.begin) if frame.begin >= 0 else None
-        if word is not None and is_shape(word.text) and len(NUMERALS.findall(inner)) > 2:
+        told = DATA.search(inner) and not COLOR.search(inner)
+        if len(NUMERALS.findall(inner)) > MAX_ASIDE and (told or (word is not None and is_shape(word.text))):
             self.miss(i, i)  # the data of a path that cannot be read
         if not frame.data or not inner.strip():
             return
@@ -396,7 +566,8 @@ class Account:
             behind = before.end == token.start and before.kind in (CLOSE, NAME, NUMBER, FIELD)
             transposes = not self.quoted and behind and not (after.kind == NAME and token.end == after.start)
             self.quoted = not behind
-            if transposes and (self.is_variable(before) or (before.kind == CLOSE and self.is_data(i - 1))):
+            row = before.kind == NUMBER and self.holds(before.start, before.end)
+            if transposes and (self.is_variable(before) or row or (before.kind == CLOSE and self.is_data(i - 1))):
                 self.miss(i - 1, i)  # [0 4 4; 0 0 3]' of MATLAB
                 return
         if token.text in PUNCTUATION or token.text[0] == "\\":
@@ -407,9 +578,14 @@ class Account:
             return  # of Elixir
         first = before.kind == LINE or before.text in (",", "(", "[", "{", "=", ":", ";")
         refers = first or (before.kind == NAME and not self.is_variable(before))
-        if token.text in "&*@" and token.end == after.start and refers and after.kind in (NAME, OPEN):
+        if (
+            token.text in "&*@"
+            and token.end == after.start
+            and refers
+            and (after.kind == NAME or (first and after.kind == OPEN))
+        ):
             return  # a reference
-        if token.text in "&*" and before.kind == NAME and not self.is_variable(before) and not frame.data:
+        if token.text in "&*" and before.kind == NAME == after.kind and not self.is_variable(before) and not frame.data:
             return  # Polygon *p
         bullet = not self.is_variable(after) or self.at(i + 2).text in (":", "=")
         if before.kind == LINE and token.text in "-*+>|\u2022" and bullet:
@@ -418,6 +594,8 @@ class Account:
             return  # between the columns of a table
         if token.text == "-" and first and after.kind == NUMBER and self.at(i + 2).text in (",", ")", "]", "}", ";"):
             return  # - 4
+        if token.text == "?" and after.text in (";", ")", ","):
+            return  # of Rust
         chooses = token.text == "?" and (self.is_ternary(i) or after.kind == NUMBER)
         ends = not frame.data and after.text not in (":", "[") and (after.kind == LINE or token.end != after.start)
         if token.text in ".!?" and ends and not chooses:
@@ -425,8 +603,17 @@ class Account:
         tight = before.end == token.start and token.end == after.start
         if token.text == "?" and tight and after.text == "(" and before.kind == NAME and is_call(before.text):
             return  # a.hit?(b) of Ruby
+        if (token.text == "<" and token.end == after.start and notation(after.text)) or (
+            token.text == ">" and before.kind == CLOSE and before.end == token.start and after.kind != NUMBER
+        ):
+            return  # <POLYGON ((0 0, 4 0, 0 3))>
         both = token.text in "|&" and self.is_data(i - 1) and self.is_data(i + 1)
-        denies = token.text == "!" and after.text in ("[", "{") and self.is_data(i + 1)
+        both = both or (
+            token.text in "|&" and before.kind == CLOSE and self.is_data(i - 1) and not self.is_tested(i - 1)
+        )
+        shifts = token.text in "<>" and after.text == token.text and self.at(i + 2).kind == NUMBER
+        both = both or (shifts and self.is_data(i - 1) and not STREAM.search(self.text, *self.line(token)))
+        denies = token.text == "!" and (after.kind == OPEN or not after.text) and self.is_data(i + 1)
         if token.text in "<>!|&" and not (both or denies) and not frame.data and before.kind != NUMBER:
             return  # a comparison, or a logical sign
         spaced = before.end < token.start and token.end < after.start
@@ -445,6 +632,11 @@ class Account:
         start, end = self.line(token)
         line = self.text[start:end]
         return not self.holds(start, end) and bool(COMPARES.search(line)) and not SETS.search(line)
+
+    def is_tested(self, i: int) -> bool:
+        """Return whether a bracket closes the call of a test."""
+        word = self.callee(self.open.get(i, i))
+        return word is not None and is_test(word.text)
 
     def is_ternary(self, i: int) -> bool:
         """Return whether a colon follows a question mark in its line."""
@@ -467,24 +659,36 @@ def within(spans: Sequence[tuple[int, int]], values: Sequence[Any]) -> set[Any]:
     return {v for v in values if v.start < reach[bisect_right(spans, v.start, key=itemgetter(0))]}
 
 
-def _root(name: str) -> str:
-    """Return the first part of a name."""
-    return name.replace("->", ".").replace("::", ".").split(".")[0]
+def last_of(name: str) -> str:
+    """Return the last part of a name."""
+    return name.replace("->", ".").replace("::", ".").split(".")[-1]
+
+
+def root(name: str) -> str:
+    """Return the first part of a name, and the second one behind `this`: player of this.player.x."""
+    parts = name.replace("->", ".").replace("::", ".").split(".")
+    return parts[1] if parts[0] in ("this", "self") and len(parts) > 1 else parts[0]
 
 
 def is_shape(name: str) -> bool:
     """Return whether a call makes or holds shapes: a row of the table, or a word for a shape or a list."""
-    said = words(name.replace("->", ".").replace("::", ".").split(".")[-1])
+    said = words(last_of(name))
     if said & CHANGING_CALLS:
         return False
     return notation(name) is not None or any(word.startswith(SHAPE_STEMS) for word in said)
 
 
+def is_test(name: str) -> bool:
+    """Return whether a call is one that tests shapes, and gives none: intersects, rotatedBoxesOverlap."""
+    last = last_of(name)
+    return TESTS.search(last) is not None and not words(last) & CHANGING_CALLS - ADJECTIVES
+
+
 def is_call(name: str) -> bool:
     """Return whether a call is known to change no shape: of the table, a test of shapes, or a call that prints."""
-    last = name.replace("->", ".").replace("::", ".").split(".")[-1].rstrip("!")
+    last = last_of(name).rstrip("!")
     said = words(last)
-    if notation(name) is not None or name in CASTS or (said & TESTS and not (said & CHANGING_CALLS) - ADJECTIVES):
+    if notation(name) is not None or name in CASTS or is_test(name):
         return True
     if said & CHANGING_CALLS:
         return False

@@ -30,6 +30,7 @@ BOX_FORM, ANGLE, TURN, ORDER, PIVOT, CORNERS = "box", "angle", "turn", "order", 
 ROUND, RADIUS, DIAMETER = "round", "radius", "diameter"
 Y_UP, Y_DOWN, WIDTH_FIRST, HEIGHT_FIRST = "y-up", "y-down", "width-first", "height-first"
 EACH_VALUE, LAST_VALUE, TWICE = "each-value", "last-value", "twice"
+COMMAS, DECIMAL_COMMAS, SEPARATORS = "commas", "decimal-commas", "separators"
 AROUND_CENTER, AROUND_CORNER, RELATIVE, ABSOLUTE = "around-center", "around-corner", "relative", "absolute"
 CHOICES: Mapping[str, tuple[str, ...]] = {
     BOX_FORM: (*ANY_BOX, X_THEN_Y),
@@ -40,6 +41,7 @@ CHOICES: Mapping[str, tuple[str, ...]] = {
     CORNERS: (RELATIVE, ABSOLUTE),
     ROUND: (RADIUS, DIAMETER),
     TWICE: (EACH_VALUE, LAST_VALUE),
+    COMMAS: (DECIMAL_COMMAS, SEPARATORS),
 }
 LEAVE_OUT = "leave-out"  # the shapes stand without what was not understood
 ALL_CHOICES = (*(choice for choices in CHOICES.values() for choice in choices), LEAVE_OUT)

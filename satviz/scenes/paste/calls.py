@@ -18,6 +18,7 @@ from .boxes import (
     moved,
     unit_of,
 )
+from .exact import hull
 from .keyed import Keyed
 from .names import Obj, Unreadable
 from .notations import (
@@ -54,6 +55,8 @@ class Calls(Keyed):
         """Return (arguments of a call that can describe a shape, its named arguments), without null, options and ()."""
         named = self.as_object(group)
         kept = []
+        while len(named.rest) > 1 and self._is_style(named.rest[-1]):
+            self.counts.add(named.rest.pop().end)
         for item in named.rest:
             value = self.resolve(item)
             if isinstance(value, (Name, Bad)) and not (isinstance(value, Bad) and value.inside):
@@ -136,13 +139,18 @@ class Calls(Keyed):
             cx, cy = _centroid(outline)
             given, place = places(*place), (place[0] - cx, place[1] - cy)  # Matter puts the center of mass there
         self.consume(taken)
+        count = len(outline)
+        if "hull" in group.name.lower():  # a call that takes points and gives their hull
+            given |= places(*(c for p in outline for c in p))
+            outline = hull(outline) if len(hull(outline)) < len(set(outline)) else outline
         if any(not key(name) and self.point(value) is not None for name, value in named.fields.items()):
             raise Unreadable("a list of corners has something else in it")
         beside = sum(self._is_number(a) for a in arguments)
         if beside and not (outline is not None and self.numbers(arguments)) and beside != count_of_position:
             self.remark("numbers beside a list of corners were left out")
         shift = place or ZERO
-        made = self._outline(outline, group, label, shift, " and a position" if shift != ZERO else "")
+        how = f", the convex hull of {count} points" if len(outline) < count else ""
+        made = self._outline(outline, group, label, shift, f"{how} and a position" if shift != ZERO else how)
         made = replace(made, used=made.used | given)
         return [self._turned(made, angle, unit_of(named), shift)] if angle is not None else [made]
 
@@ -236,9 +244,6 @@ class Calls(Keyed):
             angle = named.get("angle", "degrees", "radians")
         if only := self._options(arguments):
             return self._object(replace(only, start=group.start, end=group.end), label, row)
-        fifth = self.resolve(arguments[4]) if len(arguments) > 4 else None
-        if isinstance(fifth, Num) and fifth.value is None:  # a color: 0xff0000
-            arguments = arguments[:4]
         last = self.resolve(arguments[-1]) if arguments else None
         if isinstance(last, Num) and last.turn is not None:  # SetAsBox(1, 1, center, 0.5f * b2_pi)
             arguments, angle = arguments[:-1], last
@@ -278,7 +283,7 @@ class Calls(Keyed):
         )
         if len(flat) == 5 and angle is None and form not in (CORNER_CORNER, X_THEN_Y) and not self.mode(group):
             angle = angle_of(group, flat)
-        if len(arguments) == 4 and not named.fields and row.ask == ANY_BOX:
+        if len(arguments) == 4 and not named.fields and row.ask == ANY_BOX and not self.mode(group):
             self._ask_order()
         made = self._made_box(flat[:4], form, group, label, angle, RADIANS if row.form == CENTER_HALF else row.unit)
         made = replace(made, keyed=bool(row.form))

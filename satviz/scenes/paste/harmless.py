@@ -13,13 +13,12 @@ PUNCTUATION = frozenset("'\u2018\u2019\u201c\u201d\"`\u00b7\u2026\u3002\uff0c\u2
 # Calls that test, print, draw or hold shapes, by the words of their names.
 CALLS = listed(
     """
-    test tests c dict structure matrix tensor false true intersections overlaps is check are has have does do
-    intersect intersects intersection intersecting overlap overlapping collide collides collision collisions colliding
-    collider contains contain touch touches touching within inside hit hits print println printf log console assert
+    c dict structure matrix tensor false true is are has have does do get
+    inside hit hits print println printf log console assert existing errorf fatalf dump pairs ipairs enumerate
     expect echo puts debug info warn error write writeln draw stroke fill render add push append insert emplace new
     make create parse load read main describe it should equal equals distance dist separated separating sat gjk epa
     area centroid perimeter len size str repr format fmt display show plot run solve select where crosses covers
-    disjoint relate manifold contact contacts contour cout trace report out in addshape body static fixture figure
+    relate manifold contact contacts contour cout trace report out in addshape body static fixture figure
     subplots from text wkt geojson json loads vs compare against detect detection query raycast cast throw return if
     while switch and or not valid simple empty require emit call given when then
     """
@@ -39,10 +38,11 @@ CHANGING_CALLS = listed(
 # Methods behind a shape that leave it alone.
 METHODS = listed(
     """
-    topolygon unwrap into tovec to_vec clone copy tolist to_owned as_ref expect isvalid is_valid toarray asarray build
+    topolygon unwrap into tovec to_vec clone copy deepcopy dup duplicate
+    tolist to_owned as_ref expect isvalid is_valid toarray asarray build
     collect iter close closepath endfill toimmutable freeze wkt reshape intersects intersect colliderect
     intersectsrect overlaps contains touches within disjoint equals intersection relate crosses covers almostequals
-    intersectswith intersects_with collideswith collides distance done
+    intersectswith intersects_with collideswith collides distance done tobe toequal tostrictequal tobecloseto
     """
 )
 # Methods that give another shape, which is not read.
@@ -59,10 +59,10 @@ KEYS = listed(
     name id type label kind class color colour fill stroke style opacity alpha visible layer category mask group
     static dynamic body sensor trigger tag tags title description comment note index key material texture sprite image
     density friction restitution mass velocity crs srid properties features satviz version expected relation hit area
-    length closed isclosed convex isconvex collides collision overlap overlaps intersects result shape_type flags line
-    width linewidth edgecolor facecolor zindex z_index dtype x y z enabled active selected hover url user created
-    updated filename axes every_axis device rotated internal isinternal level iscrowd byrow bbox fillstyle strokestyle
-    linejoin linecap geometry shape shapes fillcolor strokecolor valid
+    length count closed isclosed convex isconvex collides collision overlap overlaps intersects result shape_type flags
+    line width linewidth edgecolor facecolor zindex z_index dtype x y z enabled active selected hover url user
+    created updated filename axes every_axis device rotated internal isinternal level iscrowd byrow bbox
+    fillstyle strokestyle linejoin linecap geometry shape shapes fillcolor strokecolor valid
     """
 )
 # Words among the numbers of a shape that change nothing.
@@ -89,15 +89,44 @@ CHANGING_WORDS = listed(
     stretched transposed squared
     """
 )
-# Words before a name that gets a value.
-DECLARES = frozenset(["def", "setq", "define", "defvar", "defparameter"])
-# Words that test shapes: with one of these, `rotated` in a name is no change.
-TESTS = listed(
+# Words in a key, or in the name of a call, whose numbers change a shape.
+CHANGING_NUMBERS = listed(
     """
-    intersection intersections intersects intersect overlap overlaps collision collides test check iou
+    scale scaling zoom offset transform transform2d matrix mat3 affine origin originx originy anchor pivot skew shear
+    flip mirror rotate rotation rot angle orientation degrees radians translate translation position pos move shift
+    displacement center centre radius diameter skin margin rounding roundness rx ry size extents width height holes
+    interiors thickness buffer inflate grow shrink pad padding unit units ratio factor ppm isometry pose sides
     """
 )
+# Words in a key, or in the name of a call, whose numbers are none of a shape.
+OTHER_NUMBERS = listed(
+    """
+    velocity speed axes force torque gravity mass inertia density friction restitution color colour fill stroke
+    alpha opacity window canvas screen viewport viewbox svg area count length index id label layer category mask group
+    time timestamp step size_t sleep stiffness damping damp slop constraint render print printf println log assert
+    prev previous impulse motion tolerance epsilon eps expected distance camera image version line error warn info
+    background strokeweight fps framerate type srid iscrowd score ts bbox rows capacity make satviz contact vx vy vz
+    fixture moment linewidth zindex elasticity bounce text font style figsize dpi xlim ylim
+    """
+)
+# Words of a line that can say how another shape differs.
+DIFFERENCES = listed("left right up down above below larger smaller bigger wider taller narrower times same apart")
+# Words that change a shape on the line of one, and say nothing on another line: double k = 2, the sum of the radii
+_NEEDS_A_SHAPE = listed(
+    "double sum dot cross zip map mapped filter slice convert eval apply repeat project projected normalize normalized"
+)
+ANY_CHANGE = (CHANGING_CALLS | CHANGING_WORDS | CHANGING_KEYS | CHANGING_NUMBERS | DIFFERENCES) - _NEEDS_A_SHAPE
+# Words before a name that gets a value.
+DECLARES = frozenset(["def", "setq", "define", "defvar", "defparameter"])
+# Parts of the names of calls that test shapes: with one of these, `rotated` in a name is no change.
+TESTS = re.compile(
+    r"intersect|overlap|colli[ds]|test|check|(?<![a-z])iou(?![a-z])|disjoint|touch|contain|within", re.IGNORECASE
+)
 ADJECTIVES = listed("rotated scaled translated transformed moved rounded")
+# Words of calls that draw or print a shape, whose other numbers change none.
+SAYS = listed("assert print printf println log expect echo puts cout import console")
+COMPARING = listed("return if elif while for")
+DRAWS = frozenset(["draw", "fill", "stroke", "plot", "print", "printf", "show", "render", "cv2.drawContours"])
 # Types around one number: np.float64(0.5) is 0.5.
 CASTS = frozenset(["np.float64", "np.float32", "np.int64", "np.int32", "numpy.float64", "Decimal", "double"])
 # Words before and behind a number that counts or names something.
@@ -108,7 +137,7 @@ LABELS = listed(
 )
 COUNTED = listed(
     """
-    rows row corners points vertices shapes polygons circles boxes ms fps times people users
+    rows row corners points vertices verts pts shapes polygons circles boxes ms fps times people users
     """
 )
 # Words that say that the numbers behind them hold only sometimes, or several times.

@@ -70,6 +70,8 @@ class Keyed(Boxes):
         if isinstance(self.resolve(center), Name) and obj.get("x0") is not None:
             center = None  # position: absolute
         place = None if center is None else self.vector(center)
+        if isinstance(center, Bad):
+            self.number(center)  # says that it is not evaluated
         many = is_flat(self.resolve(obj.get("x"))) and is_flat(self.resolve(obj.get("y")))
         if place is None and not many and obj.get("x") is not None and obj.get("y") is not None:
             place = (self.number(obj.get("x")), self.number(obj.get("y")))

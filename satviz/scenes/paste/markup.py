@@ -7,7 +7,7 @@ from itertools import islice
 
 from ...engine.geometry import InvalidScene
 from .prose import fields, keys, sentences
-from .svg_path import PATH_DATA, path_tokens
+from .svg_path import NUMERAL, PATH_DATA, path_tokens
 from .tables import tables
 from .tokens import CLOSE, FIELD, MARK, MAX_TOKENS, NAME, NUMBER, OPEN, TOO_MANY, Token, tokens
 
@@ -20,9 +20,18 @@ _ATTRIBUTE = re.compile(rf"([\w:-]+)[ \t\r\n]*=[ \t\r\n]*({_QUOTED})")
 _LINE = r"[ \t]*[Mm][ \t]*[-+.0-9][-+.,0-9eE \t]*[A-Za-z][-+.,0-9eE \tMmLlHhVvZzCcSsQqTtAa]*"
 _BARE = re.compile(rf"([\"'`])({PATH_DATA.pattern})\1|^()({_LINE})$", re.MULTILINE)
 _MOVED = re.compile(r"transform|rotate|scale|translate")
-_POINTS = re.compile(r"[-+.,0-9eE\s]*")
+_BETWEEN = re.compile(r"[\s,]*")
 _TRANSFORM = re.compile(r"(\w+)\s*\(([^()]*)\)")
-_VIEW = re.compile(r"\bviewBox\s*=\s*(?:\"[^\"<>]*\"|'[^'<>]*')", re.IGNORECASE)
+# parts without a shape: how large a picture is, a declaration, how many items a list of C has, a pattern of DE-9IM
+_OTHER = re.compile(
+    r"<(?:svg|g|text|tspan|title|desc|style|defs|image)\b(?![^<>]*transform)[^<>]*>|\bviewBox\s*=\s*(?:\"[^\"<>]*\"|'[^'<>]*')"
+    r"|\b(?:interface|struct|type|record)\s+\w+\s*(?:=\s*)?\{[^{}()\d]*\}"
+    r"|\bsizeof\s*\([^()]*\)\s*/\s*sizeof\s*\([^()]*\)|(?P<quote>['\"])[012FT*]{9}(?P=quote)"
+    r"|[\w/.-]+\.(?:py|js|ts|cs|cpp|cc|c|h|hpp|rs|go|java|rb|lua|gd|kt|swift|m):\d+(?::\d+)?|TopologyException:[^\n]*"
+    r"|\bversion\W{1,6}\d+(?:\.\d+)+|\bv\d+\.\d+\.\d+"
+    r"|\bEigen::Matrix\w+ +\w+\(\d+, *\d+\)|^\s*size\(\d+, *\d+\);",
+    re.IGNORECASE | re.MULTILINE,
+)
 # The attributes that are numbers of a shape; 0 is what SVG takes for a place that is not given.
 _NUMBERS = {
     "circle": ("cx", "cy", "r"),
@@ -49,7 +58,7 @@ def all_tokens(text: str) -> tuple[list[Token], list[Token], list[tuple[int, int
             found = [_mark(OPEN, "[", m.start()), *path_tokens(m[data], m.start(data)), _mark(CLOSE, "]", m.end())]
             found.append(_mark(MARK, ";", m.end()))
             parts.append((m.start(), m.end(), found))
-    parts += [(m.start(), m.end(), []) for m in _VIEW.finditer(text)]
+    parts += [(m.start(), m.end(), []) for m in _OTHER.finditer(text)]
     parts += [*tables(text), *sentences(text), *fields(text), *keys(text)]
     if not parts:
         return plain, plain, []
@@ -78,6 +87,11 @@ def _replaced(plain: list[Token], parts: list[tuple[int, int, list[Token]]]) -> 
         part = next(rest, None)
 
 
+def _are_numbers(text: str) -> bool:
+    """Return whether there are numbers in a text, and nothing else."""
+    return _BETWEEN.fullmatch(NUMERAL.sub("", text)) is not None
+
+
 def _attributes(text: str, at: int) -> dict[str, tuple[str, int]]:
     """Return the attributes of an element: their names, and each value with its place."""
     return {m[1]: (m[2][1:-1], at + m.start(2) + 1) for m in _ATTRIBUTE.finditer(text)}
@@ -98,7 +112,7 @@ def _element(match: re.Match[str], holder: dict[str, tuple[str, int]]) -> Iterat
         yield from path_tokens(*found.get("d", ("", match.start())))
     elif tag in ("polygon", "polyline"):
         points, at = found.get("points", ("", match.start()))
-        for token in _inner(points, at) if _POINTS.fullmatch(points) else [_broken(points, at)]:
+        for token in _inner(points, at) if _are_numbers(points) else [_broken(points, at)]:
             yield token
             yield _mark(MARK, ",", token.end)
     else:
@@ -132,7 +146,7 @@ def _changes(text: str, at: int) -> Iterator[Token]:
     """Yield the calls behind a shape that its transform stands for: a move is applied, all else is refused."""
     for m in _TRANSFORM.finditer(text):
         inside, begin = m[2], at + m.start(2)
-        values = _inner(inside, begin) if _POINTS.fullmatch(inside) else [_broken(inside, begin)]
+        values = _inner(inside, begin) if _are_numbers(inside) else [_broken(inside, begin)]
         if m[1] == "translate" and len(values) == 1:
             values.append(Token(NUMBER, "0", values[0].end, values[0].end, Fraction(0)))
         if values:

@@ -142,6 +142,8 @@ def _holds(value: Any, place: int) -> bool:
 
 def is_block(group: Group) -> bool:
     """Return whether braces hold statements and not the fields of one object."""
+    if group.ended and any(isinstance(item, Group) and item.name for item in group.items):
+        return True
     pairs = [item for item in group.items if isinstance(item, Pair)]
     if any(len(item.path) > 1 and isinstance(item.path[0], str) for item in pairs):
         return True

@@ -62,7 +62,7 @@ NOTATIONS = (
     ),
     Notation(
         "circle.new ball::new newcircle circleimpl circlef colliderbuilder::ball circleshape2d newcircleshape "
-        "circlecollider2d  makecircle create_circle b2circle arc ellipse2d",
+        "circlecollider2d  makecircle create_circle b2circle cpcircleshapenew arc ellipse2d",
         CIRCLE,
     ),
     # boxes
@@ -87,7 +87,7 @@ NOTATIONS = (
     Notation(
         "shapely.box geometry.box shapely.geometry.box st_makeenvelope makeenvelope bbox boundingbox ltrb "
         "pixel.r image.rect rect64 rectd rect.fromltrb rect.frompoints rect::from_corners create_rectangle "
-        "RECT RECTL lnglatbounds latlngbounds rectf bb pymunk.bb box2.new",
+        "RECT RECTL lnglatbounds latlngbounds rectf bb pymunk.bb box2.new three.box2",
         BOX,
         CORNER_CORNER,
     ),
@@ -131,11 +131,25 @@ NOTATIONS = (
 NAMES = {name: row for row in NOTATIONS for name in row.names.split()}
 MAX_WORDS = max(len(re.split(r"\.|::|->", name)) for name in NAMES)
 
+# Texts whose shapes cannot be told from their lines: what they are, and what helps.
+UNREAD = (
+    (
+        re.compile(r"^[ \t]*canvas(?:\.\w+)?:", re.MULTILINE),
+        "instructions of Kivy: write each shape on a line of its own, such as Rectangle(10, 20, 100, 50)",
+    ),
+    (
+        re.compile(r"^[ \t]*(?:shape_type: TYPE_|embedded_collision_shape)", re.MULTILINE),
+        "a collision object of Defold: write each shape on a line of its own, such as box(x, y, width, height)",
+    ),
+)
+
 # Calls with the numbers of two shapes: the notation of each, and how many numbers it has.
 TWO_SHAPES = {
     "colliderectrect": (("qrect", 4), ("qrect", 4)),
     "collidecirclecircle": (("ellipse", 3), ("ellipse", 3)),
     "colliderectcircle": (("qrect", 4), ("ellipse", 3)),
+    "colliderectpoly": (("qrect", 4),),
+    "collidecirclepoly": (("ellipse", 3),),
     "rectrect": (("qrect", 4), ("qrect", 4)),
     "circlecircle": (("c2circle", 3), ("c2circle", 3)),
     "circlerect": (("c2circle", 3), ("qrect", 4)),
@@ -214,7 +228,7 @@ def notation(name: str) -> Notation | None:
     if name in NAMES:  # RECT is that of Windows, and Rect is not
         return NAMES[name]
     plain = name.lower().split("<")[0].rstrip("!") if "<" in name else name.lower()
-    for ending in ("::new", "::from", ".new"):
+    for ending in ("::new", "::from", ".new", "_t"):
         plain = plain.removesuffix(ending) if plain not in NAMES else plain
     words = plain.replace("::", ".").replace("->", ".").split(".")[-MAX_WORDS:]
     for candidate in (plain, *(".".join(words[i:]) for i in range(len(words))), words[-1].rstrip("!")):
@@ -228,4 +242,5 @@ def key(name: str | int) -> str:
     if isinstance(name, int):
         return ""
     plain = name.lower().replace("_", "").replace("-", "").replace(" ", "")
-    return KEYS.get(plain) or KEYS.get(plain.removeprefix("m"), "")
+    member = name[:2] == "m_" or name[1:2].isupper()  # m_radius, mRadius
+    return KEYS.get(plain) or (KEYS.get(plain.removeprefix("m"), "") if member else "")

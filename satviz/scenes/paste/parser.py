@@ -29,7 +29,8 @@ from .atoms import (
 )
 from .harmless import CASTS
 from .markup import all_tokens
-from .tokens import CLOSE, FIELD, LINE, MARK, NAME, NUMBER, OPEN, OTHER, TEXT, Token, tokens
+from .notations import UNREAD
+from .tokens import CLOSE, FIELD, LINE, MARK, MAX_CHARS, NAME, NUMBER, OPEN, OTHER, TEXT, Token, tokens
 from .tree import Bad, Group, Name, Num, Pair
 
 MAX_ANGLE = 50  # characters of an angle in terms of pi
@@ -38,7 +39,7 @@ MAX_WORDS_BETWEEN = 60  # between a shape and the word that separates it from th
 LEAST = 3  # corners of an outline
 PAIRS = {"(": ")", "[": "]", "{": "}"}
 SEPARATORS = frozenset(["vs", "versus", "and", "against", "intersects", "overlaps", "touches", "collides"])
-ARROWS = frozenset(["->", "<->", "\u2192", "\u2194", "\u21d2"])
+ARROWS = frozenset(["->", "-->", "<->", "\u2192", "\u2194", "\u21d2"])
 
 
 class Tree(NamedTuple):
@@ -55,6 +56,8 @@ class Tree(NamedTuple):
 
 def parse(text: str) -> Tree:
     """Return the tree of a text."""
+    if unread := next((why for pattern, why in UNREAD if pattern.search(text[:MAX_CHARS])), ""):
+        raise InvalidScene(unread)
     plain, found, parts = all_tokens(text)
     parser = _Parser(text, found)
     root = Group(0, len(text), parser.items("", 0))
@@ -72,12 +75,14 @@ class _Parser:
         self.at = 0
         self.remarks: list[str] = []
         self.indices: set[int] = set()  # where numbers end that count: v[2], float[3]
+        self.ended: set[int] = set()  # places of brackets with semicolons in them
 
     def items(self, bracket: str, depth: int) -> list[Any]:
         """Return the items up to the bracket that closes this group ("" is the whole text)."""
         if depth > MAX_DEPTH:
             raise InvalidScene(f"brackets are nested deeper than {MAX_DEPTH} levels: paste the shapes alone")
         items: list[Any] = []
+        opened = self.at - 1
         row: list[Any] = []  # values between commas on one line of the whole text
         atoms: list[Any] = []
 
@@ -127,6 +132,7 @@ class _Parser:
             if token.kind == OPEN:
                 group = Group(token.start, token.end, self.items(token.text, depth + 1), token.text)
                 group.end = self.tokens[self.at - 1].end if self.at else token.end
+                group.ended = token.start in self.ended
                 atoms.append(group)
             elif token.kind == LINE:
                 if bracket == "" and not self.goes_on(atoms):
@@ -142,6 +148,7 @@ class _Parser:
             elif token.text == ";" and token.kind == MARK:
                 if bracket:
                     end_item()
+                    self.ended.add(self.tokens[opened].start)
                 else:
                     end_line()
             elif not bracket and self.separates(token, atoms, row):
@@ -182,10 +189,15 @@ class _Parser:
         following = next((t for t in self.tokens[self.at : self.at + 8] if t.kind != LINE), None)
         last = atoms[-1] if atoms else None
         if isinstance(last, Token) and last.kind == MARK:
-            return True
+            return last.text != ":" or not self.begins_list()
         starts = following is not None and (following.text == "{" or following.kind == FIELD)
         field_follows = following is not None and following.kind == FIELD and not self.opens_block()
         return bool(atoms) and starts and (isinstance(last, Token) or field_follows)
+
+    def begins_list(self) -> bool:
+        """Return whether the next line begins with a number and a colon, as the first corner of a list does."""
+        found = [token for token in self.tokens[self.at : self.at + 8] if token.kind != LINE]
+        return len(found) > 1 and found[0].kind == NUMBER and found[1].text == ":"
 
     def opens_block(self) -> bool:
         """Return whether the next lines begin with a name and a brace, as rules of CSS do: .a {"""
@@ -231,7 +243,7 @@ class _Parser:
             else:
                 rest = self.value(after, bracket, keys + 1)
             if rest is None:  # nothing follows the sign: a heading such as `body:`, or a slip among numbers
-                groups = [a for a in atoms[:mark] if isinstance(a, Group)]
+                groups = [a for a in atoms[:mark] if isinstance(a, Group) and not _are_words(a)]
                 slips = groups or any(isinstance(a, Token) and a.kind == NUMBER for a in atoms[:mark])
                 return Bad(start_of(atoms[0]), end_of(atoms[-1]), "a key without a value", groups) if slips else None
             if not path:
@@ -246,7 +258,7 @@ class _Parser:
                 pair.number = last.text
                 self.indices.add(last.end)
             found = self.joined(atoms[:mark])[0]
-            before = [a for a in found if isinstance(a, Group) and a.bracket in "({" and a.items]
+            before = [a for a in found if isinstance(a, Group) and a.bracket in "({" and not _are_words(a)]
             return Group(pair.start, pair.end, [*before, pair], "+") if before else pair  # {x: 1, y: 2} radius: 5
         return self.plain(atoms, is_line=not bracket and not keys)
 
@@ -407,6 +419,11 @@ class _Parser:
 def _is_negative(value: Any) -> bool:
     """Return whether a value is a number below zero."""
     return isinstance(value, Num) and value.value is not None and value.value < 0
+
+
+def _are_words(group: Group) -> bool:
+    """Return whether a bracket holds words, as in: polygon A (4 corners): ..."""
+    return all(isinstance(v, Bad) and v.why == "words" for v in group.items)
 
 
 def _are_points(values: Sequence[Any]) -> bool:

@@ -1,6 +1,7 @@
 """sv.paste: shapes out of a text, how they lie, why, and what others would say."""
 
 import json
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
@@ -16,7 +17,7 @@ from .. import minimal_test
 from ..link import link
 from ..scenefile import MAX_VERTICES, Scene
 from . import findings, others
-from .boxes import ALL_CHOICES, BOX_FORM, CHOICES, LEAVE_OUT, ONLY_IF_IT_MATTERS, Read
+from .boxes import ALL_CHOICES, BOX_FORM, CHOICES, COMMAS, DECIMAL_COMMAS, LEAVE_OUT, ONLY_IF_IT_MATTERS, Read
 from .findings import KINDS, Finding, PastedShape, listed
 from .objects import as_text
 from .pair_findings import Pair, clear, of_pair
@@ -28,6 +29,14 @@ from .unused import rest
 MAX_SHAPES = 40
 MAX_TRACES = 60
 MAX_NAMED = 5  # parts that are not understood, in one line
+# Points with decimal commas: (0,5; 1,5), POLYGON((0,5 1,5, 2,5 0,5, ...)), three of (0,5, 1,5), x;y;r over 0,5;1,5;2
+_N = r"[-+]?\d+,\d+"
+DECIMAL = re.compile(
+    rf"\([ ]?{_N}[ ]?;[ ]?{_N}[ ]?\)|\(\s*{_N} +{_N}\s*,|[\[(]\s*(?:\({_N}, +{_N}\)\s*,\s*){{2}}\({_N}, +{_N}\)"
+    rf"|^[A-Za-z]\w*(?:;[A-Za-z]\w*)+\s*\n[-+]?\d*;?{_N};",
+    re.MULTILINE,
+)
+COMMA = re.compile(r"(?<=\d),(?=\d)")
 NOTHING = (
     "no shape was found: paste two shapes or more, as WKT, GeoJSON, JSON or lines of code, "
     "for example POLYGON((0 0, 4 0, 0 3)) and circle((5, 1), 2)"
@@ -41,6 +50,7 @@ ASKS = {
     "twice": "A name has two values. Is each of them a shape, or only the last one?",
     "round": "Is the last number of the circle its radius or its diameter?",
     "rest": "Not understood:",
+    "commas": "Does a comma stand for a decimal point, or between two numbers?",
     "corners": "Are the corners relative to the position, or absolute already?",
 }
 CHOICE_WORDS = {
@@ -63,6 +73,8 @@ CHOICE_WORDS = {
     "diameter": "the diameter",
     "each-value": "each value of a name",
     "last-value": "the last value of a name",
+    "decimal-commas": "0,5 is 0.5",
+    "separators": "0,5 is 0 and 5",
     "leave-out": "the shapes as read, without it",
 }
 
@@ -84,11 +96,8 @@ class Question(NamedTuple):
     matters: bool
 
     def __str__(self) -> str:
-        lines = [f"{self.asks}"]
-        lines += [f"  --as {answer.choice}: {answer.meaning} -> {answer.gives}" for answer in self.answers]
-        if not self.matters:
-            lines.append(f"  The relation is the same; {self.answers[0].choice} was taken.")
-        return "\n".join(lines)
+        answers = (f"  --as {answer.choice}: {answer.meaning} -> {answer.gives}" for answer in self.answers)
+        return "\n".join((self.asks, *answers))
 
 
 @dataclass(frozen=True, slots=True, repr=False)
@@ -197,6 +206,8 @@ class Pasted:
         for question in self.questions:
             yield ""
             yield str(question)
+            if not self.open:
+                yield f"  The relation is the same; {question.answers[0].choice} was taken."
         if sentence:
             yield ""
             yield number_format.ascii_minus(self.sentence)
@@ -270,6 +281,12 @@ def paste(what: Any, as_: str | Sequence[str] = ()) -> Pasted:
     """
     text = what if isinstance(what, str) else as_text(what)
     chosen = _choices(as_)
+    written = text
+    if DECIMAL.search(text) and not set(chosen) & set(CHOICES[COMMAS]):
+        answers = tuple(Answer(c, CHOICE_WORDS[c], _sentence(text, (*chosen, c))) for c in CHOICES[COMMAS])
+        return Pasted(text, chosen, (), (Question(COMMAS, ASKS[COMMAS], answers, matters=True),), (), ())
+    if DECIMAL_COMMAS in chosen:
+        text = COMMA.sub(".", text)
     tree = parse(text)
     reader = Reader(text, chosen)
     if forms := set(chosen) & set(CHOICES[BOX_FORM]):
@@ -277,7 +294,7 @@ def paste(what: Any, as_: str | Sequence[str] = ()) -> Pasted:
         bare.read(tree.root)
         reader.keeps = BOX_FORM in bare.asked
     reads = _checked(reader.read(tree.root), reader)
-    shapes = _named(reads, text)
+    shapes = _named(reads, written)
     questions = tuple(_questions(reader, tree.root, text, chosen))
     missed, harmless = rest(tree, reads, text, reader)
     notes = []
@@ -289,7 +306,7 @@ def paste(what: Any, as_: str | Sequence[str] = ()) -> Pasted:
     notes += [Finding("note", (), f"{remark[0].upper()}{remark[1:]}.") for remark in (*reader.remarks, *tree.remarks)]
     if harmless:
         notes.append(Finding("left-out", (), f"Left out, since no shape has them: {harmless}."))
-    made = Pasted(text, chosen, tuple(shapes), questions, (), ())
+    made = Pasted(written, chosen, tuple(shapes), questions, (), ())
     if made.open:
         return replace(made, findings=tuple(notes))
     pairs = _pairs(shapes)
@@ -310,6 +327,14 @@ def _choices(as_: str | Sequence[str]) -> tuple[str, ...]:
         if word not in ALL_CHOICES:
             raise InvalidScene(f"no reading is called {word[:40]!r}: choose one of {', '.join(ALL_CHOICES)}")
     return tuple(words)
+
+
+def _sentence(text: str, chosen: tuple[str, ...]) -> str:
+    """Return the answer of a reading in one sentence, or why there is none."""
+    try:
+        return paste(text, chosen).sentence
+    except InvalidScene as error:
+        return str(error).partition(":")[0]
 
 
 def _checked(reads: list[Read], reader: Reader) -> list[Read]:

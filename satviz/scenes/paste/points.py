@@ -158,10 +158,12 @@ class Points(Statements):
             return self.ring(items[0])
         if value.bracket == "," and any(isinstance(v, Group) and v.bracket == " " for v in items):
             items = [n for v in items for n in (v.items if isinstance(v, Group) and v.bracket == " " else [v])]  # SVG
-        flat = self.numbers(items)
+        other = value.bracket == "(" and value.name and row is None
+        if other and any(map(self._is_style, items)):
+            return None
+        flat = self.numbers(items) if len(items) > 2 else None
         if flat is not None:
-            unknown = value.bracket == "(" and value.name and row is None and not LIST_WORDS.search(value.name)
-            if len(flat) < 6 or (row and row.kind == POINT) or unknown:
+            if len(flat) < 6 or (row and row.kind == POINT) or (other and not LIST_WORDS.search(value.name)):
                 return None  # setTransform(1, 0, 0, 1, 5, 5) is no outline
             if len(flat) % 2:
                 raise Unreadable(
@@ -169,6 +171,11 @@ class Points(Statements):
                 )
             return list(zip(flat[::2], flat[1::2], strict=True))
         return self._points(items)
+
+    def _is_style(self, value: Any) -> bool:
+        """Return whether a value is a text in quotes, or a color such as 0xff0000."""
+        text = isinstance(value, Name) and self.text[value.start] in "'\"`"
+        return text or (isinstance(value, Num) and value.value is None and "hexadecimal" in value.why)
 
     def _columns(self, value: Any) -> Any:
         """Return a matrix of R with two columns as a list of points: matrix(c(0, 4, 4, 0, 0, 3), ncol = 2)."""

@@ -7,14 +7,18 @@ from .tokens import CLOSE, MARK, NAME, NUMBER, OPEN, Token, tokens
 
 _N = r"[-+\u2212]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?"
 _PLACE = rf"(?:\([ ]?{_N}[ ]?,[ ]?{_N}[ ]?\)|\b(?:center|centre|at|position)[ ]{_N}[ ]?,[ ]?{_N})"
-_FILL = r"[ ,]{1,3}(?:(?:and|with|has|having|of|is|a|an|the|its|size)[ ,]{1,3}){0,4}"
+_FILL = r"[ ,]{1,3}(?:(?:and|with|has|having|of|is|a|an|the|its|size|shape)[ ,]{1,3}){0,4}"
 _P, _A = rf"\({_N}[ ]?,[ ]?{_N}\)", rf"(?:{_N}|\({_N}\))"
 _STYLE = r"(?:\[(?![^\]]*(?:scale|shift|rotate|slant|cm=))[^\]()\n]*\])?"  # of TikZ, without a change of place
 # One row for each kind of sentence, or of print: the call that it stands for, and its words.
 SENTENCES = (
-    ("circle", re.compile(rf"{_PLACE}{_FILL}radius(?:[ ](?:of|is|=))?[ ]{_N}(?![\w.])", re.IGNORECASE)),
+    ("circle", re.compile(rf"{_PLACE}{_FILL}radius(?:[ ](?:of|is|=))?[ ]{_N}(?![\w.%])", re.IGNORECASE)),
     ("qrect", re.compile(rf"(?<=QRect)\({_N},{_N} {_N}x{_N}\)|(?<=QRectF)\({_N},{_N} {_N}x{_N}\)")),
     ("qrect", re.compile(rf"<rect\({_N}, {_N}, {_N}, {_N}\)>")),  # pygame
+    ("qrect", re.compile(rf"\[P: {_P}, S: {_P}\]")),  # Godot
+    ("qrect", re.compile(rf"\(x:{_N}, y:{_N}, width:{_N}, height:{_N}\)")),  # Unity
+    ("v2", re.compile(rf"<{_N}, {_N}>")),  # of C#
+    ("image.rect", re.compile(rf"\bmin(?:imum)?(?: at| =|:)? {_P},?(?: and)? (?:its )?max(?:imum)?(?: at| =|:)? {_P}")),
     ("image.rect", re.compile(rf"(?<=Rect)\({_N}, {_N} - {_N}, {_N}\)")),  # Android
     ("image.rect", re.compile(rf"(?<!, )\({_N},{_N}\)-\({_N},{_N}\)(?!, ?\()")),  # Go
     ("image.rect", re.compile(rf"\[\[{_N} {_N}\] - \[{_N} {_N}\]\]")),  # egui
@@ -25,11 +29,11 @@ SENTENCES = (
     ("jts.env", re.compile(rf"Env\[{_N} : {_N}, {_N} : {_N}\]")),
     ("size.at", re.compile(rf"\[{_N} x {_N} from \({_N}, {_N}\)\]")),  # OpenCV
     ("size.at", re.compile(rf"(?<=Rect)\({_N}x{_N} at \({_N}, {_N}\)\)")),  # euclid
-    ("v2", re.compile(rf"\bV2 {_A} {_A}(?![\w.])")),  # Haskell
+    ("v2", re.compile(rf"\bV2 {_A} {_A}(?![\w.%])")),  # Haskell
     ("svg.polygon", re.compile(rf"\\(?:draw|fill|filldraw|path){_STYLE}\s*{_P}(?:\s*--\s*{_P})+\s*--\s*cycle")),  # TikZ
     ("circle", re.compile(rf"\({_N}[ ]?,[ ]?{_N}\)[ ]circle[ ]\({_N}\)")),
     ("image.rect", re.compile(rf"\({_N}[ ]?,[ ]?{_N}\)[ ]rectangle[ ]\({_N}[ ]?,[ ]?{_N}\)")),
-    ("rect", re.compile(rf"{_PLACE}{_FILL}{_N}[ ]?[x\u00d7][ ]?{_N}(?![\w.])", re.IGNORECASE)),
+    ("rect", re.compile(rf"{_PLACE}{_FILL}{_N}[ ]?[x\u00d7][ ]?{_N}(?![\w.%])", re.IGNORECASE)),
 )
 _NUMBER = re.compile(rf"(?<!\bV){_N}")
 
@@ -58,16 +62,18 @@ def fields(text: str) -> Iterator[tuple[int, int, list[Token]]]:
 _KEYS = re.compile(
     r"(?:\[(?P<php>\w+)\]|(?P<export>\b\d+))\s*=>(?=\s*(?:[Aa]rray\b|[-\d\[]))"
     r"|(?<=[{\s]):(?P<clojure>[a-z]\w*)(?=\s+[-.\d\[{])"
+    rf"|^[ \t]*(?P<eigen>\w+)\s*<<(?=\s*{_N}(?:\s*,\s*{_N}){{5,}}\s*;)",
+    re.MULTILINE,
 )
 
 
 def keys(text: str) -> Iterator[tuple[int, int, list[Token]]]:
     """Yield (start, end, tokens) for each key of PHP or Clojure."""
     for match in _KEYS.finditer(text):
-        name, at = match["php"] or match["export"] or match["clojure"], match.start()
-        found = [Token(MARK, ",", at, at)]
+        name, at = match[match.lastgroup or 0], match.start()
+        found = [Token(MARK, ";" if match["eigen"] else ",", at, at)]
         if not name.isdigit():
-            found += [Token(NAME, name, at, at), Token(MARK, ":", at, at)]
+            found += [Token(NAME, name, at, at), Token(MARK, "=" if match["eigen"] else ":", at, at)]
         yield at, match.end(), found
 
 

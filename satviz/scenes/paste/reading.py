@@ -15,7 +15,7 @@ from .boxes import (
     moved,
 )
 from .calls import Calls
-from .harmless import HARMLESS
+from .harmless import HARMLESS, OTHER_NUMBERS, words
 from .names import Obj, Unreadable, is_block, short
 from .notations import (
     ANY_BOX,
@@ -48,6 +48,7 @@ from .tree import Bad, Group, Name, Num, Pair, Value
 
 _SECTION = re.compile(r"^\[[A-Za-z]", re.MULTILINE)
 _ASSIGNED = re.compile(r"[ \t+-]*(?:\w+[ \t*&]+){0,4}[\w.]+(?:\[\w*\])?[ \t]*:?=[ \t]*(?:new[ \t]+)?")  # Rect a =
+COPIES = frozenset(["clone", "copy", "deepcopy", "dup", "duplicate"])
 MAX_PROBLEMS = 50  # of what is not read; fewer are shown
 
 
@@ -130,6 +131,8 @@ class Reader(Calls):
 
     def _group(self, group: Group, label: str) -> list[Read]:
         """Return the shapes of a bracket, a call or a typed list, with the calls behind it."""
+        if (copied := self._copied(group)) is not None:
+            return self.shapes(copied, label)
         row = notation(group.name) if group.name else None
         kind = row.kind if row else ""
         if two := TWO_SHAPES.get(group.name.lower().split(".")[-1]):
@@ -176,10 +179,14 @@ class Reader(Calls):
         elif group.name and group.name.replace("->", ".").split(".")[-1].lower() in ATTACHERS:
             return self._attached(group, label)
         elif kind == MANY:
-            return [s for item in group.items for s in self._rings(item, label)]
+            return [s for item in group.items if not self._are_names(item) for s in self._rings(item, label)]
         else:
             found = self._plain(group, label)
         return self._after(group, found)
+
+    def _are_names(self, value: Any) -> bool:
+        """Return whether a value is a list of names: featureCollection([a, b])."""
+        return isinstance(value, Group) and bool(value.items) and all(isinstance(v, Name) for v in value.items)
 
     def _two(self, group: Group, two: Sequence[tuple[str, int]], label: str) -> list[Read]:
         """Return the shapes of a call with the numbers of two: collideRectRect(0, 0, 4, 4, 2, 0, 4, 4)."""
@@ -191,9 +198,18 @@ class Reader(Calls):
                 found += self._group(Group(items[0].start, items[-1].end, items, "(", name), label)
         return found
 
+    def _copied(self, group: Group) -> Any:
+        """Return what a call copies that has a name: a in a.clone() and in copy(a); None for other calls."""
+        owner, _, last = group.name.replace("->", ".").rpartition(".")
+        if last.lower() not in COPIES or len(group.items) > 1 or group.methods:
+            return None
+        named = group.items[0] if group.items else Name(group.start, group.end, owner)
+        found = self.resolve(named)
+        return found if isinstance(named, Name) and isinstance(found, (Group, Obj)) else None
+
     def _by_its_name(self, group: Group) -> Group:
         """Return a call with the name that its own stands for: var C = SAT.Circle; new C(...)."""
-        other = self.env.before(group.name, group.start) if group.name and not notation(group.name) else None
+        other = self.env.before(group.name, group.start) if group.name else None
         return replace(group, name=other.text) if isinstance(other, Name) else group
 
     def _has_numbers(self, value: Any) -> bool:
@@ -238,7 +254,12 @@ class Reader(Calls):
             if plain in TURNS and len(arguments.items) == 1:
                 found = [self._turned(shape, arguments.items[0], TURNS[plain], self.pivot(shape)) for shape in found]
                 continue
-            if plain not in HARMLESS and arguments.items and self.numbers(arguments.items) is not None:
+            if (
+                plain not in HARMLESS
+                and not words(plain) & OTHER_NUMBERS
+                and arguments.items
+                and self.numbers(arguments.items) is not None
+            ):
                 raise Unreadable(f".{name}(...) is not evaluated: write the result")
         return found
 
@@ -273,8 +294,8 @@ class Reader(Calls):
         sizes = {len(v.items) if isinstance(v, Group) and _is_numeric(v) else 0 for v in items}
         if len(items) > 2 and len(sizes) > 1 and min(sizes) > 2:
             raise Unreadable(f"lists of {' and '.join(map(str, sorted(sizes)))} numbers in one list are not corners")
-        flat = self.numbers(items) if not _is_call(group) else None
-        if flat is not None and len(flat) in (4, 5):
+        flat = self.numbers(items) if len(items) in (4, 5) and not _is_call(group) else None
+        if flat is not None:
             self._ask_order()
             if len(flat) == 5:
                 return [self._made_box(flat[:4], CENTER_SIZE, group, label, angle_of(group, flat))]

@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Any, NamedTuple
 
 from .names import Names, Obj, is_block, short
-from .notations import BOX, CIRCLE, MOVES, OTHER_SHAPE, POINT, SETTERS, SHIFTS, TURNS, key, notation
+from .notations import BOX, CIRCLE, MOVES, OTHER_SHAPE, POINT, RING, SETTERS, SHIFTS, TURNS, key, notation
 from .tree import Bad, Group, Name, Num, Pair
 
 # Calls that add a corner to a list, that draw an outline with a pen, and that give a shape to a body.
@@ -93,7 +93,10 @@ class Statements(Names):
 
     def _line(self, item: Any) -> None:
         """Take one line."""
-        if isinstance(item, Pair) and isinstance(item.value, Pair):  # a heading over the lines of an object: a:
+        held = item.value if isinstance(item, Pair) else None
+        if isinstance(held, Group) and not held.name and held.bracket == "{" and held.ended and is_block(held):
+            self.assign(held.items)  # class Test : Base { ... }
+        elif isinstance(item, Pair) and isinstance(item.value, Pair):  # a heading over the lines of an object: a:
             self._end_run("")
             self._line(item.value)
         elif isinstance(item, Pair):
@@ -117,6 +120,8 @@ class Statements(Names):
                 for inner in item.items:
                     self._line(inner)
                 self._end_run("")
+            elif item.bracket == "," and len(points := _points_behind_words(item)) > 2:
+                self.loose.append(Group(points[0].start, points[-1].end, points, "["))
             elif item.bracket == "," and any(isinstance(v, (Pair, Bad)) for v in item.items):
                 for inner in item.items:
                     self._line(inner)
@@ -147,7 +152,7 @@ class Statements(Names):
             value = Group(item.start, item.end, item.items, "(") if value is item else value
             field = "translation" if last in SHIFTS else "position" if moves else "angle"
             self._insert(Pair(item.start, item.end, (*owner, field), value))
-        elif last in ADDERS and owner and (point := _point_of(item)):
+        elif last in ADDERS and owner and (point := _point_of(item)) and not self._are_things(point):
             self._add(owner, point)
         elif last in PENS or last in PEN_STARTS:
             if last in PEN_STARTS:
@@ -159,6 +164,10 @@ class Statements(Names):
         else:
             return False
         return True
+
+    def _are_things(self, point: Group) -> bool:
+        """Return whether both items are names of what has been made before, as in space.add(body, shape)."""
+        return all(isinstance(v, Name) and not isinstance(self.resolve(v), (Name, Num)) for v in point.items)
 
     def _is_drawn(self, last: str, call: Group) -> bool:
         """Return whether a call moves a pen, or the shape named first in it: Body.setPosition(a, {x: 1, y: 2})."""
@@ -213,12 +222,14 @@ class Statements(Names):
     def _go_on(self, pair: Pair) -> None:
         """Add a number to the shape that its name tells; x1 = 0; y1 = 0; r1 = 5 is one circle."""
         name = str(pair.path[0]) if len(pair.path) == 1 else ""
-        owner, meaning = _owner(name) if name else ("", "")
+        owner, meaning = owner_of(name) if name else ("", "")
         if not meaning:
             self._end_run("")
             return
         if owner and not isinstance(pair.value, Num):
             return
+        if isinstance(pair.value, Group) and getattr(notation(pair.value.name), "kind", POINT) not in (POINT, RING):
+            return  # r = new Rectangle(0, 0, 4, 4)
         run = self._open.get(owner)
         if run is not None and meaning in {key(k) for k in run.fields}:
             self._end_run(owner)
@@ -244,7 +255,7 @@ class Statements(Names):
             self.taken |= {id(value) for value in run.fields.values() if not isinstance(value, Num)}
 
 
-def _owner(name: str) -> tuple[str, str]:
+def owner_of(name: str) -> tuple[str, str]:
     """Return whose number a name holds, and its meaning: ("1", "x") of x1, ("", "x") of x; ("", "") of other names."""
     if meaning := key(name):
         return "", meaning
@@ -263,6 +274,14 @@ def _is_points(name: str | int) -> bool:
 def _is_row_of_points(value: Any) -> bool:
     """Return whether a value is a bracket with two numbers and no name."""
     return isinstance(value, Group) and not value.name and _is_point(value)
+
+
+def _points_behind_words(row: Group) -> list[Group]:
+    """Return the points of a row that begins with words: a polygon with the corners (0, 0), (4, 0), (0, 3)."""
+    first, *rest = row.items
+    inside = first.inside if isinstance(first, Bad) and first.why == "words" else []
+    points = [replace(v, name="") if isinstance(v, Group) and key(v.name) == "points" else v for v in inside[:1]] + rest
+    return points if len(inside) == 1 and all(map(_is_row_of_points, points)) else []
 
 
 def _are_numbers(item: Group) -> bool:

@@ -8,12 +8,13 @@ from typing import NamedTuple
 from .notations import key
 from .tokens import CLOSE, MARK, NAME, NUMBER, OPEN, Token, tokens
 
-_WORD = re.compile(r"[A-Za-z_][\w .]*")
-_RULE = re.compile(r"[\s|:+=-]+")
+_WORD = re.compile(r"[A-Za-z_][\w .]*|\(index\)")
+_RULE = re.compile(r"[\s|:+=\u2500-\u257f-]+")
 _IDENTIFIER = re.compile(r"[^\W\d]\w*")
 _POINT = re.compile(r"[(\[{].*[)\]}]")
-_COLUMNS = {mark: re.compile(rf"[^{mark}]+") for mark in "|,;	"}
+_COLUMNS = {mark: re.compile(rf"[^{mark}]+") for mark in "|\u2502,;\t"}
 _SPACED = re.compile(r"\S+")
+BARS = ("|", "\u2502")
 CORNERS = ("x1", "y1", "x2", "y2")
 MAX_LINE = 400  # characters of a line of a table
 
@@ -72,13 +73,13 @@ def _table(lines: Sequence[Cell], number: int) -> tuple[Table | None, int]:
     corners = lower & set(CORNERS) if "x3" not in lower else set()  # of a box, and not of a triangle
     known = {key(name) for name in names} - {""} | corners
     owned = sum(bool(key(re.split(r"[_ .]", name)[-1])) for name in names)  # player_x, player_y
-    if len(known) < 2 and owned < 2 and mark != "|":
+    if len(known) < 2 and owned < 2 and mark not in BARS:
         return None, after
     indexed = header.text[:1] in (" ", ",", "\t")  # pandas writes the number of a row under no name
     rows = []
     while after < len(lines):
         line = lines[after]
-        if mark == "|" and _RULE.fullmatch(line.text or "x"):
+        if mark in BARS and _RULE.fullmatch(line.text or "x"):
             after += 1
             continue
         cells = _cells(line, mark)

@@ -8,7 +8,7 @@ from typing import NamedTuple
 from ...engine.geometry import InvalidScene
 
 MAX_CHARS = 1 << 20
-MAX_TOKENS = 120_000  # some 20,000 points; a second of work
+MAX_TOKENS = 60_000  # some 12,000 points; a second of work
 TOO_MANY = f"the text has more than {MAX_TOKENS:,} words and numbers: paste the shapes alone"
 MAX_DIGITS = 400  # no float64 needs more, and no exponent beyond this size fits one
 
@@ -32,7 +32,8 @@ SUFFIXES = frozenset(
 _TOKEN = re.compile(
     r"""
     (?P<space>[ \t\r\f\v\ufeff\u00a0]+|\\\n|(?<=\[)\||\|(?=\])|(?<=\[)_(?=\])|\.(?=\{)|'''|"\""+|```\w*)
-  | (?P<comment>(?<![\d)\]])//[^\n]*|\#(?![\w-]+[ ]*\{)[^\n]*|--(?=[ \[])[^\n]*|/\*.*?\*/|<!--.*?-->)
+  | (?P<comment>(?<![\d)\]])(?!(?<=[\d)\]fx][ ])//[ ]?[-.\d])//[^\n]*|\#(?![\w-]+[ ]*\{)[^\n]*
+     |(?<![\d)\]])--(?=[ \[])[^\n]*|/\*.*?\*/|<!--.*?-->)
   | (?P<line>\n)
   | (?P<tag>/>|(?<=["'])>|</[A-Za-z][\w:.-]*>|(?<![\w>])<[A-Za-z][\w:.-]*>)
   | (?P<number>(?:(?<![\w)\].])[+\-\u2212])?
@@ -45,7 +46,7 @@ _TOKEN = re.compile(
   | (?P<field>(?:\.|->|::)[^\W\d]\w*)
   | (?P<open>[(\[{])
   | (?P<close>[)\]}])
-  | (?P<mark><-(?=[ ])|<?->|[\u2192\u2194\u21d2]|=>|==|:=|<=|>=|!=|[,;:=])
+  | (?P<mark><-(?=[ ])|<?-?->|[\u2192\u2194\u21d2]|=>|==|:=|<=|>=|!=|[,;:=])
   | (?P<other>\\.|.)
     """,
     re.VERBOSE | re.DOTALL,
@@ -65,11 +66,10 @@ _PREFIX = re.compile(
     rf"""^[ \t]*(?:[\[(<]?(?:{_STAMP})(?!\d)[\])>]?[ \t:|,-]*)?
     (?:(?:\[[A-Za-z][\w\ ./:\#-]*\]|\b(?:TRACE|DEBUG|INFO|WARN|WARNING|ERROR|FATAL)\b)[ \t:|-]+)*
     (?:\d{{1,3}}[.)][ \t]+(?=[A-Za-z(\[{{]))?
-    (?:[A-Za-z_][\w.\#-]*:[ \t]+(?={_KEYS}))?""",
+    (?:[A-Za-z_][\w.\#-]*:[ \t]+(?={_KEYS}))?
+    (?:(?:>[ ])?\d*[ \t]+\|(?=[ \t]+(?:[A-Za-z]|\^)))?""",
     re.MULTILINE | re.VERBOSE,
 )
-# two numbers with commas for points, and a semicolon between them
-_DECIMAL_COMMA = re.compile(r"\([ ]?[-+]?\d+,\d+[ ]?;[ ]?[-+]?\d+,\d+[ ]?\)")
 
 
 class Token(NamedTuple):
@@ -91,8 +91,6 @@ def tokens(text: str) -> list[Token]:
         raise InvalidScene(
             f"the text has {len(text):,} characters: the limit is {MAX_CHARS:,}, so paste the shapes alone"
         )
-    if comma := _DECIMAL_COMMA.search(text):
-        raise InvalidScene(f"{_short(comma[0])} has decimal commas: write the numbers with points, such as 0.5")
     found: list[Token] = []
     for token in _scan(_without_open_comments(_PREFIX.sub(_blank, _PROMPT.sub(_blank, text)))):
         found.append(token)

@@ -57,3 +57,4 @@ class Group(Value):
     name: str = ""
     methods: list[tuple[str, "Group"]] = field(default_factory=list)  # calls behind it: .rotate(45)
     before: str = ""  # the word before its name, such as the type in `Circle c(0, 0, 1)`
+    ended: bool = False  # by semicolons, as statements are

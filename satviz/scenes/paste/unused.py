@@ -2,40 +2,22 @@
 
 import re
 from bisect import bisect_left, bisect_right
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import groupby, pairwise, takewhile
 from typing import Any, NamedTuple
 
-from .account import Account, within
+from .account import Account, Part, root, within
 from .boxes import Read
-from .harmless import words
+from .harmless import CHANGING_CALLS, CHANGING_NUMBERS, OTHER_NUMBERS, words
 from .names import Names, Obj, short
-from .notations import POINT, SHAPE_STEMS, notation
+from .notations import POINT, SHAPE_STEMS, key, notation
 from .parser import Tree
 from .tokens import NAME, NUMBER
 from .tree import Bad, Group, Num, Pair
 
+MIN_SAID = 12  # characters of a part that says enough without its line
 MAX_NAMED = 6  # keys that are named in a line, and numbers without a key
-
-# Words in a key, or in the name of a call, that change a shape.
-CHANGING = """
-    scale scaling zoom offset transform transform2d matrix mat3 affine origin originx originy anchor pivot skew shear
-    flip mirror rotate rotation rot angle orientation degrees radians translate translation position pos move shift
-    displacement center centre radius diameter skin margin rounding roundness rx ry size extents width height holes
-    interiors thickness buffer inflate grow shrink pad padding unit units ratio factor ppm isometry pose sides
-"""
-# Words in a key, or in the name of a call, that say that the numbers are none of a shape.
-HARMLESS = """
-    velocity speed axes force torque gravity mass inertia density friction restitution color colour fill stroke
-    alpha opacity window canvas screen viewport viewbox svg area count length index id label layer category mask group
-    time timestamp step size_t sleep stiffness damping damp slop constraint render print printf println log assert
-    prev previous impulse motion tolerance epsilon eps expected distance camera image version line error warn info
-    background strokeweight fps framerate
-    type srid iscrowd score ts bbox rows capacity make satviz contact vx vy vz fixture moment
-    linewidth zindex
-"""
-CHANGING_WORDS, HARMLESS_WORDS = frozenset(CHANGING.split()), frozenset(HARMLESS.split())
 
 
 class Left(NamedTuple):
@@ -63,24 +45,57 @@ def rest(tree: Tree, reads: Sequence[Read], text: str, reader: Names) -> Rest:
         known.setdefault(token.end, Left(token.start, token.end, before.get(token.end, ""), token.value))
     left = sorted((v for v in known.values() if v.end not in used), key=lambda v: v.start)
     places = sorted(used - tree.indices)
-    variables = {str(name) for name, value in reader.env.fields.items() if _holds(places, value)}
-    objects = {str(name): value for name, value in reader.env.fields.items() if isinstance(value, Obj)}
-    changed = {name for name, value in objects.items() if any(_holds(places, v) for v in value.rest)}
-    account = Account(text, tree.tokens, places, variables, [*tree.parts, *reader.parts], changed)
+    named = [(root(path.split(" ")[0]), value) for path, value in _paths(reader.env.fields)]
+    names = dict(named)
+    variables = {name: _size(value) for name, value in named if _holds(places, value)}
+    labels = {read.label for read in reads if not (key(read.label) or words(read.label) & CHANGING_CALLS)}
+    variables |= dict.fromkeys(labels - set(variables), 0)
+    objects = ((name, value) for name, value in names.items() if isinstance(value, Obj))
+    changed = {name for name, value in objects if any(_holds(places, v) for v in value.rest)}
+    aliases = {
+        name: said
+        for name, value in names.items()
+        if isinstance(said := getattr(value, "text", getattr(value, "name", "")), str)
+    }
+    account = Account(text, tree.tokens, places, variables, [*tree.parts, *reader.parts], changed, aliases)
     parts = account.run()
     quoted = within(reader.named, parts)
     parts = [part for part in parts if part not in quoted]
     inside = within([*reader.named, *parts, *reader.parts], left)
     left = [v for v in left if v not in inside and v.end not in account.counts]
     harmless: list[Left] = []
-    missed = [(part.start, short(text[part.start : part.end])) for part in parts]
+    missed = list(_said(parts, text))
+    missed += [(len(text), remark) for remark in tree.remarks if account.is_cut()]
     for _, group in groupby(left, key=_base):
         row = list(group)
-        if all(map(_is_harmless, row)):
+        if all(_is_harmless(each) or each.end in account.aside for each in row):
             harmless += row
         else:
             missed.append((row[0].start, _named(row, text)))
     return Rest([said for _, said in sorted(missed)], _named(harmless, text) if harmless else "")
+
+
+def _said(parts: Sequence[Part], text: str) -> Iterator[tuple[int, str]]:
+    """Yield the parts that are not understood with their places; a short one, and several, with their line."""
+    for line, group in groupby(parts, key=lambda part: text.rfind("\n", 0, part.start) + 1):
+        said = [short(text[part.start : part.end]) for part in group]
+        whole = short(text[line:].partition("\n")[0])
+        alone = len(said) == 1 and len(said[0]) >= MIN_SAID
+        yield line, said[0] if alone or said == [whole] else f"{', '.join(said)} (in {whole})"
+
+
+def _paths(fields: Mapping[str | int, Any]) -> Iterator[tuple[str, Any]]:
+    """Yield the names of a text with their values, and those behind `this`."""
+    for name, value in fields.items():
+        if name in ("this", "self") and isinstance(value, Obj):
+            yield from ((f"{name}.{inner}", each) for inner, each in value.fields.items())
+        else:
+            yield str(name), value
+
+
+def _size(value: Any) -> int:
+    """Return how many items a value has."""
+    return len(value.fields) if isinstance(value, Obj) else len(value.items) if isinstance(value, Group) else 0
 
 
 def _holds(places: Sequence[int], value: Any) -> bool:
@@ -97,7 +112,8 @@ def _walk(tree: Tree, value: Any, name: str) -> Iterator[Left]:
         yield Left(value.start, value.end, name, value.value)
     elif isinstance(value, Pair):
         path = ".".join(str(part) for part in value.path if isinstance(part, str))
-        yield from _walk(tree, value.value, f"{name}.{path}" if name and path else path or name)
+        moves = words(value.before) & CHANGING_NUMBERS  # b2Transform at = {{0, 0}, 1}
+        yield from _walk(tree, value.value, ".".join(filter(None, (name, value.before if moves else "", path))))
     elif isinstance(value, Bad):
         for inner in value.inside:
             yield from _walk(tree, inner, name)
@@ -117,12 +133,12 @@ def _walk(tree: Tree, value: Any, name: str) -> Iterator[Left]:
 def _is_harmless(left: Left) -> bool:
     """Return whether a number that no shape has changes none, by its key: a mass, or a scale of 1."""
     said, last = words(left.key.removeprefix("svg.")), words(left.key.split(".")[-1])
-    if "moment" in said or left.key == "pymunk.Body" or "bounds" in left.key.split("."):
+    if "moment" in said or left.key == "pymunk.Body" or not {"bounds", "properties"}.isdisjoint(left.key.split(".")):
         return True
-    if any(word.startswith(SHAPE_STEMS) for word in last) and not last & CHANGING_WORDS:
+    if any(word.startswith(SHAPE_STEMS) for word in last) and not last & CHANGING_NUMBERS:
         return False
     same = left.value == (1 if any("scal" in word or word == "zoom" for word in said) else 0)
-    return bool(said & HARMLESS_WORDS) or (same and bool(said & CHANGING_WORDS))
+    return bool(said & OTHER_NUMBERS) or (same and bool(said & CHANGING_NUMBERS))
 
 
 def _base(left: Left) -> str:

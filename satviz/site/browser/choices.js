@@ -24,7 +24,7 @@ export function judgedChoices(list) {
  * The fold with the answer: the next one before any other question.
  * @param {Element} list
  */
-function followingAnswer(list) {
+export function followingAnswer(list) {
   for (let next = list.nextElementSibling; next && !next.matches(".choices, h2, h3"); next = next.nextElementSibling) {
     if (next instanceof HTMLDetailsElement && next.classList.contains("later")) return next;
   }

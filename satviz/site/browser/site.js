@@ -9,6 +9,7 @@ import { playFirstMinute } from "./first_minute.js";
 import { fitFrame } from "./fit_frame.js";
 import { slidingFrames } from "./frames.js";
 import { PythonWorker } from "./python_worker.js";
+import { waitForAnswers } from "./rest_of_chapter.js";
 import { decoded, SITE, ScenePlace, showStill, statusOf } from "./scene_place.js";
 import { showSolved } from "./solved.js";
 
@@ -30,6 +31,7 @@ for (const root of document.querySelectorAll(".player")) {
 }
 
 for (const list of document.querySelectorAll(/** @type {"ul"} */ ("ul.choices"))) judgedChoices(list);
+for (const chapter of document.querySelectorAll(/** @type {"article"} */ (".chapter article"))) waitForAnswers(chapter);
 for (const place of document.querySelectorAll(/** @type {"div"} */ (".frames"))) slidingFrames(place);
 for (const stage of document.querySelectorAll(/** @type {"section"} */ (".front .stage"))) playFirstMinute(stage);
 for (const place of document.querySelectorAll(/** @type {"p"} */ (".progress"))) showSolved(place);

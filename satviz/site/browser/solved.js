@@ -1,15 +1,13 @@
 // The challenges that this reader has solved, kept in the reader's own browser.
 
-const KEY = "satviz-solved";
+import { keep, keptValue } from "./kept.js";
+
+const SOLVED = "solved";
 
 /** @returns {string[]} */
 function solved() {
-  try {
-    const found = JSON.parse(localStorage.getItem(KEY) ?? "[]");
-    return Array.isArray(found) ? found.filter((each) => typeof each === "string") : [];
-  } catch {
-    return []; // a browser that keeps nothing, or what another page has left
-  }
+  const found = keptValue(SOLVED);
+  return Array.isArray(found) ? found.filter((each) => typeof each === "string") : [];
 }
 
 /**
@@ -20,17 +18,13 @@ export function keepSolved({ scene, goal }) {
   if (!goal?.met) return;
   const id = `${goal.goal}:${JSON.parse(scene).name}`;
   const known = solved();
-  if (known.includes(id)) return;
-  try {
-    localStorage.setItem(KEY, JSON.stringify([...known, id]));
-  } catch {
-    // there is no room: nothing is kept
-  }
+  if (!known.includes(id)) keep(SOLVED, JSON.stringify([...known, id]));
 }
 
 /** @param {HTMLElement} place It says how many are solved, and forgets them. */
 export function showSolved(place) {
   const [count, forget] = /** @type {[HTMLElement, HTMLElement]} */ ([place.querySelector(".count"), place.querySelector("button")]);
+  const begin = /** @type {HTMLAnchorElement} */ (document.querySelector(".action a"));
   const items = [...document.querySelectorAll(/** @type {"li"} */ ("li[data-challenge]"))];
   const show = () => {
     const known = new Set(solved());
@@ -43,9 +37,13 @@ export function showSolved(place) {
     const done = items.filter((item) => item.classList.contains("solved")).length;
     count.textContent = done ? `You have solved ${done} of ${items.length}.` : `None of ${items.length} is solved yet.`;
     forget.hidden = !done;
+    const next = items.find((item) => !item.classList.contains("solved"))?.querySelector("a");
+    if (next) begin.href = next.href;
+    begin.hidden = !next;
+    begin.textContent = done ? "Go on with the next challenge" : "Begin with the first challenge";
   };
   forget.addEventListener("click", () => {
-    localStorage.removeItem(KEY);
+    keep(SOLVED, null);
     show();
     count.focus();
   });

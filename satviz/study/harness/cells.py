@@ -47,8 +47,9 @@ class Cell(NamedTuple):
     @property
     def key(self) -> str:
         """Return a digest of everything that decides the result: work, arguments, machine and satviz's code."""
-        facts = [self.work.__module__, self.work.__qualname__, self.arguments, machine_facts(), _code_digest()]
-        return sha256(json.dumps(facts, default=lambda work: work.__qualname__).encode()).hexdigest()
+        facts = [self.work, self.arguments, machine_facts(), _code_digest()]
+        name = json.dumps(facts, default=lambda work: f"{work.__module__}.{work.__qualname__}")
+        return sha256(name.encode()).hexdigest()
 
 
 @cache

@@ -1,12 +1,13 @@
 """Times as columns of rows, repeated in whole processes, with the spread between these.
 
-Two processes can differ more than the rounds of one: memory lies elsewhere, the machine is busier.  So each process is
-a cell of its own, and intervals come from the spread between processes.
+Two processes can differ more than the rounds of one: memory lies elsewhere, the machine is busier.  So each section has
+a cell for each of several processes, and intervals come from the spread between processes.
 """
 
 import gc
 from collections.abc import Callable, Mapping, Sequence
-from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures import BrokenExecutor, ProcessPoolExecutor
+from functools import cache
 from multiprocessing import get_context
 from statistics import median
 from time import thread_time
@@ -18,22 +19,31 @@ from .cells import Cell, JsonRow, Settings
 BUSY_SPREAD = 0.25  # processes further apart than this share of their median: the machine was busy
 
 
-def in_new_process(work: Callable[..., Any], *arguments: Any) -> Any:
-    """Return `work(*arguments)`, done in a process of its own."""
-    with ProcessPoolExecutor(1, get_context("spawn")) as pool:
-        return pool.submit(work, *arguments).result()
+@cache
+def _process(number: int) -> ProcessPoolExecutor:
+    """Return the process of this number, for all sections: each new one has to load numba and all kernels again."""
+    return ProcessPoolExecutor(1, get_context("spawn"))
+
+
+def in_process(number: int, work: Callable[..., Any], *arguments: Any) -> Any:
+    """Return `work(*arguments)`, done in the process of this number; if that died, the next call has a new one."""
+    try:
+        return _process(number).submit(work, *arguments).result()
+    except BrokenExecutor:
+        _process.cache_clear()
+        raise
 
 
 def cells_by_process(name: str, work: Callable[..., Any], arguments: tuple[Any, ...], settings: Settings) -> list[Cell]:
     """Return a timed cell for each process in which `work` is done."""
     processes = range(2 if settings.quick else 6)
-    return [Cell(f"{name}-{k}-times", in_new_process, (work, *arguments), timed=True) for k in processes]
+    return [Cell(f"{name}-{k}-times", in_process, (k, work, *arguments), timed=True) for k in processes]
 
 
 def time_jobs(jobs: Mapping[str, Callable[[], Any]], rounds: int, items: Mapping[str, int]) -> dict[str, float]:
     """Return for each job its median CPU time per item in ns; `items`: how many items a job does."""
     gc.collect()
-    gc.freeze()  # otherwise each later collection would visit all shapes and modules again; the process ends soon
+    gc.freeze()  # otherwise each later collection would visit all shapes and modules again
     return {name: t.median for name, t in time_in_turn(jobs, rounds, items, thread_time).items()}
 
 

@@ -23,6 +23,7 @@ from . import libraries, numpy_rivals, python_rivals
 
 COMPILED, NUMPY, PYTHON = "compiled", "NumPy", "Python"
 TOLERANCE = 1e-9  # scene units
+TILE_PAIRS = 2000  # no power of two, which would put all corners into the same few places of the cache
 # found in numba's machine code on x86: a loop that can end early is not vectorised
 VECTORISED = (
     "SAT, satviz and the bounding shapes compute several pairs at a time; GJK and shapely go pair by pair. "
@@ -36,8 +37,8 @@ class Method(NamedTuple):
     """One way to answer pairs: `hits(prepare(side_a), prepare(side_b))` returns the answers.
 
     `language`: the language of its loop over pairs.  `family`: the group that decides its colour in charts; "exact" is
-    exact by construction for all float64.  `circles`: whether it takes circles too.  `prepare_once`: a quicker way to
-    prepare shapes that are tested only once, where there is one.
+    exact by construction for all float64.  `circles`: whether it takes circles too.  `at_once`: a quicker way from the
+    arrays of both sides to the answers, for shapes that are tested only once, where there is one.
     """
 
     name: str
@@ -46,12 +47,11 @@ class Method(NamedTuple):
     prepare: Callable[[Side], Any]
     hits: Callable[[Any, Any], Any]
     circles: bool = False
-    prepare_once: Callable[[Side], Any] | None = None
+    at_once: Callable[[Side, Side], Answers] | None = None
 
     def from_arrays(self, a: Side, b: Side) -> Any:
         """Return the answers to all pairs of the raw arrays `a` and `b`, each shape made anew and tested once."""
-        prepare = self.prepare_once or self.prepare
-        return self.hits(prepare(a), prepare(b))
+        return self.at_once(a, b) if self.at_once else self.hits(self.prepare(a), self.prepare(b))
 
 
 def installed_engines() -> Iterator[tuple[str, str]]:
@@ -118,28 +118,27 @@ def _numba_methods() -> Iterator[Method]:
             kernel_for(len(a.x), len(b.x))(a.x, a.y, b.x, b.y, out)
             return out.view(np.bool_)
 
-        # float64 is read as it lies; float32 has to be copied anyway
-        once = numpy_rivals.as_columns if dtype is np.float64 else None
-        columns = partial(numpy_rivals.to_columns, dtype=dtype)
-        return Method(name, COMPILED, family, columns, hits, prepare_once=once)
+        at_once = partial(_in_tiles, kernel_for=kernel_for, dtype=dtype)
+        return Method(name, COMPILED, family, partial(numpy_rivals.to_columns, dtype=dtype), hits, at_once=at_once)
 
     def sat(name: str, family: str, form: int, tolerance: float = 0.0, dtype: Any = np.float64) -> Method:
         """Return SAT as a Method; its kernel takes the tolerance in the format of the columns."""
+        limit = dtype(tolerance)
 
         def kernel_for(va: int, vb: int) -> Callable[..., None]:
             """Return the kernel for these numbers of corners, without the tolerance among its arguments."""
             kernel = numba_rivals.sat_kernel(numba_rivals.unrolled(va), numba_rivals.unrolled(vb), form)
-            return lambda ax, ay, bx, by, out: kernel(ax, ay, bx, by, dtype(tolerance), out)
+            return lambda ax, ay, bx, by, out: kernel(ax, ay, bx, by, limit, out)
 
         return on_columns(name, family, kernel_for, dtype)
 
-    def on_bounds(name: str, bound: Callable[..., Any], kernel: Callable[..., None]) -> Method:
-        """Return the Method of a kernel on bounding volumes, which `bound(x, y)` makes of a side."""
+    def on_bounds(name: str, bound: Callable[[int | None], Callable[..., Any]], kernel: Callable[..., None]) -> Method:
+        """Return the Method of a kernel on bounding volumes, which `bound(corners)(x, y)` makes of columns."""
 
         def prepare(side: Side) -> Any:
             """Return the bounding volumes of a workload's side."""
-            columns = numpy_rivals.as_columns(side)
-            return bound(columns.x, columns.y)
+            columns = numpy_rivals.to_columns(side)
+            return bound(numba_rivals.unrolled(len(columns.x)))(columns.x, columns.y)
 
         def hits(a: Any, b: Any) -> Answers:
             """Return for each pair whether the bounding volumes hit."""
@@ -147,7 +146,12 @@ def _numba_methods() -> Iterator[Method]:
             kernel(a, b, out)
             return out.view(np.bool_)
 
-        return Method(name, COMPILED, "bounds", prepare, hits)
+        def kernel_for(va: int, vb: int) -> Callable[..., None]:
+            """Return the kernel on columns of these numbers of corners."""
+            bound_a, bound_b = (bound(numba_rivals.unrolled(corners)) for corners in (va, vb))
+            return lambda ax, ay, bx, by, out: kernel(bound_a(ax, ay), bound_b(bx, by), out)
+
+        return Method(name, COMPILED, "bounds", prepare, hits, at_once=partial(_in_tiles, kernel_for=kernel_for))
 
     def gjk(va: int, vb: int) -> Callable[..., None]:
         """Return the kernel of GJK for these numbers of corners."""
@@ -159,10 +163,28 @@ def _numba_methods() -> Iterator[Method]:
     yield sat("SAT, unit normals", "float SAT", numba_rivals.UNIT)
     yield sat("SAT, float32", "float SAT", numba_rivals.PLAIN, dtype=np.float32)
     yield sat("SAT, tolerance 1e-9", "tolerance", numba_rivals.WITH_TOLERANCE, TOLERANCE)
-    yield on_columns("GJK", "GJK", gjk)
+    pair_by_pair, views = on_columns("GJK", "GJK", gjk), numpy_rivals.as_columns  # it reads the arrays as they lie
+    yield pair_by_pair._replace(at_once=lambda a, b: pair_by_pair.hits(views(a), views(b)))
     yield on_bounds("bounding circles", numba_rivals.enclosing_circles, numba_rivals.circles_hit)
     yield on_bounds("AABB", numba_rivals.upright_boxes, numba_rivals.boxes_hit)
     yield on_bounds("oriented boxes", numba_rivals.oriented_boxes, numba_rivals.oriented_boxes_hit)
+
+
+def _in_tiles(a: Any, b: Any, kernel_for: Callable[[int, int], Any], dtype: type = np.float64) -> Answers:
+    """Return the answers of a kernel on columns for raw arrays, whose corners it gets a tile of pairs at a time.
+
+    So the columns stay in the cache, and the kernel computes several pairs at a time.
+    """
+    from . import numba_rivals
+
+    va, vb, out = a.shape[1], b.shape[1], np.empty(len(a), np.int8)
+    copy_a, copy_b = (numba_rivals.corners_kernel(numba_rivals.unrolled(corners)) for corners in (va, vb))
+    (ax, ay), (bx, by) = (np.empty((2, v, TILE_PAIRS), dtype) for v in (va, vb))
+    for first in range(0, len(a), TILE_PAIRS):
+        copy_a(a, first, ax, ay)
+        copy_b(b, first, bx, by)
+        kernel_for(va, vb)(ax, ay, bx, by, out[first : first + TILE_PAIRS])
+    return out.view(np.bool_)
 
 
 def _numpy_methods() -> Iterator[Method]:

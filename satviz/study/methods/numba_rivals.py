@@ -56,23 +56,52 @@ def read_once(columns: NDArray[np.int64]) -> int:
     return total
 
 
+# -- the corners of raw arrays ----------------------------------------------------------------------------------
+
+
+@cache
+def corners_kernel(corners: int | None) -> Callable[..., None]:
+    """Return the kernel(rings, first, x, y) for so many corners; None for any number.
+
+    It writes the corners of the shapes from number `first` on into columns, for as many shapes as these take.
+    """
+
+    @compiled
+    def kernel(rings: Array, first: int, x: Array, y: Array) -> None:
+        """Write corner v of the shapes into row v of x and y, in the format of these."""
+        count = rings.shape[1] if corners is None else corners
+        for k in range(min(x.shape[1], len(rings) - first)):
+            i, j = np.uintp(first + k), np.uintp(k)
+            for v in range(count):
+                x[v, j], y[v, j] = rings[i, v, 0], rings[i, v, 1]
+
+    return kernel
+
+
 # -- bounding volumes, prepared once for each shape --------------------------------------------------------------------
 
 
-@compiled
-def enclosing_circles(x: Array, y: Array) -> Array:
-    """Return rows (center x, center y, radius): for each polygon a circle about its corners' mean."""
-    kept = np.empty((3, x.shape[1]))
-    for i in range(x.shape[1]):
-        cx, cy, far = 0.0, 0.0, 0.0
-        for v in range(x.shape[0]):
-            cx, cy = cx + x[v, i], cy + y[v, i]
-        cx, cy = cx / x.shape[0], cy / x.shape[0]
-        for v in range(x.shape[0]):
-            dx, dy = x[v, i] - cx, y[v, i] - cy
-            far = max(far, dx * dx + dy * dy)
-        kept[0, i], kept[1, i], kept[2, i] = cx, cy, np.sqrt(far)
-    return kept
+@cache
+def enclosing_circles(corners: int | None) -> Callable[..., Array]:
+    """Return a kernel(x, y) that returns rows (center x, center y, radius): circles about the corners' means."""
+
+    @compiled
+    def kernel(x: Array, y: Array) -> Array:
+        """Return the circle about each polygon."""
+        count, kept = x.shape[0] if corners is None else corners, np.empty((3, x.shape[1]))
+        for k in range(x.shape[1]):
+            i = np.uintp(k)
+            cx, cy, far = 0.0, 0.0, 0.0
+            for v in range(count):
+                cx, cy = cx + x[v, i], cy + y[v, i]
+            cx, cy = cx / count, cy / count
+            for v in range(count):
+                dx, dy = x[v, i] - cx, y[v, i] - cy
+                far = max(far, dx * dx + dy * dy)
+            kept[0, i], kept[1, i], kept[2, i] = cx, cy, np.sqrt(far)
+        return kept
+
+    return kernel
 
 
 @compiled
@@ -83,18 +112,25 @@ def circles_hit(a: Array, b: Array, out: Out) -> None:
         out[i] = dx * dx + dy * dy <= radius_sum * radius_sum
 
 
-@compiled
-def upright_boxes(x: Array, y: Array) -> Array:
-    """Return rows (low x, high x, low y, high y): each polygon's upright box."""
-    kept = np.empty((4, x.shape[1]))
-    for i in range(x.shape[1]):
-        x0 = x1 = x[0, i]
-        y0 = y1 = y[0, i]
-        for v in range(1, x.shape[0]):
-            x0, x1 = min(x0, x[v, i]), max(x1, x[v, i])
-            y0, y1 = min(y0, y[v, i]), max(y1, y[v, i])
-        kept[0, i], kept[1, i], kept[2, i], kept[3, i] = x0, x1, y0, y1
-    return kept
+@cache
+def upright_boxes(corners: int | None) -> Callable[..., Array]:
+    """Return a kernel(x, y) that returns rows (low x, high x, low y, high y): each polygon's upright box."""
+
+    @compiled
+    def kernel(x: Array, y: Array) -> Array:
+        """Return the box about each polygon."""
+        count, kept = x.shape[0] if corners is None else corners, np.empty((4, x.shape[1]))
+        for k in range(x.shape[1]):
+            i = np.uintp(k)
+            x0 = x1 = x[0, i]
+            y0 = y1 = y[0, i]
+            for v in range(1, count):
+                x0, x1 = min(x0, x[v, i]), max(x1, x[v, i])
+                y0, y1 = min(y0, y[v, i]), max(y1, y[v, i])
+            kept[0, i], kept[1, i], kept[2, i], kept[3, i] = x0, x1, y0, y1
+        return kept
+
+    return kernel
 
 
 @compiled
@@ -104,26 +140,36 @@ def boxes_hit(a: Array, b: Array, out: Out) -> None:
         out[i] = (a[1, i] >= b[0, i]) & (b[1, i] >= a[0, i]) & (a[3, i] >= b[2, i]) & (b[3, i] >= a[2, i])
 
 
-@compiled
-def oriented_boxes(x: Array, y: Array) -> Array:
-    """Return rows (center x, center y, axis x, axis y, half length, half width): boxes along the longest edge."""
-    kept = np.empty((6, x.shape[1]))
-    for i in range(x.shape[1]):
-        ux, uy, longest = 1.0, 0.0, 0.0
-        for v in range(x.shape[0]):
-            w = v + 1 if v + 1 < x.shape[0] else 0
-            ex, ey = x[w, i] - x[v, i], y[w, i] - y[v, i]
-            if ex * ex + ey * ey > longest:
-                ux, uy, longest = ex, ey, ex * ex + ey * ey
-        ux, uy = ux / np.sqrt(longest), uy / np.sqrt(longest)
-        s0, s1, t0, t1 = np.inf, -np.inf, np.inf, -np.inf
-        for v in range(x.shape[0]):
-            s, t = x[v, i] * ux + y[v, i] * uy, y[v, i] * ux - x[v, i] * uy
-            s0, s1, t0, t1 = min(s0, s), max(s1, s), min(t0, t), max(t1, t)
-        s, t = (s0 + s1) / 2, (t0 + t1) / 2
-        kept[0, i], kept[1, i], kept[2, i], kept[3, i] = s * ux - t * uy, s * uy + t * ux, ux, uy
-        kept[4, i], kept[5, i] = (s1 - s0) / 2, (t1 - t0) / 2
-    return kept
+@cache
+def oriented_boxes(corners: int | None) -> Callable[..., Array]:
+    """Return a kernel(x, y) that returns boxes along the longest edges, as rows (center x, center y, axis x, axis y,
+    half length, half width).
+    """
+
+    @compiled
+    def kernel(x: Array, y: Array) -> Array:
+        """Return the box about each polygon."""
+        count, kept = x.shape[0] if corners is None else corners, np.empty((6, x.shape[1]))
+        for k in range(x.shape[1]):
+            i = np.uintp(k)
+            ux, uy, longest = 1.0, 0.0, 0.0
+            for v in range(count):
+                w = (v + 1) % count
+                ex, ey = x[w, i] - x[v, i], y[w, i] - y[v, i]
+                square = ex * ex + ey * ey
+                longer = square > longest
+                ux, uy, longest = ex if longer else ux, ey if longer else uy, square if longer else longest
+            ux, uy = ux / np.sqrt(longest), uy / np.sqrt(longest)
+            s0, s1, t0, t1 = np.inf, -np.inf, np.inf, -np.inf
+            for v in range(count):
+                s, t = x[v, i] * ux + y[v, i] * uy, y[v, i] * ux - x[v, i] * uy
+                s0, s1, t0, t1 = min(s0, s), max(s1, s), min(t0, t), max(t1, t)
+            s, t = (s0 + s1) / 2, (t0 + t1) / 2
+            kept[0, i], kept[1, i], kept[2, i], kept[3, i] = s * ux - t * uy, s * uy + t * ux, ux, uy
+            kept[4, i], kept[5, i] = (s1 - s0) / 2, (t1 - t0) / 2
+        return kept
+
+    return kernel
 
 
 @compiled
@@ -134,12 +180,9 @@ def oriented_boxes_hit(a: Array, b: Array, out: Out) -> None:
         ux, uy, vx, vy = a[2, i], a[3, i], b[2, i], b[3, i]
         c, s = abs(ux * vx + uy * vy), abs(ux * vy - uy * vx)
         p, q, r, t = a[4, i], a[5, i], b[4, i], b[5, i]
-        out[i] = not (
-            abs(dx * ux + dy * uy) > p + r * c + t * s
-            or abs(dy * ux - dx * uy) > q + r * s + t * c
-            or abs(dx * vx + dy * vy) > r + p * c + q * s
-            or abs(dy * vx - dx * vy) > t + p * s + q * c
-        )
+        on_a = (abs(dx * ux + dy * uy) <= p + r * c + t * s) & (abs(dy * ux - dx * uy) <= q + r * s + t * c)
+        on_b = (abs(dx * vx + dy * vy) <= r + p * c + q * s) & (abs(dy * vx - dx * vy) <= t + p * s + q * c)
+        out[i] = on_a & on_b
 
 
 # -- complete methods --------------------------------------------------------------------------------
@@ -155,21 +198,21 @@ def _largest_gap(
     x: Array, y: Array, p: Array, q: Array, i: Any, corners: int, others: int, form: int, tolerance: float
 ) -> float:
     """Return how far the other polygon lies beyond that edge of polygon i which is best for this; below 0: nowhere."""
-    best = x.dtype.type(-np.inf)  # all numbers have the format of the columns
+    best = x.dtype.type(0)  # all numbers have the format of the columns
     for e in range(corners):
         f = (e + 1) % corners
         ex, ey = x[e, i], y[e, i]
         nx, ny = y[f, i] - ey, ex - x[f, i]
         if form == UNIT:
-            length = np.sqrt(nx * nx + ny * ny)
-            nx, ny = nx / length, ny / length
-        least = x.dtype.type(np.inf)
-        for v in range(others):
+            inverse = x.dtype.type(1) / np.sqrt(nx * nx + ny * ny)  # a product is quicker than another division
+            nx, ny = nx * inverse, ny * inverse
+        least = nx * p[0, i] + ny * q[0, i]
+        for v in range(1, others):
             least = min(least, nx * p[v, i] + ny * q[v, i])
         gap = least - (nx * ex + ny * ey)
         if form == WITH_TOLERANCE:
             gap = gap - tolerance * np.sqrt(nx * nx + ny * ny)
-        best = max(best, gap)
+        best = gap if e == 0 else max(best, gap)
     return best  # type: ignore[no-any-return]
 
 

@@ -15,6 +15,7 @@ from matplotlib.figure import Figure
 
 from ... import batch
 from ...pictures import Theme
+from ..harness import timings
 from ..harness.cells import Cell, JsonRow, Settings
 from ..harness.chart import (
     TEXT_POINTS,
@@ -27,15 +28,6 @@ from ..harness.chart import (
     head_height,
 )
 from ..harness.machine import is_installed
-from ..harness.timings import (
-    cells_by_process,
-    format_ratio,
-    interval_in_words,
-    over_processes,
-    ratio_interval,
-    time_jobs,
-    timing_warning,
-)
 from ..methods import libraries, true_relations
 from ..workloads.generators import Array, Rings, apart_pairs, overlapping_pairs
 
@@ -59,7 +51,7 @@ def cells(settings: Settings) -> list[Cell]:
     counts = QUICK_COUNTS if settings.quick else CORNER_COUNTS
     arguments = ((10_000, 3) if settings.quick else (200_000, 5)) + (counts, settings)
     counted = Cell("corners-count", count_errors, (400 if settings.quick else 4000, counts, settings))
-    return [counted, *cells_by_process("corners", take_times, arguments, settings)]
+    return [counted, *timings.cells_by_process("corners", take_times, arguments, settings)]
 
 
 def mixed_pairs(n: int, v: int, settings: Settings) -> tuple[Rings, Rings]:
@@ -119,7 +111,7 @@ def take_times(corners: int, rounds: int, counts: Sequence[int], settings: Setti
     for v in counts:
         n = max(100, corners // v)
         jobs = ready_jobs(*mixed_pairs(n, v, settings))
-        times = time_jobs(jobs, rounds, dict.fromkeys(jobs, n))
+        times = timings.time_jobs(jobs, rounds, dict.fromkeys(jobs, n))
         found += [{"corners": v, "method": name, "ns": ns} for name, ns in times.items()]
     return found
 
@@ -127,7 +119,11 @@ def take_times(corners: int, rounds: int, counts: Sequence[int], settings: Setti
 def rows(found: dict[str, Any]) -> dict[str, list[JsonRow]]:
     """Return the rows of the chart: the times of all processes, and the answers that were counted."""
     counted = {(row["corners"], row["method"]): row for row in found["corners-count"]}
-    return {"corners": [{**counted[row["corners"], row["method"]], **row} for row in over_processes(found, "corners")]}
+    return {
+        "corners": [
+            {**counted[row["corners"], row["method"]], **row} for row in timings.over_processes(found, "corners")
+        ]
+    }
 
 
 def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
@@ -138,8 +134,8 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     factors = dict[str, str]()
     for name in names:  # two doublings after 64
         last, first = (by[name, v]["ns_runs"] for v in (256, 64))
-        middle, low, high = (ratio**0.5 for ratio in ratio_interval(last, first))
-        factors[name] = format_ratio((middle, low, high))
+        middle, low, high = (ratio**0.5 for ratio in timings.ratio_interval(last, first))
+        factors[name] = timings.format_ratio((middle, low, high))
     title = "Time against corners"
     if "GJK" in factors:
         title = "From 64 corners on, twice the corners take SAT on every corner "
@@ -161,13 +157,13 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
         ax.set_xticks(ticks, [str(v) for v in ticks], fontsize=TEXT_POINTS)
         ax.xaxis.minorticks_off()
 
-    text = f"In brackets: {interval_in_words(len(rows[0]['ns_runs']))}. "
+    text = f"In brackets: {timings.interval_in_words(len(rows[0]['ns_runs']))}. "
     for name in names:
         times = [f"{format_time(by[name, v]['ns'])} with {v} corners" for v in (4, 64, 256)]
         text += f"{name}: {', '.join(times)}; twice the corners take {factors[name]} as long (64 to 256). "
     text += f"Wrong answers: {sum(row['wrong'] for row in rows)} of {sum(row['pairs'] for row in rows):,}, "
     text += "checked by two exact oracles."
-    return Chart("corners", title, size, draw, rows, text, timing_warning(rows, settings))
+    return Chart("corners", title, size, draw, rows, text, timings.timing_warning(rows, settings))
 
 
 CHARTS = {"corners": chart}

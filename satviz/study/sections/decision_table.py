@@ -99,7 +99,7 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
         f"{least} of {len(rows)} kinds of scenes need less than filtered exact SAT: model no more than a scene needs"
     )
     lines = (
-        "The least model that `satviz advise` proves right for every pair of one such scene. In the last row wrong "
+        "The least model that satviz advise proves right for every pair of one such scene. In the last row wrong "
         "hits are allowed. Time: the last test of the model alone, for 4-gons, or for circles in float64.",
     )
     table = [_in_words(row) for row in rows]

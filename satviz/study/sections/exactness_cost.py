@@ -14,6 +14,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from ...pictures import Theme
+from ..harness import timings
 from ..harness.cells import Cell, JsonRow, Settings
 from ..harness.chart import (
     TEXT_POINTS,
@@ -24,15 +25,6 @@ from ..harness.chart import (
     draw_time_curves,
     format_time,
     head_height,
-)
-from ..harness.timings import (
-    cells_by_process,
-    format_ratio,
-    interval_in_words,
-    over_processes,
-    ratio_interval,
-    time_jobs,
-    timing_warning,
 )
 from ..methods import COMPILED, VECTORISED, all_methods
 from ..workloads.generators import Rings, ngons
@@ -53,7 +45,7 @@ LINES = {  # by (method, column): (label, family, line style)
 
 def cells(settings: Settings) -> list[Cell]:
     """Return a cell for each process, which times the methods at every share of touching pairs and every outlier."""
-    return cells_by_process(
+    return timings.cells_by_process(
         "price", take_times, ((20_000, 3) if settings.quick else (100_000, 7)) + (settings,), settings
     )
 
@@ -82,7 +74,7 @@ def take_times(n: int, rounds: int, settings: Settings) -> list[JsonRow]:
     for (what, much), (a, b) in workloads(n, settings.rng("price")).items():
         jobs = {f"{name}/ns": partial(m.hits, m.prepare(a), m.prepare(b)) for name, m in methods.items()}
         jobs |= {f"{name}/whole": partial(methods[name].from_arrays, a, b) for name, key in LINES if key == "whole"}
-        times = time_jobs(jobs, rounds, dict.fromkeys(jobs, n))
+        times = timings.time_jobs(jobs, rounds, dict.fromkeys(jobs, n))
         timed += [{"what": what, "much": much, "method": name, "pairs": n, "ns": times[f"{name}/ns"],
                   "whole": times.get(f"{name}/whole", 0.0)} for name in methods]  # fmt: skip
     return timed
@@ -90,7 +82,7 @@ def take_times(n: int, rounds: int, settings: Settings) -> list[JsonRow]:
 
 def rows(found: dict[str, Any]) -> dict[str, list[JsonRow]]:
     """Return the rows of the chart; none where plain SAT is not compiled."""
-    merged = over_processes(found, "price", ("ns", "whole"))
+    merged = timings.over_processes(found, "price", ("ns", "whole"))
     return {"price-of-exactness": merged if any(row["method"] == PLAIN for row in merged) else []}
 
 
@@ -101,14 +93,16 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     def ratio(what: str, much: float, column: str = "ns") -> str:
         """Return how many times as long as plain SAT satviz takes, with its interval, in words."""
         own, plain = (by[what, much, name][f"{column}_runs"] for name in (EXACT, PLAIN))
-        return format_ratio(ratio_interval(own, plain))
+        return timings.format_ratio(timings.ratio_interval(own, plain))
 
     title = (
         f"An exact answer takes {ratio('touching', 0.0)} as long as plain SAT where no pair touches, "
         f"{ratio('touching', 1.0)} where all do, and {ratio('outlier', float(OUTLIERS[-1]))} beside one shape that is "
         "a million times as large"
     )
-    lines = (f"Time for a pair of {rows[0]['pairs']:,} pairs of 4-gons. Bars: the spread of the processes.",)
+    lines = (
+        f"Time for a pair, with {rows[0]['pairs']:,} pairs of 4-gons in a call. Bars: the spread of the processes.",
+    )
     head = head_height(title, lines)
     size = WIDTH, head + 470
 
@@ -130,7 +124,7 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
             ax.set_xticks(range(len(steps)), names)
             ax.set_xlabel(words, fontsize=TEXT_POINTS)
 
-    text = f"{title}. satviz against plain SAT, with {interval_in_words(len(rows[0]['ns_runs']))}: "
+    text = f"{title}. satviz against plain SAT, with {timings.interval_in_words(len(rows[0]['ns_runs']))}: "
     ratios = []
     for what, steps in ("touching", TOUCHING_SHARES), ("outlier", OUTLIERS):
         for much in steps:
@@ -140,7 +134,7 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
                 ratios.append(f"{words}, {kind}: {ratio(what, float(much), column)}, {format_time(exact)} "
                             f"against {format_time(plain)}")  # fmt: skip
     text += f"{'; '.join(ratios)}. {VECTORISED}"
-    return Chart("price-of-exactness", title, size, draw, rows, text, timing_warning(rows, settings))
+    return Chart("price-of-exactness", title, size, draw, rows, text, timings.timing_warning(rows, settings))
 
 
 CHARTS = {"price-of-exactness": chart}

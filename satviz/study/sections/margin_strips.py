@@ -1,11 +1,12 @@
 """The relative margin: how near to touching a pair must be before a method can be wrong.
 
 The relative margin is the distance from touching, counted in rounding errors (`satviz/advice/relative_margin.py`).
-Question: up to which relative margin is each method wrong, and how often?  Workload: pairs made hard in seven ways,
-about equally many in each factor of 2 of the margin, pairs that touch exactly, and circles.  Methods: upright boxes,
-SAT in float32 and in float64, GJK, shapely and satviz, and for circles the comparison of squares.  A sample shows how
-often a method is wrong, a search (`adversary`) how far, and a proof where that ends.  The claim is refuted by a wrong
-answer of SAT in float64 above its proven margin, while no product of coordinates leaves the range of float64.
+Question: up to which relative margin is each method wrong, and how often?  Workload: pairs made hard in seven ways (in
+a quick run in six), about equally many in each factor of 2 of the margin, pairs that touch exactly, and circles.
+Methods: upright boxes, SAT in float32 and in float64, GJK, shapely and satviz, and for circles the comparison of
+squares.  A sample shows how often a method is wrong, a search (`adversary`) how far, and a proof where that ends.  The
+claim is refuted by a wrong answer of SAT in float64 above its proven margin, while no product of coordinates leaves the
+range of float64.
 """
 
 from collections.abc import Sequence
@@ -70,8 +71,11 @@ def cells(settings: Settings) -> list[Cell]:
     """Return the counts on each kind of hard pairs, on touches and on circles, and a search for each method."""
     per_octave = 3 if settings.quick else 60
     n, generations = (1000, 12) if settings.quick else (20_000, 40)
-    found = [Cell(f"margin-{kind.name.replace(' ', '-')}", count_by_margin, (k, per_octave, settings))
-             for k, kind in enumerate(HARD_KINDS)]  # fmt: skip
+    found = [
+        Cell(f"margin-{kind.name.replace(' ', '-')}", count_by_margin, (k, per_octave, settings))
+        for k, kind in enumerate(HARD_KINDS)
+        if not (settings.quick and kind.name == "24 corners")  # kernels are compiled for them alone
+    ]
     found += [Cell("margin-circles", count_circles, (per_octave * 3, settings))]
     found += [Cell("margin-touching", count_touching, (200 if settings.quick else 4000, settings))]
     found += [Cell("margin-float32", float32_beyond, (settings,))]
@@ -188,8 +192,8 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     pairs, wrong = (sum(raw[key][:near]) for key in ("pairs", "wrong"))
     low, high = wilson_interval(wrong, pairs)
     title = (
-        f"SAT in float64 is wrong about {wrong / pairs:.0%} ({low:.0%} to {high:.0%}) of these pairs within {NEAR} "
-        f"roundings of touching, at worst at {raw['worst']:.1f}, and proven right from {raw['proven']} on"
+        f"SAT with raw normals in float64 is wrong about {wrong / pairs:.0%} ({low:.0%} to {high:.0%}) of these pairs "
+        f"within {NEAR} roundings of touching, at worst at {raw['worst']:.1f}, and proven right from {raw['proven']} on"
     )
     lines = (
         "Strong: half of the answers are wrong, no better than a coin. Faint: none of this sample is wrong. "

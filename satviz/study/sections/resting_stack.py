@@ -153,7 +153,7 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
                     words = f"{row['largest_energy']:.0e} J"
                 ax.set_xticks([])
                 ax.set_xlabel(words, labelpad=3)
-        note = f"Cut off: depths beyond {LIMITS[0]:g} and {LIMITS[1]:g} mm, energies beyond {MOST_ENERGY:,.0f} J."
+        note = f"Cut off: depths beyond −{-LIMITS[0]:g} and {LIMITS[1]:g} mm, energies beyond {MOST_ENERGY:,.0f} J."
         fig.text(6 / WIDTH, 10 / size[1], note, fontsize=TEXT_POINTS, color=theme.roles["guide"])
 
     text = f"{title}. "

@@ -19,6 +19,7 @@ from matplotlib.figure import Figure
 from ...engine.shapes import Polygon
 from ...pictures import Theme
 from .. import truth
+from ..harness import timings
 from ..harness.cells import Cell, JsonRow, Settings
 from ..harness.chart import (
     TEXT_POINTS,
@@ -31,15 +32,6 @@ from ..harness.chart import (
     head_height,
     label_points,
     set_time_ticks,
-)
-from ..harness.timings import (
-    cells_by_process,
-    format_ratio,
-    interval_in_words,
-    over_processes,
-    ratio_interval,
-    time_jobs,
-    timing_warning,
 )
 from ..methods import (
     COMPILED,
@@ -90,7 +82,10 @@ def cells(settings: Settings) -> list[Cell]:
     pairs = 200 if settings.quick else 4000
     found += [Cell(f"count-{work}", count_errors, (work, pairs, settings)) for work in WORKS]
     rounds = 3 if settings.quick else 9
-    return [*found, *cells_by_process("speed", take_times, (pairs_in_a_call(settings), rounds, settings), settings)]
+    return [
+        *found,
+        *timings.cells_by_process("speed", take_times, (pairs_in_a_call(settings), rounds, settings), settings),
+    ]
 
 
 def pairs_in_a_call(settings: Settings) -> int:
@@ -143,14 +138,14 @@ def take_times(n: int, rounds: int, settings: Settings) -> list[JsonRow]:
     jobs = {(name, "ns"): partial(m.hits, m.prepare(a), m.prepare(b)) for name, m in found.items()}
     jobs |= {(name, "whole"): partial(m.from_arrays, a, b) for name, m in found.items()}
     named = {"/".join(key): job for key, job in jobs.items()}
-    times = time_jobs(named, rounds, dict.fromkeys(named, n))
+    times = timings.time_jobs(named, rounds, dict.fromkeys(named, n))
     return [{"method": name, "ns": times[f"{name}/ns"], "whole": times[f"{name}/whole"]} for name in found]
 
 
 def summaries(found: dict[str, Any]) -> list[JsonRow]:
     """Return a row for each method: its worst gap, its wrong answers by workload, and its times."""
     rows = []
-    for times in over_processes(found, "speed", ("ns", "whole")):
+    for times in timings.over_processes(found, "speed", ("ns", "whole")):
         (worst,) = (
             row for name, row in found.items() if name.startswith("worst-") and row["method"] == times["method"]
         )
@@ -180,7 +175,7 @@ def main_chart(rows: list[JsonRow], settings: Settings) -> Chart:
     """Return the chart of time against the largest gap with a wrong answer, with at most eight labels."""
     by_name = {row["method"]: row for row in rows}
     sat, exact = by_name["SAT, raw normals"], by_name["satviz"]
-    ratio = format_ratio(ratio_interval(exact["ns_runs"], sat["ns_runs"]))
+    ratio = timings.format_ratio(timings.ratio_interval(exact["ns_runs"], sat["ns_runs"]))
     title = (
         f"SAT in float64 can be wrong only about gaps below {in_metres(SAT_MARGIN * 2.0**-53 * METRES_WIDE)} in 1 km "
         f"(proven); exact answers take {ratio} as long"
@@ -233,7 +228,7 @@ def main_chart(rows: list[JsonRow], settings: Settings) -> Chart:
                 color=family_colour(theme, "float SAT"), lw=1, ls=":")  # fmt: skip
         label_points(ax, labels, theme, taken)
 
-    text = f"{title}. In brackets: {interval_in_words(len(sat['ns_runs']))}. "
+    text = f"{title}. In brackets: {timings.interval_in_words(len(sat['ns_runs']))}. "
     text += (
         f"The shapes have sizes of 1 m to 14 m, and {pairs_in_a_call(settings):,} pairs are tested in a call. A gap "
     )
@@ -245,7 +240,7 @@ def main_chart(rows: list[JsonRow], settings: Settings) -> Chart:
     checked = sum(exact[f"{work}_pairs"] for work in WORKS)
     wrong = sum(exact[f"{work}_wrong"] for work in WORKS)
     text += f"satviz was wrong on {wrong} of {checked:,} hard pairs that two exact oracles checked. {VECTORISED}"
-    return Chart("speed-against-accuracy", title, size, draw, rows, text, timing_warning(rows, settings))
+    return Chart("speed-against-accuracy", title, size, draw, rows, text, timings.timing_warning(rows, settings))
 
 
 def all_methods_chart(rows: list[JsonRow], settings: Settings) -> Chart:
@@ -253,7 +248,7 @@ def all_methods_chart(rows: list[JsonRow], settings: Settings) -> Chart:
     rows = sorted(rows, key=lambda row: row["ns"])
     by_name = {row["method"]: row for row in rows}
     exact, sat = by_name["satviz"], by_name["SAT, raw normals"]
-    ratio = format_ratio(ratio_interval(exact["whole_runs"], sat["whole_runs"]))
+    ratio = timings.format_ratio(timings.ratio_interval(exact["whole_runs"], sat["whole_runs"]))
     title = f"From arrays to answers, exact satviz takes {ratio} as long as plain SAT: it also checks the shapes"
     lines = (
         f"{pairs_in_a_call(settings):,} pairs in a call. Full dot: the answer alone. Open dot: from the arrays to the "
@@ -291,13 +286,13 @@ def all_methods_chart(rows: list[JsonRow], settings: Settings) -> Chart:
         ax.tick_params(axis="y", length=0)
         ax.spines["left"].set_visible(False)
 
-    text = f"{title}. In brackets: {interval_in_words(len(sat['ns_runs']))}. Plain SAT reads the arrays as they lie. "
+    text = f"{title}. In brackets: {timings.interval_in_words(len(sat['ns_runs']))}. Plain SAT checks nothing. "
     for row in rows:
         text += (
             f"{row['method']}: {format_time(row['ns'])} for the answer, {format_time(row['whole'])} from the arrays; "
         )
         text += f"wrong at {row['touching_wrong']:,} touches and {row['extreme_wrong']:,} extreme pairs. "
-    return Chart("all-methods", title, size, draw, rows, text + VECTORISED, timing_warning(rows, settings))
+    return Chart("all-methods", title, size, draw, rows, text + VECTORISED, timings.timing_warning(rows, settings))
 
 
 CHARTS = {"speed-against-accuracy": main_chart, "all-methods": all_methods_chart}

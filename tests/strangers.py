@@ -1,0 +1,1532 @@
+"""Texts as users write them who never read the reader's code: code around the shapes, prints, tests, prose.
+
+`bounds`: the bounding box of each shape, worked out by hand.  `asks`: a question is right, and `as_` answers it; every
+other text must be answered at once.  A text without `bounds` is refused in words.
+"""
+
+from typing import NamedTuple
+
+Box = tuple[float, float, float, float]
+
+
+class Text(NamedTuple):
+    """A text, the bounds of its shapes, the reading to take, and whether a question is right."""
+
+    name: str
+    text: str
+    bounds: tuple[Box, ...]
+    as_: str = ""
+    asks: bool = False
+
+
+TEXTS = (
+    Text(
+        "martinez#6 js",
+        """I have a case where the intersection gives incorrect results.
+
+The polygons used:
+`var p0_x = [
+   [
+    [0,0],
+    [0,1],
+    [1,1],
+    [1,0],
+    [0,0]
+  ]
+];`
+`var p1_x = [
+  [
+    [0, 0.5],
+    [0, 1.5],
+    [1, 1.5],
+    [1, 0.5],
+    [0, 0.5]
+  ]
+];`
+
+const result = martinez.intersection(p0_x, p1_x);
+console.log(result);""",
+        ((0, 0, 1, 1), (0, 0.5, 1, 1.5)),
+    ),
+    Text(
+        "boost#1439 c++",
+        """typedef boost::geometry::model::d2::point_xy<double> BgPoint;
+typedef boost::geometry::model::polygon<BgPoint> BgPolygon;
+
+BgPolygon p1 = createPolygon({
+    BgPoint(-2.4708, -86.0305),
+    BgPoint(-1.1619, 146.3030),
+    BgPoint(3.4022, 145.8628),
+    BgPoint(1.2080, -86.0406),
+    BgPoint(-2.4708, -86.0305)
+});
+
+BgPolygon p2 = createPolygon({
+    BgPoint(-6.2132, -88.0185),
+    BgPoint(-6.2053, -86.0140),
+    BgPoint(-2.4708, -86.0243),
+    BgPoint(-2.4761, -88.0331),
+    BgPoint(-6.2132, -88.0185)
+});
+
+std::vector<BgPolygon> out;
+boost::geometry::intersection(p1, p2, out);
+double area = out.empty() ? 0.0 : boost::geometry::area(out[0]);
+std::cout << "area = " << area << std::endl;""",
+        ((-2.4708, -86.0406, 3.4022, 146.303), (-6.2132, -88.0331, -2.4708, -86.014)),
+    ),
+    Text(
+        "boost wkt",
+        """using point = boost::geometry::model::d2::point_xy<double>;
+using polygon = boost::geometry::model::polygon<point>;
+polygon green, blue;
+boost::geometry::read_wkt("POLYGON((2 1.3,2.4 1.7,2.8 1.8,3.4 1.2,3.7 1.6,3.4 2,4.1 3,2 1.3))", green);
+boost::geometry::read_wkt("POLYGON((4.0 -0.5 , 3.5 1.0 , 2.0 1.5 , 4.0 -0.5))", blue);
+std::deque<polygon> output;
+boost::geometry::intersection(green, blue, output);
+int i = 0;
+BOOST_FOREACH(polygon const& p, output)
+{
+    std::cout << i++ << ": " << boost::geometry::area(p) << std::endl;
+}""",
+        ((2, 1.2, 4.1, 3), (2, -0.5, 4, 1.5)),
+    ),
+    Text(
+        "geos rust test",
+        """```rust
+#[test]
+fn test_touches() -> Result<(), Box<dyn Error>> {
+    const WKT1: &str = "POLYGON ((0 -90, 0 0, 180 0, 180 -90, 0 -90))";
+    const WKT2: &str = "POLYGON ((-180 -90, -180 90, 180 90, 180 -90, -180 -90))";
+
+    let g1 = Geometry::new_from_wkt(WKT1)?;
+    let g2 = Geometry::new_from_wkt(WKT2)?;
+
+    assert!(g1.touches(&g2)?);
+
+    Ok(())
+}
+```""",
+        ((0, -90, 180, 0), (-180, -90, 180, 90)),
+    ),
+    Text(
+        "geo rust Coord",
+        """use geo::{BooleanOps, Polygon, LineString, Coord};
+
+fn main() {
+   let poly1 = Polygon::new(
+        LineString::new(vec![
+            Coord {
+                x: -10339459.5,
+                y: 3672178.75,
+            },
+            Coord {
+                x: -10172502.5,
+                y: 3169028.5,
+            },
+            Coord {
+                x: -10002503.5,
+                y: 3498113.25,
+            },
+        ]),
+        vec![],
+    );
+    let poly2 = Polygon::new(
+        LineString::new(vec![
+            Coord {
+                x: -10644125.0,
+                y: 3510000.0,
+            },
+            Coord {
+                x: -10010375.25,
+                y: 3502179.5,
+            },
+            Coord {
+                x: -10320063.5,
+                y: 3765929.75,
+            }
+        ]),
+        vec![],
+    );
+    poly2.union(&poly1);
+}""",
+        ((-10339459.5, 3169028.5, -10002503.5, 3672178.75), (-10644125, 3502179.5, -10010375.25, 3765929.75)),
+    ),
+    Text(
+        "geo rust debug print",
+        """thread 'main' panicked at 'assertion failed'
+a = Polygon { exterior: LineString([Coord { x: 0.0, y: 0.0 }, Coord { x: 2.0, y: 0.0 }, Coord { x: 2.0, y: 2.0 }, Coord { x: 0.0, y: 0.0 }]), interiors: [] }
+b = Polygon { exterior: LineString([Coord { x: 3.0, y: 0.0 }, Coord { x: 5.0, y: 0.0 }, Coord { x: 5.0, y: 2.0 }, Coord { x: 3.0, y: 0.0 }]), interiors: [] }
+note: run with `RUST_BACKTRACE=1` environment variable to display a backtrace""",
+        ((0, 0, 2, 2), (3, 0, 5, 2)),
+    ),
+    Text(
+        "parry aabb test",
+        """#[test]
+fn test_contact_example() {
+    let contact = query::contact(
+        &Isometry::translation(1.0, 1.0),
+        &Ball::new(1.0),
+        &Isometry::identity(),
+        &Cuboid::new(Vector2::new(1.0, 1.0)),
+        1.0,
+    )
+    .unwrap()
+    .unwrap();
+
+    assert!(contact.dist < 0.0);
+}""",
+        ((0, 0, 2, 2), (-1, -1, 1, 1)),
+    ),
+    Text(
+        "parry aabb mins",
+        """let a = Aabb {
+    mins: Vector::new(40.0, -50.0),
+    maxs: Vector::new(60.0, 150.0),
+};
+let b = Aabb {
+    mins: Vector::new(60.0, 0.0),
+    maxs: Vector::new(70.0, 10.0),
+};
+assert!(!a.intersects(&b)); // fails""",
+        ((40, -50, 60, 150), (60, 0, 70, 10)),
+    ),
+    Text(
+        "cute_c2 poly",
+        """    c2Poly poly_world;
+    poly_world.count = 4;
+    poly_world.verts[0] = c2V(-1.0, -1.0);
+    poly_world.verts[1] = c2V(1.0, -1.0);
+    poly_world.verts[2] = c2V(1.0, 1.0);
+    poly_world.verts[3] = c2V(-1.0, 1.0);
+
+    c2Poly poly_car;
+    poly_car.count = 4;
+    poly_car.verts[0] = c2V(-0.05, -1.04);
+    poly_car.verts[1] = c2V(0.05, -1.04);
+    poly_car.verts[2] = c2V(0.05, -0.94);
+    poly_car.verts[3] = c2V(-0.05, -0.94);
+
+    int res = c2PolytoPoly(&poly_car, NULL, &poly_world, NULL);
+    printf("res: %d\\n", res);
+
+    c2Manifold m;
+    c2PolytoPolyManifold(&poly_car, NULL, &poly_world, NULL, &m);
+    printf("m.count: %d\\n", m.count);
+```
+
+Result:
+```
+gcc main.c -lm && ./a.out 
+res: 1
+m.count: 0
+```""",
+        ((-1, -1, 1, 1), (-0.05, -1.04, 0.05, -0.94)),
+    ),
+    Text(
+        "cute_c2 aabb",
+        """c2AABB ba;
+ba.min = c2V( -50.0f, -200.0f );
+ba.max = c2V( 50.0f, -100.0f );
+c2AABB bb;
+bb.min = c2V( -10.0f, -225.0f );
+bb.max = c2V( 49.0f, -200.0f );
+c2Manifold m;
+c2AABBtoAABBManifold(ba, bb, &m);
+printf("count %d depth %f", m.count, m.depths[0]);""",
+        ((-50, -200, 50, -100), (-10, -225, 49, -200)),
+    ),
+    Text(
+        "c2 circle",
+        """c2Circle circle = {0};
+circle.p = c2V(10.0f, 5.0f);
+circle.r = 5.0f;
+c2AABB box;
+box.min = c2V(14, 0);
+box.max = c2V(20, 10);
+if (c2CircletoAABB(circle, box)) { puts("hit"); }""",
+        ((5, 0, 15, 10), (14, 0, 20, 10)),
+    ),
+    Text(
+        "box2d v2",
+        """b2PolygonShape polyA;
+b2Vec2 vertsA[4];
+vertsA[0].Set(-1.0f, -1.0f);
+vertsA[1].Set( 1.0f, -1.0f);
+vertsA[2].Set( 1.0f,  1.0f);
+vertsA[3].Set(-1.0f,  1.0f);
+polyA.Set(vertsA, 4);
+
+b2PolygonShape polyB;
+b2Vec2 vertsB[3];
+vertsB[0].Set(0.5f, 0.0f);
+vertsB[1].Set(2.0f, 0.0f);
+vertsB[2].Set(2.0f, 1.0f);
+polyB.Set(vertsB, 3);
+
+b2Transform identity;
+identity.SetIdentity();
+b2Manifold manifold;
+b2CollidePolygons(&manifold, &polyA, identity, &polyB, identity);""",
+        ((-1, -1, 1, 1), (0.5, 0, 2, 1)),
+    ),
+    Text(
+        "box2d v3",
+        """b2Polygon boxA = b2MakeBox(1.0f, 0.5f);
+b2Transform xfA = {{0.0f, 0.0f}, b2Rot_identity};
+b2Circle circleB = {{1.5f, 0.0f}, 0.5f};
+b2Manifold m = b2CollidePolygonAndCircle(&boxA, xfA, &circleB, xfA);
+ENSURE(m.pointCount == 1);""",
+        ((-1, -0.5, 1, 0.5), (1, -0.5, 2, 0.5)),
+    ),
+    Text(
+        "box2d-py log",
+        """bodyA fixture vertices: [(-10, -1), (10, -1), (10, 1), (-10, 1)]
+bodyB fixture vertices: [(9.5, 0.5), (12, 0.5), (12, 3)]
+contact.touching = False""",
+        ((-10, -1, 10, 1), (9.5, 0.5, 12, 3)),
+    ),
+    Text(
+        "godot polygon print",
+        """# Godot 4.2
+extends Node2D
+func _ready():
+    var a = PackedVector2Array([Vector2(0, 0), Vector2(64, 0), Vector2(64, 64), Vector2(0, 64)])
+    var b = PackedVector2Array([Vector2(64, 10), Vector2(128, 10), Vector2(128, 40)])
+    print(Geometry2D.intersect_polygons(a, b))""",
+        ((0, 0, 64, 64), (64, 10, 128, 40)),
+    ),
+    Text(
+        "godot console",
+        """polygon A: [(0, 0), (64, 0), (64, 64), (0, 64)]
+polygon B: [(32.5, 10), (128, 10), (128, 40)]
+overlaps: true  frame 120""",
+        ((0, 0, 64, 64), (32.5, 10, 128, 40)),
+    ),
+    Text(
+        "godot rect2 print",
+        """var a := Rect2(Vector2(10, 10), Vector2(20, 20))
+var b := Rect2(Vector2(30, 10), Vector2(5, 5))
+print(a.intersects(b))        # false
+print(a.intersects(b, true))  # true""",
+        ((10, 10, 30, 30), (30, 10, 35, 15)),
+    ),
+    Text(
+        "godot rect2 log",
+        """player: [P: (10, 10), S: (20, 20)]
+wall:   [P: (30, 10), S: (5, 5)]""",
+        ((10, 10, 30, 30), (30, 10, 35, 15)),
+    ),
+    Text(
+        "godot tscn",
+        """[sub_resource type="CircleShape2D" id="CircleShape2D_abc"]
+radius = 16.0
+
+[node name="Player" type="Area2D" parent="."]
+position = Vector2(100, 50)
+
+[node name="CollisionShape2D" type="CollisionShape2D" parent="Player"]
+shape = SubResource("CircleShape2D_abc")
+
+[node name="Wall" type="CollisionPolygon2D" parent="."]
+polygon = PackedVector2Array(110, 40, 150, 40, 150, 80, 110, 80)""",
+        ((110, 40, 150, 80),),
+        as_="leave-out",
+        asks=True,
+    ),
+    Text(
+        "unity bounds log",
+        """playerCollider.bounds: Center: (1.00, 2.00, 0.00), Extents: (0.50, 0.50, 0.00)
+wallCollider.bounds: Center: (2.00, 2.00, 0.00), Extents: (0.50, 1.50, 0.00)
+UnityEngine.Debug:Log (object)""",
+        ((0.5, 1.5, 1.5, 2.5), (1.5, 0.5, 2.5, 3.5)),
+    ),
+    Text(
+        "unity poly",
+        """public class Test : MonoBehaviour
+{
+    void Start()
+    {
+        Vector2[] polyA = new Vector2[] { new Vector2(0f, 0f), new Vector2(1f, 0f), new Vector2(1f, 1f), new Vector2(0f, 1f) };
+        Vector2[] polyB = { new Vector2(1.5f, 0f), new Vector2(2.5f, 0f), new Vector2(2.5f, 1f) };
+        Debug.Log(SatTest.Overlaps(polyA, polyB)); // prints True??
+    }
+}""",
+        ((0, 0, 1, 1), (1.5, 0, 2.5, 1)),
+    ),
+    Text(
+        "unity rect print",
+        """rectA = (x:0.00, y:0.00, width:100.00, height:50.00)
+rectB = (x:100.00, y:0.00, width:20.00, height:20.00)
+rectA.Overlaps(rectB) = False""",
+        ((0, 0, 100, 50), (100, 0, 120, 20)),
+    ),
+    Text(
+        "three box2",
+        """const a = new THREE.Box2(new THREE.Vector2(0, 0), new THREE.Vector2(4, 4));
+const b = new THREE.Box2(new THREE.Vector2(4, 1), new THREE.Vector2(8, 3));
+console.log(a.intersectsBox(b)); // true""",
+        ((0, 0, 4, 4), (4, 1, 8, 3)),
+    ),
+    Text(
+        "three shape",
+        """const shape = new THREE.Shape();
+shape.moveTo( 0, 0 );
+shape.lineTo( 10, 0 );
+shape.lineTo( 10, 10 );
+shape.lineTo( 0, 10 );
+shape.closePath();
+
+const other = new THREE.Shape();
+other.moveTo( 5, 5 );
+other.lineTo( 15, 5 );
+other.lineTo( 15, 15 );
+other.closePath();""",
+        ((0, 0, 10, 10), (5, 5, 15, 15)),
+    ),
+    Text(
+        "three box2 json log",
+        """Box2 {isBox2: true, min: Vector2 {x: -1, y: -1}, max: Vector2 {x: 1, y: 1}}
+Box2 {isBox2: true, min: Vector2 {x: 2, y: -1}, max: Vector2 {x: 3, y: 1}}""",
+        ((-1, -1, 1, 1), (2, -1, 3, 1)),
+    ),
+    Text(
+        "p5 collide2d",
+        """let poly = [];
+function setup() {
+  createCanvas(windowWidth, windowHeight);
+  poly[0] = createVector(123, 231);
+  poly[1] = createVector(10, 111);
+  poly[2] = createVector(20, 23);
+  poly[3] = createVector(390, 33);
+}
+function draw() {
+  background(255);
+  let hit = collideCirclePoly(45, 100, 30, poly);
+  print(hit);
+}""",
+        ((10, 23, 390, 231), (30, 85, 60, 115)),
+    ),
+    Text(
+        "p5 rects",
+        """function setup() {
+  createCanvas(400, 400);
+}
+function draw() {
+  background(220);
+  rect(50, 50, 100, 80);
+  rect(140, 120, 60, 60);
+}""",
+        ((50, 50, 150, 130), (140, 120, 200, 180)),
+    ),
+    Text(
+        "processing",
+        """int cx = 0;
+void setup() {
+  size(600, 400);
+  noStroke();
+}
+void draw() {
+  fill(0, 150);
+  ellipse(200, 100, 60, 60);
+  fill(200, 100, 0);
+  rect(215, 100, 40, 40);
+}""",
+        ((170, 70, 230, 130), (215, 100, 255, 140)),
+        as_="corner-size diameter leave-out",
+        asks=True,
+    ),
+    Text(
+        "svg file",
+        """<?xml version="1.0" encoding="UTF-8"?>
+<svg xmlns="http://www.w3.org/2000/svg" width="200" height="200" viewBox="0 0 200 200">
+  <g id="layer1" fill="none" stroke="#000">
+    <polygon points="10,10 60,10 60,60 10,60" class="a"/>
+    <polygon points="50,50 90,50 90,90" class="b" style="stroke-width:2"/>
+  </g>
+</svg>""",
+        ((10, 10, 60, 60), (50, 50, 90, 90)),
+    ),
+    Text(
+        "svg path rel",
+        """<svg height="210" width="400">
+  <path d="M150 0 L75 200 L225 200 Z" style="fill:none;stroke:green;stroke-width:3" />
+  <circle r="45" cx="50" cy="50" fill="red" />
+  Sorry, your browser does not support inline SVG.
+</svg>""",
+        ((75, 0, 225, 200), (5, 5, 95, 95)),
+    ),
+    Text(
+        "geojson features",
+        """{
+  "type": "FeatureCollection",
+  "name": "test",
+  "crs": { "type": "name", "properties": { "name": "urn:ogc:def:crs:OGC:1.3:CRS84" } },
+  "features": [
+    { "type": "Feature", "id": 1, "properties": { "name": "A", "pop": 12000 }, "geometry": { "type": "Polygon", "coordinates": [ [ [ 24.6038, 59.3136 ], [ 24.8393, 59.3136 ], [ 24.8393, 59.4772 ], [ 24.6038, 59.4772 ], [ 24.6038, 59.3136 ] ] ] } },
+    { "type": "Feature", "id": 2, "properties": { "name": "B", "pop": 3 }, "geometry": { "type": "Polygon", "coordinates": [ [ [ 24.5673, 8.2291 ], [ 23.8058, 8.6663 ], [ 23.4590, 8.9542 ], [ 24.5673, 8.2291 ] ] ] } }
+  ]
+}""",
+        ((24.6038, 59.3136, 24.8393, 59.4772), (23.459, 8.2291, 24.5673, 8.9542)),
+    ),
+    Text(
+        "turf",
+        """const poly1 = turf.polygon([[
+  [-122.801742, 45.48565],
+  [-122.801742, 45.60491],
+  [-122.584762, 45.60491],
+  [-122.584762, 45.48565],
+  [-122.801742, 45.48565]
+]]);
+const poly2 = turf.polygon([[
+  [-122.520217, 45.535693],
+  [-122.64038, 45.553967],
+  [-122.720031, 45.526554],
+  [-122.520217, 45.535693]
+]]);
+console.log(turf.booleanOverlap(poly1, poly2), turf.intersect(turf.featureCollection([poly1, poly2])));""",
+        ((-122.801742, 45.48565, -122.584762, 45.60491), (-122.720031, 45.526554, -122.520217, 45.553967)),
+    ),
+    Text(
+        "shapely session",
+        """In [5]: from shapely.geometry import Polygon
+
+In [6]: p1 = Polygon([(-97.8835, 42.2624), (-97.8835, 42.2610), (-97.8811, 42.2598), (-97.8835, 42.2624)])
+
+In [7]: p2 = Polygon([(-97.8811, 42.2598), (-97.8700, 42.2598), (-97.8700, 42.2700)])
+
+In [8]: p1.overlaps(p2)
+Out[8]: True
+
+In [9]: p1.relate(p2)
+Out[9]: '212101212'""",
+        ((-97.8835, 42.2598, -97.8811, 42.2624), (-97.8811, 42.2598, -97.87, 42.27)),
+    ),
+    Text(
+        "shapely wkt vars",
+        """wkt2 = 'POLYGON ((120.1729 28.8911, 120.1730 28.9131, 120.1949 28.9131, 120.1949 28.8911, 120.1729 28.8911))'
+wkt3 = 'POLYGON ((120.1684 28.8940, 120.1684 28.9160, 120.1904 28.9160, 120.1904 28.8940, 120.1684 28.8940))'
+from shapely import wkt
+a = wkt.loads(wkt2)
+b = wkt.loads(wkt3)
+print(a.intersects(b), a.intersection(b).area)""",
+        ((120.1729, 28.8911, 120.1949, 28.9131), (120.1684, 28.894, 120.1904, 28.916)),
+    ),
+    Text(
+        "numpy print labelled",
+        """>>> print(verts_a)
+[[ 0.    0.  ]
+ [ 1.5   0.25]
+ [ 0.75  2.  ]]
+>>> print(verts_b)
+[[ 1.    1.  ]
+ [ 3.    1.  ]
+ [ 3.    4.25]]
+>>> sat(verts_a, verts_b)
+True""",
+        ((0, 0, 1.5, 2), (1, 1, 3, 4.25)),
+    ),
+    Text(
+        "numpy repr",
+        """a
+array([[0.   , 0.   ],
+       [1.   , 0.   ],
+       [1.   , 1.   ],
+       [0.   , 1.   ]], dtype=float32)
+b
+array([[2.5, 0. ],
+       [3.5, 0. ],
+       [3.5, 1. ]], dtype=float32)""",
+        ((0, 0, 1, 1), (2.5, 0, 3.5, 1)),
+    ),
+    Text(
+        "pymunk",
+        """import pymunk
+space = pymunk.Space()
+space.gravity = 0, -981
+
+body = pymunk.Body(10, 100)
+body.position = (50, 100)
+poly = pymunk.Poly.create_box(body, (20, 20))
+space.add(body, poly)
+
+ball_body = pymunk.Body(1, 1)
+ball_body.position = (70, 100)
+ball = pymunk.Circle(ball_body, 10)
+ball.elasticity = 0.95
+space.add(ball_body, ball)
+for _ in range(10):
+    space.step(1 / 60.0)
+print(poly.shapes_collide(ball))""",
+        ((40, 90, 60, 110), (60, 90, 80, 110)),
+    ),
+    Text(
+        "pymunk poly",
+        """b0 = space.static_body
+p1 = pymunk.Poly(b0, [(0, 0), (10, 0), (10, 10), (0, 10)])
+p2 = pymunk.Poly(b0, [(10, 0), (20, 0), (20, 10)])
+p1.friction = 0.7
+contacts = p1.shapes_collide(p2)
+assert len(contacts.points) == 0, contacts""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+    ),
+    Text(
+        "pygame",
+        """import pygame
+pygame.init()
+screen = pygame.display.set_mode((640, 480))
+player = pygame.Rect(100, 100, 50, 50)
+enemy = pygame.Rect(150, 100, 50, 50)
+print(player.colliderect(enemy))""",
+        ((100, 100, 150, 150), (150, 100, 200, 150)),
+    ),
+    Text(
+        "pygame print",
+        """player <rect(100, 100, 50, 50)>
+enemy <rect(149, 100, 50, 50)>
+colliderect -> 1""",
+        ((100, 100, 150, 150), (149, 100, 199, 150)),
+    ),
+    Text(
+        "java awt",
+        """Polygon p = new Polygon();
+p.addPoint(0, 0);
+p.addPoint(10, 0);
+p.addPoint(10, 10);
+Rectangle r = new Rectangle(9, 0, 5, 5);
+Area a = new Area(p);
+a.intersect(new Area(r));
+System.out.println(a.isEmpty());""",
+        ((0, 0, 10, 10), (9, 0, 14, 5)),
+    ),
+    Text(
+        "jts",
+        """GeometryFactory gf = new GeometryFactory();
+Coordinate[] c1 = new Coordinate[] {
+    new Coordinate(0, 0), new Coordinate(10, 0), new Coordinate(10, 10), new Coordinate(0, 10), new Coordinate(0, 0) };
+Coordinate[] c2 = new Coordinate[] {
+    new Coordinate(10, 10), new Coordinate(20, 10), new Coordinate(20, 20), new Coordinate(10, 10) };
+Polygon a = gf.createPolygon(c1);
+Polygon b = gf.createPolygon(c2);
+assertTrue(a.touches(b));""",
+        ((0, 0, 10, 10), (10, 10, 20, 20)),
+    ),
+    Text(
+        "jts prep",
+        """WKTReader reader = new WKTReader(new GeometryFactory(new PrecisionModel(1000)));
+Geometry g1 = reader.read("POLYGON ((0 0, 0 100, 100 100, 100 0, 0 0))");
+Geometry g2 = reader.read("POLYGON ((100 50, 200 50, 200 70, 100 50))");
+System.out.println("touches: " + g1.touches(g2));
+System.out.println("DE-9IM: " + g1.relate(g2));""",
+        ((0, 0, 100, 100), (100, 50, 200, 70)),
+    ),
+    Text(
+        "libgdx",
+        """Rectangle r1 = new Rectangle(0f, 0f, 32f, 32f);
+Circle c1 = new Circle(48f, 16f, 16f);
+boolean hit = Intersector.overlaps(c1, r1);
+Gdx.app.log("TEST", "hit = " + hit);""",
+        ((0, 0, 32, 32), (32, 0, 64, 32)),
+    ),
+    Text(
+        "libgdx toString",
+        """[0.0,0.0,32.0,32.0]
+[31.5,10.0,16.0,16.0]
+overlaps=true""",
+        ((0, 0, 32, 32), (31.5, 10, 47.5, 26)),
+        as_="corner-size",
+        asks=True,
+    ),
+    Text(
+        "love2d lua",
+        """-- main.lua
+function love.load()
+    world = love.physics.newWorld(0, 9.81 * 64, true)
+    a = {x = 100, y = 100, w = 50, h = 40}
+    b = {x = 150, y = 120, w = 30, h = 30}
+end
+
+function checkCollision(a, b)
+    return a.x < b.x + b.w and b.x < a.x + a.w and a.y < b.y + b.h and b.y < a.y + a.h
+end
+
+print(checkCollision(a, b))""",
+        ((100, 100, 150, 140), (150, 120, 180, 150)),
+        as_="corner-size leave-out",
+        asks=True,
+    ),
+    Text(
+        "lua HC",
+        """local HC = require 'HC'
+local rect = HC.rectangle(200, 400, 400, 20)
+local ball = HC.circle(400, 390, 10)
+for shape, delta in pairs(HC.collisions(ball)) do
+    print(delta.x, delta.y)
+end""",
+        ((200, 400, 600, 420), (390, 380, 410, 400)),
+    ),
+    Text(
+        "lua polygon",
+        """local polyA = { 0,0, 50,0, 50,50, 0,50 }
+local polyB = { 25,25, 75,25, 75,75 }
+print("SAT:", sat(polyA, polyB))  --> SAT: false""",
+        ((0, 0, 50, 50), (25, 25, 75, 75)),
+    ),
+    Text(
+        "c struct",
+        """#include <stdio.h>
+#include "sat.h"
+
+typedef struct { float x, y; } vec2;
+
+int main(void) {
+    vec2 a[] = {{0.0f, 0.0f}, {2.0f, 0.0f}, {2.0f, 2.0f}, {0.0f, 2.0f}};
+    vec2 b[] = {{1.0f, 1.0f}, {3.0f, 1.0f}, {3.0f, 3.0f}, {1.0f, 3.0f}};
+    int n = sizeof(a) / sizeof(a[0]);
+    printf("%d\\n", sat_overlap(a, n, b, n));
+    return 0;
+}""",
+        ((0, 0, 2, 2), (1, 1, 3, 3)),
+    ),
+    Text(
+        "c printf log",
+        """poly A (4 verts):
+  0: (0.000000, 0.000000)
+  1: (2.000000, 0.000000)
+  2: (2.000000, 2.000000)
+  3: (0.000000, 2.000000)
+poly B (3 verts):
+  0: (1.000000, 1.000000)
+  1: (3.000000, 1.000000)
+  2: (3.000000, 3.000000)
+overlap = 1""",
+        ((0, 0, 2, 2), (1, 1, 3, 3)),
+    ),
+    Text(
+        "raylib",
+        """Rectangle boxA = { 10, GetScreenHeight()/2.0f - 50, 200, 100 };
+Rectangle boxB = { 190, 200, 60, 60 };
+bool collision = CheckCollisionRecs(boxA, boxB);""",
+        ((190, 200, 250, 260),),
+        as_="leave-out",
+        asks=True,
+    ),
+    Text(
+        "raylib ok",
+        """Rectangle boxA = { 10.0f, 175.0f, 200.0f, 100.0f };
+Rectangle boxB = { 190.0f, 200.0f, 60.0f, 60.0f };
+bool collision = CheckCollisionRecs(boxA, boxB);
+if (collision) DrawText("COLLISION!", 10, 10, 20, RED);
+DrawRectangleRec(boxA, GOLD);
+DrawRectangleRec(boxB, BLUE);""",
+        ((10, 175, 210, 275), (190, 200, 250, 260)),
+    ),
+    Text(
+        "sfml",
+        """sf::RectangleShape rect(sf::Vector2f(120.f, 50.f));
+rect.setPosition(100.f, 100.f);
+rect.setFillColor(sf::Color::Green);
+sf::CircleShape circle(50.f);
+circle.setPosition(220.f, 100.f);
+circle.setFillColor(sf::Color(100, 250, 50));
+bool hit = rect.getGlobalBounds().intersects(circle.getGlobalBounds());""",
+        ((100, 100, 220, 150), (220, 100, 320, 200)),
+    ),
+    Text(
+        "sdl",
+        """SDL_Rect a = { 0, 0, 32, 32 };
+SDL_Rect b = { .x = 32, .y = 0, .w = 32, .h = 32 };
+SDL_bool hit = SDL_HasIntersection(&a, &b);
+SDL_Log("hit=%d", hit);""",
+        ((0, 0, 32, 32), (32, 0, 64, 32)),
+    ),
+    Text(
+        "monogame",
+        """var bounds1 = new Rectangle(0, 0, 64, 64);
+var bounds2 = new Rectangle(63, 63, 64, 64);
+Assert.IsTrue(bounds1.Intersects(bounds2));
+// prints: {X:0 Y:0 Width:64 Height:64}""",
+        ((0, 0, 64, 64), (63, 63, 127, 127)),
+    ),
+    Text(
+        "monogame print",
+        """{X:0 Y:0 Width:64 Height:64}
+{X:63 Y:63 Width:64 Height:64}""",
+        ((0, 0, 64, 64), (63, 63, 127, 127)),
+    ),
+    Text(
+        "sat.js",
+        """var V = SAT.Vector;
+var P = SAT.Polygon;
+var C = SAT.Circle;
+var circle = new C(new V(100,100), 20);
+var polygon = new P(new V(), [new V(0,0), new V(90,0), new V(90,90)]);
+var response = new SAT.Response();
+var collided = SAT.testPolygonCircle(polygon, circle, response);
+console.log(collided, response.overlap, response.overlapV);""",
+        ((80, 80, 120, 120), (0, 0, 90, 90)),
+    ),
+    Text(
+        "matter",
+        """const Engine = Matter.Engine, Bodies = Matter.Bodies;
+const engine = Engine.create();
+const boxA = Bodies.rectangle(400, 200, 80, 80);
+const ground = Bodies.rectangle(400, 610, 810, 60, { isStatic: true });
+Composite.add(engine.world, [boxA, ground]);
+console.log(Matter.Collision.collides(boxA, ground));""",
+        ((360, 160, 440, 240), (-5, 580, 805, 640)),
+    ),
+    Text(
+        "phaser geom",
+        """const r1 = new Phaser.Geom.Rectangle(100, 100, 256, 256);
+const c1 = new Phaser.Geom.Circle(400, 200, 60);
+if (Phaser.Geom.Intersects.CircleToRectangle(c1, r1)) {
+    graphics.lineStyle(2, 0xff0000);
+}""",
+        ((100, 100, 356, 356), (340, 140, 460, 260)),
+    ),
+    Text(
+        "phaser add",
+        """this.player = this.add.rectangle(100, 450, 32, 48, 0x00ff00);
+this.star = this.add.circle(130, 450, 14, 0xffff00);
+this.physics.add.existing(this.player);
+this.physics.add.overlap(this.player, this.star, () => console.log('hit'));""",
+        ((84, 426, 116, 474), (116, 436, 144, 464)),
+    ),
+    Text(
+        "flatten-js",
+        """const {point, circle, segment, polygon, Box} = Flatten;
+let c = circle(point(200, 110), 50);
+let p = new Polygon([[150, 110], [250, 110], [250, 200]]);
+console.log(p.intersect(c));""",
+        ((150, 60, 250, 160), (150, 110, 250, 200)),
+    ),
+    Text(
+        "detect-collisions",
+        """import { System } from "detect-collisions";
+const physics = new System();
+const box = physics.createBox({ x: 100, y: 100 }, 40, 20);
+const poly = physics.createPolygon({ x: 120, y: 110 }, [{ x: 0, y: 0 }, { x: 30, y: 0 }, { x: 0, y: 30 }]);
+const ball = physics.createCircle({ x: 300, y: 300 }, 5);
+physics.checkCollision(box, poly);""",
+        ((100, 100, 140, 120), (120, 110, 150, 140), (295, 295, 305, 305)),
+        as_="corner-size",
+        asks=True,
+    ),
+    Text(
+        "kotlin compose",
+        """val a = Rect(left = 0f, top = 0f, right = 100f, bottom = 100f)
+val b = Rect(Offset(100f, 50f), Size(20f, 20f))
+println(a.overlaps(b))""",
+        ((0, 0, 100, 100), (100, 50, 120, 70)),
+        as_="corner-size",
+        asks=True,
+    ),
+    Text(
+        "swift",
+        """let a = CGRect(x: 0, y: 0, width: 100, height: 100)
+let b = CGRect(x: 100, y: 0, width: 50, height: 50)
+print(a.intersects(b)) // false
+print(a.union(b).width)""",
+        ((0, 0, 100, 100), (100, 0, 150, 50)),
+    ),
+    Text(
+        "flutter",
+        """final a = Rect.fromLTWH(0, 0, 10, 10);
+final b = Rect.fromLTRB(10.0, 0.0, 20.0, 10.0);
+print(a.overlaps(b)); // false""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+    ),
+    Text(
+        "postgis",
+        """SELECT ST_Intersects(
+  'POLYGON((0 0, 0 1, 1 1, 1 0, 0 0))'::geometry,
+  'POLYGON((1 1, 1 2, 2 2, 2 1, 1 1))'::geometry
+);
+ st_intersects
+---------------
+ t
+(1 row)""",
+        ((0, 0, 1, 1), (1, 1, 2, 2)),
+    ),
+    Text(
+        "postgis ewkt",
+        """SELECT ST_Touches(ST_GeomFromText('POLYGON((0 0,4 0,4 4,0 4,0 0))', 4326), ST_GeomFromText('POLYGON((4 0,8 0,8 4,4 4,4 0))', 4326));""",
+        ((0, 0, 4, 4), (4, 0, 8, 4)),
+    ),
+    Text(
+        "mysql",
+        """SET @g1 = ST_GeomFromText('Polygon((0 0,0 3,3 3,3 0,0 0))');
+SET @g2 = ST_GeomFromText('Polygon((1 1,1 2,2 2,2 1,1 1))');
+SELECT MBRContains(@g1,@g2), MBRWithin(@g2,@g1);""",
+        ((0, 0, 3, 3), (1, 1, 2, 2)),
+    ),
+    Text(
+        "R sf",
+        """library(sf)
+p1 <- st_polygon(list(rbind(c(0,0), c(4,0), c(4,4), c(0,4), c(0,0))))
+p2 <- st_polygon(list(rbind(c(4,0), c(8,0), c(8,4), c(4,0))))
+st_intersects(p1, p2, sparse = FALSE)""",
+        ((0, 0, 4, 4), (4, 0, 8, 4)),
+    ),
+    Text(
+        "matlab",
+        """p1 = polyshape([0 0 4 4],[0 4 4 0]);
+p2 = polyshape([5 5 9 9],[0 4 4 0]);
+overlaps(p1, p2)""",
+        ((0, 0, 4, 4), (5, 0, 9, 4)),
+    ),
+    Text(
+        "julia",
+        """using LazySets
+P = VPolygon([[0.0, 0.0], [2.0, 0.0], [1.0, 2.0]])
+Q = VPolygon([[1.5, 0.5], [3.5, 0.5], [2.5, 2.5]])
+isdisjoint(P, Q)""",
+        ((0, 0, 2, 2), (1.5, 0.5, 3.5, 2.5)),
+    ),
+    Text(
+        "yolo boxes",
+        """box1 = [100, 100, 200, 200]  # x1, y1, x2, y2
+box2 = [150, 150, 250, 250]
+iou = bbox_iou(box1, box2)
+print(f"IoU: {iou:.4f}")""",
+        ((100, 100, 200, 200), (150, 150, 250, 250)),
+        as_="corner-corner",
+    ),
+    Text(
+        "opencv contour",
+        """cnt1 = np.array([[[10, 10]], [[100, 10]], [[100, 100]], [[10, 100]]], dtype=np.int32)
+cnt2 = np.array([[[90, 90]], [[150, 90]], [[150, 150]]], dtype=np.int32)
+mask = np.zeros((200, 200), dtype=np.uint8)
+cv2.drawContours(mask, [cnt1], -1, 255, -1)""",
+        ((10, 10, 100, 100), (90, 90, 150, 150)),
+    ),
+    Text(
+        "opencv rotatedrect",
+        """r1 = ((50.0, 50.0), (40.0, 20.0), 45.0)
+r2 = ((80.0, 50.0), (40.0, 20.0), 0.0)
+ret, pts = cv2.rotatedRectangleIntersection(r1, r2)""",
+        ((28.7868, 28.7868, 71.2132, 71.2132), (60, 40, 100, 60)),
+    ),
+    Text(
+        "csv annotations",
+        """id,label,xmin,ymin,xmax,ymax
+1,car,10,20,110,80
+2,person,100,30,130,120""",
+        ((10, 20, 110, 80), (100, 30, 130, 120)),
+    ),
+    Text(
+        "console.table",
+        """┌─────────┬─────┬─────┬───────┬────────┐
+│ (index) │  x  │  y  │ width │ height │
+├─────────┼─────┼─────┼───────┼────────┤
+│    0    │  0  │  0  │  100  │   50   │
+│    1    │ 100 │ 20  │  10   │   10   │
+└─────────┴─────┴─────┴───────┴────────┘""",
+        ((0, 0, 100, 50), (100, 20, 110, 30)),
+        as_="corner-size leave-out",
+        asks=True,
+    ),
+    Text(
+        "DOMRect",
+        """DOMRect {x: 8, y: 8, width: 200, height: 100, top: 8, right: 208, bottom: 108, left: 8}
+DOMRect {x: 208, y: 50, width: 20, height: 20, top: 50, right: 228, bottom: 70, left: 208}""",
+        ((8, 8, 208, 108), (208, 50, 228, 70)),
+    ),
+    Text(
+        "qt",
+        """QPolygonF a;
+a << QPointF(0, 0) << QPointF(10, 0) << QPointF(10, 10) << QPointF(0, 10);
+QPolygonF b;
+b << QPointF(10, 0) << QPointF(20, 0) << QPointF(20, 10);
+qDebug() << a.intersects(b);""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+    ),
+    Text(
+        "qdebug print",
+        """QPolygonF(QPointF(0,0)QPointF(10,0)QPointF(10,10)QPointF(0,10))
+QPolygonF(QPointF(10,0)QPointF(20,0)QPointF(20,10))
+false""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+    ),
+    Text(
+        "cgal",
+        """Polygon_2 P;
+P.push_back (Point (-1, 1));
+P.push_back (Point (0, -1));
+P.push_back (Point (1, 1));
+Polygon_2 Q;
+Q.push_back(Point (-1, -1));
+Q.push_back(Point (1, -1));
+Q.push_back(Point (0, 1));
+if ((CGAL::do_intersect (P, Q)))
+  std::cout << "The two polygons intersect." << std::endl;
+else
+  std::cout << "The two polygons do not intersect." << std::endl;""",
+        ((-1, -1, 1, 1), (-1, -1, 1, 1)),
+    ),
+    Text(
+        "go geom",
+        """a := geom.NewPolygon(geom.XY).MustSetCoords([][]geom.Coord{{{0, 0}, {4, 0}, {4, 4}, {0, 0}}})
+b := geom.NewPolygon(geom.XY).MustSetCoords([][]geom.Coord{{{5, 0}, {9, 0}, {9, 4}, {5, 0}}})
+fmt.Println(a.Area(), b.Area())""",
+        (),
+    ),
+    Text(
+        "go image",
+        """r1 := image.Rect(0, 0, 10, 10)
+r2 := image.Rect(10, 0, 20, 10)
+if r1.Overlaps(r2) {
+	t.Errorf("%v overlaps %v", r1, r2)
+}""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+    ),
+    Text(
+        "bevy",
+        """let a = Aabb2d::new(Vec2::new(0.0, 0.0), Vec2::new(1.0, 1.0));
+let b = BoundingCircle::new(Vec2::new(1.5, 0.0), 0.5);
+assert!(a.intersects(&b));""",
+        ((-1, -1, 1, 1), (1, -0.5, 2, 0.5)),
+    ),
+    Text(
+        "pixi",
+        """const r = new PIXI.Rectangle(0, 0, 100, 100);
+const c = new PIXI.Circle(110, 50, 10);
+const poly = new PIXI.Polygon([0, 0, 50, 0, 50, 50]);
+console.log(r.contains(100, 50));""",
+        ((0, 0, 100, 100), (100, 40, 120, 60), (0, 0, 50, 50)),
+    ),
+    Text(
+        "planck",
+        """const a = planck.Polygon([Vec2(-1, 0), Vec2(1, 0), Vec2(0, 2)]);
+const b = planck.Circle(Vec2(0, 3), 1);
+const output = planck.Distance(input);""",
+        ((-1, 0, 1, 2), (-1, 2, 1, 4)),
+    ),
+    Text(
+        "yaml",
+        """shapes:
+  - name: floor
+    type: box
+    center: [0, -1]
+    size: [10, 2]
+  - name: ball
+    type: circle
+    center: [0, 0.5]
+    radius: 0.5""",
+        ((-5, -2, 5, 0), (-0.5, 0, 0.5, 1)),
+    ),
+    Text(
+        "toml",
+        """[player]
+x = 10
+y = 20
+radius = 5
+
+[wall]
+x = 15
+y = 0
+width = 10
+height = 40""",
+        ((5, 15, 15, 25), (15, 0, 25, 40)),
+        as_="corner-size",
+        asks=True,
+    ),
+    Text(
+        "clojure",
+        """(def a {:x 0 :y 0 :w 10 :h 10})
+(def b {:x 10 :y 0 :w 5 :h 5})
+(overlap? a b) ;; => false""",
+        ((0, 0, 10, 10), (10, 0, 15, 5)),
+        as_="corner-size",
+        asks=True,
+    ),
+    Text(
+        "haskell",
+        """a = [V2 0 0, V2 4 0, V2 4 4]
+b = [V2 4 0, V2 8 0, V2 8 4]
+main = print (intersects a b)""",
+        ((0, 0, 4, 4), (4, 0, 8, 4)),
+    ),
+    Text(
+        "stackoverflow prose",
+        """I'm implementing SAT in C# and it fails for these two shapes:
+
+Polygon 1: (0,0), (0,10), (10,10), (10,0)
+Polygon 2: (5,5), (5,15), (15,15), (15,5)
+
+It returns no collision, but clearly they overlap. What am I doing wrong?""",
+        ((0, 0, 10, 10), (5, 5, 15, 15)),
+    ),
+    Text(
+        "so prose circles",
+        """Circle A: center = (3, 4), radius = 5
+Circle B: center = (14, 4), radius = 6
+Expected: touching. Got: false. I use distance < r1 + r2.""",
+        ((-2, -1, 8, 9), (8, -2, 20, 10)),
+    ),
+    Text(
+        "so aabb text",
+        """The first box has its min at (0, 0) and max at (2, 2), the second has min at (2, 2) and max at (3, 5).""",
+        ((0, 0, 2, 2), (2, 2, 3, 5)),
+    ),
+    Text(
+        "javafx",
+        """Polygon poly = new Polygon(0.0, 0.0, 20.0, 10.0, 10.0, 20.0);
+Circle c = new Circle(25.0, 10.0, 6.0, Color.RED);
+boolean b = Shape.intersect(poly, c).getBoundsInLocal().getWidth() != -1;""",
+        ((0, 0, 20, 20), (19, 4, 31, 16)),
+    ),
+    Text(
+        "ruby",
+        """rect1 = { x: 0, y: 0, w: 16, h: 16 }
+rect2 = { x: 16, y: 0, w: 16, h: 16 }
+puts args.geometry.intersect_rect?(rect1, rect2)""",
+        ((0, 0, 16, 16), (16, 0, 32, 16)),
+        as_="corner-size",
+    ),
+    Text(
+        "dart flame",
+        """final p1 = PolygonComponent([Vector2(0, 0), Vector2(10, 0), Vector2(10, 10)]);
+final p2 = PolygonComponent([Vector2(9, 0), Vector2(19, 0), Vector2(19, 10)]);
+expect(p1.containsPoint(Vector2(1, 1)), isFalse);""",
+        ((0, 0, 10, 10), (9, 0, 19, 10)),
+    ),
+    Text(
+        "log structured",
+        """2024-03-11 09:12:44.120 [physics] INFO  collide(Circle(x=12.5, y=3.0, r=2.5), Circle(x=17.5, y=3.0, r=2.5)) -> false (expected true)""",
+        ((10, 0.5, 15, 5.5), (15, 0.5, 20, 5.5)),
+    ),
+    Text(
+        "jest fail",
+        """  ● polygons that share an edge touch
+
+    expect(received).toBe(expected) // Object.is equality
+
+    Expected: true
+    Received: false
+
+      12 |   const a = [{ x: 0, y: 0 }, { x: 2, y: 0 }, { x: 2, y: 2 }, { x: 0, y: 2 }];
+      13 |   const b = [{ x: 2, y: 0 }, { x: 4, y: 0 }, { x: 4, y: 2 }, { x: 2, y: 2 }];
+    > 14 |   expect(collides(a, b)).toBe(true);
+         |                          ^""",
+        ((0, 0, 2, 2), (2, 0, 4, 2)),
+    ),
+    Text(
+        "dotnet nts",
+        """var a = wktReader.Read("POLYGON((0 0, 10 0, 10 10, 0 10, 0 0))");
+var b = wktReader.Read("POLYGON((10 0, 20 0, 20 10, 10 10, 10 0))");
+Console.WriteLine($"{a.Intersects(b)} {a.Overlaps(b)} {a.Touches(b)}");""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+    ),
+    Text(
+        "clipper2 cs",
+        """Paths64 subj = new Paths64();
+Paths64 clip = new Paths64();
+subj.Add(Clipper.MakePath(new int[] { 100, 50, 10, 79, 65, 2 }));
+clip.Add(Clipper.MakePath(new int[] { 98, 63, 4, 68, 77, 8 }));
+Paths64 solution = Clipper.Intersect(subj, clip, FillRule.NonZero);""",
+        ((10, 2, 100, 79), (4, 8, 98, 68)),
+    ),
+    Text(
+        "c# record print",
+        """A = Polygon { Vertices = [<0, 0>, <4, 0>, <4, 4>] }
+B = Polygon { Vertices = [<5, 0>, <9, 0>, <9, 4>] }""",
+        ((0, 0, 4, 4), (5, 0, 9, 4)),
+    ),
+    Text(
+        "glm print",
+        """A: vec2(0.000000, 0.000000), vec2(4.000000, 0.000000), vec2(4.000000, 4.000000)
+B: vec2(3.000000, 1.000000), vec2(7.000000, 1.000000), vec2(7.000000, 5.000000)""",
+        ((0, 0, 4, 4), (3, 1, 7, 5)),
+    ),
+    Text(
+        "eigen",
+        """Eigen::MatrixXd A(3, 2);
+A << 0, 0,
+     4, 0,
+     4, 3;
+Eigen::MatrixXd B(3, 2);
+B << 5, 0,
+     9, 0,
+     9, 3;""",
+        ((0, 0, 4, 3), (5, 0, 9, 3)),
+    ),
+    Text(
+        "php",
+        """$a = [[0, 0], [4, 0], [4, 4]];
+$b = [[4, 0], [8, 0], [8, 4]];
+var_dump(intersects($a, $b)); // bool(false)""",
+        ((0, 0, 4, 4), (4, 0, 8, 4)),
+    ),
+    Text(
+        "ts interface",
+        """interface Rect { x: number; y: number; w: number; h: number }
+const a: Rect = { x: 0, y: 0, w: 10, h: 10 };
+const b: Rect = { x: 10, y: 10, w: 5, h: 5 };
+export function overlaps(p: Rect, q: Rect): boolean {
+  return p.x < q.x + q.w && p.x + p.w > q.x && p.y < q.y + q.h && p.y + p.h > q.y;
+}""",
+        ((0, 0, 10, 10), (10, 10, 15, 15)),
+        as_="corner-size",
+        asks=True,
+    ),
+    Text(
+        "rust macroquad",
+        """let player = Rect::new(10.0, 10.0, 32.0, 32.0);
+let coin = Circle::new(50.0, 26.0, 8.0);
+if coin.overlaps_rect(&player) {
+    score += 10;
+    draw_text("HIT", 20.0, 20.0, 30.0, WHITE);
+}""",
+        ((10, 10, 42, 42), (42, 18, 58, 34)),
+        as_="corner-size",
+        asks=True,
+    ),
+    Text(
+        "rust rapier",
+        """let mut collider_set = ColliderSet::new();
+let collider = ColliderBuilder::cuboid(10.0, 0.1).build();
+collider_set.insert(collider);
+let ball = ColliderBuilder::ball(0.5).translation(vector![0.0, 0.5]).restitution(0.7).build();
+collider_set.insert(ball);
+for _ in 0..200 {
+    physics_pipeline.step(&gravity, &integration_parameters);
+}""",
+        ((-10, -0.1, 10, 0.1), (-0.5, 0, 0.5, 1)),
+    ),
+    Text(
+        "c# unity sat",
+        """using UnityEngine;
+public static class Program {
+    public static void Main() {
+        var a = new List<Vector2> { new Vector2(0, 0), new Vector2(3, 0), new Vector2(3, 3) };
+        var b = new List<Vector2> { new Vector2(4, 0), new Vector2(6, 0), new Vector2(6, 2) };
+        for (int i = 0; i < a.Count; i++) {
+            var p1 = a[i];
+            var p2 = a[(i + 1) % a.Count];
+        }
+        Debug.Log($"overlap: {Sat.Overlap(a, b)}");
+    }
+}""",
+        ((0, 0, 3, 3), (4, 0, 6, 2)),
+    ),
+    Text(
+        "js function",
+        """function doPolygonsIntersect (a, b) {
+    var polygons = [a, b];
+    var minA, maxA, projected, i, i1, j, minB, maxB;
+    for (i = 0; i < polygons.length; i++) {
+        var polygon = polygons[i];
+    }
+    return true;
+}
+const a = [{x: 0, y: 0}, {x: 10, y: 0}, {x: 10, y: 10}];
+const b = [{x: 20, y: 0}, {x: 30, y: 0}, {x: 30, y: 10}];
+console.log(doPolygonsIntersect(a, b)); // expected false, got true""",
+        ((0, 0, 10, 10), (20, 0, 30, 10)),
+    ),
+    Text(
+        "py function",
+        """def overlap(r1, r2):
+    return not (r1[0] + r1[2] < r2[0] or r2[0] + r2[2] < r1[0])
+
+import numpy as np
+p1 = np.array([[1, 1], [5, 1], [5, 4]], dtype=float)
+p2 = np.array([[4.5, 3], [8, 3], [8, 6]], dtype=float)
+normals = [np.array([-(b - a)[1], (b - a)[0]]) for a, b in zip(p1, np.roll(p1, -1, axis=0))]
+print(sat(p1, p2))""",
+        ((1, 1, 5, 4), (4.5, 3, 8, 6)),
+        as_="leave-out",
+        asks=True,
+    ),
+    Text(
+        "pytest",
+        """def test_touching():
+    a = Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
+    b = Polygon([(1, 0), (2, 0), (2, 1), (1, 1)])
+    assert a.touches(b)
+    assert not a.overlaps(b)
+    assert a.distance(b) == pytest.approx(0.0, abs=1e-9)""",
+        ((0, 0, 1, 1), (1, 0, 2, 1)),
+    ),
+    Text(
+        "pytest out",
+        """E       AssertionError: assert False
+E        +  where False = <bound method BaseGeometry.overlaps of <POLYGON ((0 0, 1 0, 1 1, 0 0))>>(<POLYGON ((0.5 0, 2 0, 2 1, 0.5 0))>)
+tests/test_geom.py:42: AssertionError""",
+        ((0, 0, 1, 1), (0.5, 0, 2, 1)),
+    ),
+    Text(
+        "java swing",
+        """public class Game extends JPanel {
+    private Rectangle player = new Rectangle(50, 50, 30, 30);
+    private Rectangle wall = new Rectangle(80, 40, 10, 100);
+    private int speed = 5;
+    @Override
+    protected void paintComponent(Graphics g) {
+        super.paintComponent(g);
+        g.setColor(Color.RED);
+        g.fillRect(player.x, player.y, player.width, player.height);
+    }
+    boolean hit() { return player.intersects(wall); }
+}""",
+        ((50, 50, 80, 80), (80, 40, 90, 140)),
+    ),
+    Text(
+        "java println",
+        """Rect1: java.awt.Rectangle[x=50,y=50,width=30,height=30]
+Rect2: java.awt.Rectangle[x=80,y=40,width=10,height=100]
+intersects: false""",
+        ((50, 50, 80, 80), (80, 40, 90, 140)),
+    ),
+    Text(
+        "jts print",
+        """Exception in thread "main" TopologyException: found non-noded intersection between LINESTRING and LINESTRING [ (5.0, 5.0, NaN) ]
+g1: POLYGON ((0 0, 10 0, 10 10, 0 10, 0 0))
+g2: POLYGON ((5 5, 15 5, 15 15, 5 5))""",
+        ((0, 0, 10, 10), (5, 5, 15, 15)),
+    ),
+    Text(
+        "lua table",
+        """local shapes = {
+  { type = "circle", x = 100, y = 100, r = 20 },
+  { type = "circle", x = 130, y = 100, r = 10 },
+}
+for i, s in ipairs(shapes) do
+  love.graphics.circle("line", s.x, s.y, s.r)
+end""",
+        ((80, 80, 120, 120), (120, 90, 140, 110)),
+    ),
+    Text(
+        "bump lua",
+        """local bump = require 'bump'
+local world = bump.newWorld(50)
+local A = {name="A", x=0, y=0, w=64, h=64}
+local B = {name="B", x=64, y=0, w=32, h=32}
+world:add(A, A.x, A.y, A.w, A.h)
+world:add(B, B.x, B.y, B.w, B.h)
+local cols, len = world:check(A)
+assert(len == 0)""",
+        ((0, 0, 64, 64), (64, 0, 96, 32)),
+        as_="corner-size",
+        asks=True,
+    ),
+    Text(
+        "godot area print",
+        """Player global_position (120, 80) shape radius 16
+Enemy global_position (150, 80) shape radius 14""",
+        ((104, 64, 136, 96), (136, 66, 164, 94)),
+    ),
+    Text(
+        "unity polygoncollider yaml",
+        """PolygonCollider2D:
+  m_Density: 1
+  m_IsTrigger: 0
+  m_Offset: {x: 0, y: 0}
+  m_Points:
+    m_Paths:
+    - - {x: 0, y: 0}
+      - {x: 2, y: 0}
+      - {x: 2, y: 2}
+    - - {x: 5, y: 0}
+      - {x: 7, y: 0}
+      - {x: 7, y: 2}""",
+        (),
+    ),
+    Text(
+        "unity log vec",
+        """A verts: (0.00, 0.00) (1.00, 0.00) (1.00, 1.00) (0.00, 1.00)
+B verts: (0.50, 0.50) (2.00, 0.50) (2.00, 2.00)
+Overlap? False
+UnityEngine.Debug:Log(Object)
+SatTest:Start() (at Assets/SatTest.cs:23)""",
+        ((0, 0, 1, 1), (0.5, 0.5, 2, 2)),
+    ),
+    Text(
+        "threejs 2",
+        """import * as THREE from 'three';
+const geo = new THREE.Shape([new THREE.Vector2(0, 0), new THREE.Vector2(5, 0), new THREE.Vector2(5, 5)]);
+const geo2 = new THREE.Shape([new THREE.Vector2(5, 5), new THREE.Vector2(9, 5), new THREE.Vector2(9, 9)]);
+const mesh = new THREE.Mesh(new THREE.ShapeGeometry(geo), material);
+scene.add(mesh);
+camera.position.z = 5;""",
+        ((0, 0, 5, 5), (5, 5, 9, 9)),
+    ),
+    Text(
+        "canvas",
+        """const ctx = canvas.getContext('2d');
+ctx.fillStyle = '#ff0000';
+ctx.fillRect(10, 10, 100, 50);
+ctx.beginPath();
+ctx.arc(130, 35, 20, 0, Math.PI * 2);
+ctx.fill();""",
+        ((10, 10, 110, 60), (110, 15, 150, 55)),
+    ),
+    Text(
+        "konva",
+        """const rect1 = new Konva.Rect({ x: 20, y: 20, width: 100, height: 50, fill: 'green', stroke: 'black', strokeWidth: 4 });
+const circle = new Konva.Circle({ x: 140, y: 45, radius: 20, fill: 'red' });
+layer.add(rect1); layer.add(circle);
+console.log(Konva.Util.haveIntersection(rect1.getClientRect(), circle.getClientRect()));""",
+        ((20, 20, 120, 70), (120, 25, 160, 65)),
+        as_="corner-size",
+        asks=True,
+    ),
+    Text(
+        "d3 polygon",
+        """var hull = [[0,0],[100,0],[100,100],[0,100]];
+var other = [[100,100],[200,100],[200,200]];
+d3.polygonContains(hull, [100, 100]); // false?""",
+        ((0, 0, 100, 100), (100, 100, 200, 200)),
+        as_="leave-out",
+        asks=True,
+    ),
+    Text(
+        "leaflet",
+        """var bounds1 = L.latLngBounds(L.latLng(40.712, -74.227), L.latLng(40.774, -74.125));
+var bounds2 = L.latLngBounds(L.latLng(40.774, -74.125), L.latLng(40.8, -74.0));
+bounds1.intersects(bounds2); // true, expected false""",
+        ((40.712, -74.227, 40.774, -74.125), (40.774, -74.125, 40.8, -74)),
+    ),
+    Text(
+        "mapbox log",
+        """Feature {type: 'Feature', properties: {id: 4}, geometry: {type: 'Polygon', coordinates: [[[0,0],[3,0],[3,3],[0,0]]]}}
+Feature {type: 'Feature', properties: {id: 5}, geometry: {type: 'Polygon', coordinates: [[[3,3],[6,3],[6,6],[3,3]]]}}""",
+        ((0, 0, 3, 3), (3, 3, 6, 6)),
+    ),
+    Text(
+        "svg circle group",
+        """<g stroke="black" stroke-width="0.5" font-size="12">
+  <circle cx="10" cy="10" r="5" data-id="17"/>
+  <rect x="14" y="5" width="10" height="10" rx="0"/>
+  <text x="3" y="30">overlap?</text>
+</g>""",
+        ((5, 5, 15, 15), (14, 5, 24, 15)),
+    ),
+    Text(
+        "c sdl",
+        """SDL_FRect r1 = { 10.5f, 20.0f, 30.0f, 40.0f };
+SDL_FRect r2 = { 40.5f, 20.0f, 5.0f, 5.0f };
+if (SDL_HasRectIntersectionFloat(&r1, &r2)) {
+    printf("hit at frame %d (tick %u)\\n", 312, SDL_GetTicks());
+}""",
+        ((10.5, 20, 40.5, 60), (40.5, 20, 45.5, 25)),
+    ),
+    Text(
+        "c array float",
+        """static const float poly_a[8] = { 0.f, 0.f, 4.f, 0.f, 4.f, 4.f, 0.f, 4.f };
+static const float poly_b[6] = { 4.f, 2.f, 8.f, 2.f, 8.f, 6.f };
+int r = poly_overlap(poly_a, 4, poly_b, 3);
+assert(r == 1);""",
+        ((0, 0, 4, 4), (4, 2, 8, 6)),
+    ),
+    Text(
+        "clipper log",
+        """subject: (0,0) (100,0) (100,100) (0,100)
+clip: (50,50) (150,50) (150,150) (50,150)
+solution area: 2500.0
+elapsed 0.3 ms""",
+        ((0, 0, 100, 100), (50, 50, 150, 150)),
+    ),
+    Text(
+        "geos c",
+        """GEOSGeometry *a = GEOSGeomFromWKT("POLYGON((0 0,2 0,2 2,0 2,0 0))");
+GEOSGeometry *b = GEOSGeomFromWKT("POLYGON((2 0,4 0,4 2,2 2,2 0))");
+char r = GEOSTouches(a, b);
+printf("%d\\n", r); /* 1 */""",
+        ((0, 0, 2, 2), (2, 0, 4, 2)),
+    ),
+    Text(
+        "cgal wkt",
+        """CGAL::Polygon_2<K> with 4 vertices: 0 0 1 0 1 1 0 1
+CGAL::Polygon_2<K> with 3 vertices: 1 1 2 1 2 2""",
+        ((0, 0, 1, 1), (1, 1, 2, 2)),
+    ),
+    Text(
+        "matplotlib",
+        """import matplotlib.pyplot as plt
+from matplotlib.patches import Rectangle, Circle
+fig, ax = plt.subplots(figsize=(6, 4), dpi=150)
+ax.add_patch(Rectangle((0.1, 0.1), 0.5, 0.6, alpha=0.1))
+ax.add_patch(Circle((0.7, 0.4), 0.1, color='r'))
+ax.set_xlim(0, 1); ax.set_ylim(0, 1)
+plt.show()""",
+        ((0.1, 0.1, 0.6, 0.7), (0.6, 0.3, 0.8, 0.5)),
+    ),
+    Text(
+        "geopandas",
+        """   id                                           geometry
+0   1  POLYGON ((0.00000 0.00000, 1.00000 0.00000, 1.00000 1.00000, 0.00000 0.00000))
+1   2  POLYGON ((2.00000 0.00000, 3.00000 0.00000, 3.00000 1.00000, 2.00000 0.00000))""",
+        ((0, 0, 1, 1), (2, 0, 3, 1)),
+    ),
+    Text(
+        "sql server",
+        """DECLARE @g geometry = geometry::STGeomFromText('POLYGON((0 0, 150 0, 150 150, 0 150, 0 0))', 0);
+DECLARE @h geometry = geometry::STGeomFromText('POLYGON((150 0, 300 0, 300 150, 150 0))', 0);
+SELECT @g.STIntersects(@h), @g.STTouches(@h);""",
+        ((0, 0, 150, 150), (150, 0, 300, 150)),
+    ),
+    Text(
+        "elixir",
+        """a = [{0, 0}, {4, 0}, {4, 4}]
+b = [{4, 0}, {8, 0}, {8, 4}]
+iex> Collision.detect(a, b)
+{:ok, 0.0}""",
+        ((0, 0, 4, 4), (4, 0, 8, 4)),
+    ),
+    Text(
+        "swift skphysics",
+        """let path1 = CGMutablePath()
+path1.move(to: CGPoint(x: 0, y: 0))
+path1.addLine(to: CGPoint(x: 50, y: 0))
+path1.addLine(to: CGPoint(x: 50, y: 50))
+path1.closeSubpath()""",
+        (),
+    ),
+    Text(
+        "so question py",
+        """I have two rectangles: R1 = [7, 8, 10, 11] and R2 = [9, 10, 13, 14], given as [x1, y1, x2, y2].
+My function returns 0 but I expect them to overlap by 1. I use Python 3.10.""",
+        ((7, 8, 10, 11), (9, 10, 13, 14)),
+        as_="corner-corner",
+    ),
+    Text(
+        "so circles",
+        """c1: x=10, y=10, r=5
+c2: x=19, y=10, r=4
+dist = 9, sum of radii = 9 -> should be touching""",
+        ((5, 5, 15, 15), (15, 6, 23, 14)),
+    ),
+    Text(
+        "github md",
+        """**Describe the bug**
+`intersects` returns `true` for these polygons.
+
+**To Reproduce**
+1. Create polygon A with points (0, 0), (10, 0), (10, 10)
+2. Create polygon B with points (11, 0), (20, 0), (20, 10)
+3. Call `A.intersects(B)`
+
+**Version:** 2.3.1, Node 18, macOS 13.4""",
+        ((0, 0, 10, 10), (11, 0, 20, 10)),
+    ),
+    Text(
+        "npm version",
+        """"sat": "^0.9.0"
+Node v18.12.1
+const a = new SAT.Box(new SAT.Vector(0, 0), 20, 20).toPolygon();
+const b = new SAT.Box(new SAT.Vector(20, 0), 20, 20).toPolygon();
+SAT.testPolygonPolygon(a, b) // true""",
+        ((0, 0, 20, 20), (20, 0, 40, 20)),
+        as_="corner-size",
+    ),
+    Text(
+        "ocaml",
+        """let a = [| (0., 0.); (4., 0.); (4., 4.) |]
+let b = [| (5., 0.); (9., 0.); (9., 4.) |]
+let () = Printf.printf "%b\\n" (intersects a b)""",
+        ((0, 0, 4, 4), (5, 0, 9, 4)),
+    ),
+)
