@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from . import safe_write
-from .checking.answers import HIT, RELATION, Rules, Truth, Unreadable, in_words, is_right, read
+from .checking.answers import HIT, RELATION, Rules, Truth, Unreadable, in_words, is_right, plain, read
 from .checking.asking import form_named
 from .checking.forms import Form, pasteable
 from .engine.geometry import Relation
@@ -55,11 +55,11 @@ def assert_same_relation(
     make = form_named(form)
     for i, (a, b) in enumerate(pairs):
         a, b = _shape(a), _shape(b)
-        raw = fn(make(a), make(b))
-        kind = HIT if isinstance(raw, bool) or type(raw).__name__ == "bool_" else RELATION
+        value = plain(fn(make(a), make(b)))
+        kind = HIT if isinstance(value, bool) else RELATION
         truth = Truth(relate(a, b), None)
         try:
-            answer = read(raw, kind)
+            answer = read(value, kind)
         except Unreadable as error:
             raise _failure(a, b, f"pair {i}: the function {error}") from None
         if not is_right(answer, a, b, truth, Rules(kind, touching)):

@@ -18,7 +18,7 @@ from satviz.lessons.chapter_text import chapters
 from satviz.pictures import DARK, LIGHT
 from satviz.safe_write import write
 from satviz.scenes.link import ViewOptions, fragment
-from satviz.site import pages, runtime
+from satviz.site import build, pages, runtime
 from satviz.site.build import site
 from satviz.site.check_page import CHECK_POLICY
 from satviz.site.guides import guides
@@ -178,14 +178,31 @@ def test_python_starts_from_the_memory_that_was_kept(visit):
     assert visit("").locator(".live").get_attribute("data-from") == "memory"
 
 
-def test_the_live_scene_takes_the_room_of_the_still_one(visit):
+@pytest.mark.parametrize("width", [390, 1280])
+def test_the_live_scene_takes_the_room_of_the_still_one(visit, width):
     """So that nothing jumps under the reader's eyes when Python is ready."""
-    still = visit("", live=False, java_script_enabled=False).locator(".live .picture").first.bounding_box()
-    live = visit("").locator(".live svg.sv-picture").first.bounding_box()
+    more = {"viewport": {"width": width, "height": 844}}
+    still_page = visit("", live=False, java_script_enabled=False, **more)
+    still = still_page.locator(".live .picture:visible").first.bounding_box()
+    letters = still_page.locator(".live .picture:visible text").evaluate_all(
+        "all => all.map(t => t.getBoundingClientRect().height)"
+    )
+    assert min(letters) > 12  # the height of letters of 10 px
+    page = visit("", **more)
+    live = page.locator(".live svg.sv-picture").first.bounding_box()
     assert [live[k] for k in ("x", "width", "height")] == pytest.approx(
         [still[k] for k in ("x", "width", "height")], abs=2
     )
     assert live["y"] == pytest.approx(still["y"], abs=40)  # words about the scene may stand above it
+    page = visit("scene.html", live=False, **more)
+    page.evaluate(
+        "new PerformanceObserver(list => { window.shifts = (window.shifts ?? 0) + "
+        "list.getEntries().reduce((all, entry) => all + entry.value, 0); })"
+        ".observe({ type: 'layout-shift', buffered: true })"
+    )
+    page.locator(".live.ready").wait_for(timeout=LIVE)
+    page.wait_for_timeout(500)
+    assert page.evaluate("window.shifts ?? 0") < 0.05
 
 
 def test_without_javascript_every_page_is_there(visit):
@@ -620,7 +637,14 @@ def test_where_the_kept_memory_does_not_load_python_starts_anew(built, visit, tm
         errors.clear()
 
 
-def test_where_pyodide_keeps_no_memory_a_site_is_built_and_all_of_it_works(visit, tmp_path, monkeypatch):
+@pytest.fixture
+def slim(monkeypatch):
+    """A site built now has neither chapters nor reference, which take long to make."""
+    monkeypatch.setattr(build, "chapters", list)
+    monkeypatch.setattr(build, "reference", lambda in_site: ())
+
+
+def test_where_pyodide_keeps_no_memory_a_site_is_built_and_all_of_it_works(slim, visit, tmp_path, monkeypatch):
     """As a whole: the function that keeps it is private, and may be gone in another Pyodide."""
     core = runtime._core_from_npm()
     script = core["pyodide.asm.mjs"]
@@ -649,7 +673,7 @@ def test_where_pyodide_keeps_no_memory_a_site_is_built_and_all_of_it_works(visit
         page.context.close()
 
 
-def test_a_site_without_python_says_so_and_has_its_pictures(visit, tmp_path):
+def test_a_site_without_python_says_so_and_has_its_pictures(slim, visit, tmp_path):
     for path, data in site(live=False)[0]:
         write(tmp_path / path, data)
     with served(tmp_path) as at:
@@ -956,7 +980,9 @@ def run_code(page, language=None, code=None):
     if code is not None:
         page.get_by_role("textbox", name="Your function").fill(code)
     page.locator(".run").click()
-    page.wait_for_function("() => document.querySelector('.run').textContent === 'Run'", timeout=LIVE)
+    page.wait_for_function(
+        "() => document.querySelector('.run').textContent === 'Run'", timeout=2 * LIVE
+    )  # Python starts anew for the code
     return page.locator(".check-status").inner_text()
 
 
@@ -1017,31 +1043,36 @@ def test_code_is_kept_in_this_browser_until_it_is_deleted_and_no_link_has_it(che
     assert check_page.evaluate("() => localStorage.length") == 0
 
 
-HOSTILE = [
-    "fetch('{}')",
-    "new WebSocket('{}')",
-    "import('{}').then(() => 1)",
-    "importScripts('{}')",
-    "navigator.sendBeacon('{}')",
-    "new EventSource('{}')",
-    "new Worker('data:text/javascript,1')",
-    "caches.open('x')",
-    "indexedDB.open('x')",
-    "localStorage.length",
-    "document.title",
-    "parent.document",
-]
+HOSTILE = {  # in JavaScript, and in Python by its module js
+    "fetch('{}')": "js.fetch('{}')",
+    "new WebSocket('{}')": "js.WebSocket.new('{}')",
+    "import('{}').then(() => 1)": None,
+    "importScripts('{}')": "js.importScripts('{}')",
+    "navigator.sendBeacon('{}')": "js.navigator.sendBeacon('{}')",
+    "new EventSource('{}')": "js.EventSource.new('{}')",
+    "new FontFace('x', 'url({})').load()": "js.FontFace.new('x', 'url({})').load()",
+    "new Worker('data:text/javascript,1')": "js.Worker.new('data:text/javascript,1')",
+    "caches.open('x')": "js.caches.open('x')",
+    "indexedDB.open('x')": "js.indexedDB.open('x')",
+    "webkitRequestFileSystemSync(0, 9)": "js.webkitRequestFileSystemSync(0, 9)",
+    "localStorage.length": "js.localStorage.length",
+    "document.title": "js.document.title",
+    "parent.document": "js.parent.document",
+    "postMessage('x')": "js.postMessage('x')",
+    "close()": "js.close()",
+    "Function('return 1')()": "js.eval('1')",
+}
 IN_JAVASCRIPT = """function collide(a, b) {
   const reached = [];
   for (const [name, f] of [%s]) try { f(); reached.push(name); } catch {}
   throw new Error("reached " + reached);
 }"""
-IN_PYTHON = """from pyodide.code import run_js
+IN_PYTHON = """import js
 def collide(a, b):
     reached = []
-    for name, code in [%s]:
+    for name, f in [%s]:
         try:
-            run_js(code)
+            f()
             reached.append(name)
         except BaseException: pass
     raise ValueError(f"reached {reached}")
@@ -1072,11 +1103,12 @@ def test_a_hostile_function_reaches_neither_the_page_nor_another_server(browser,
         got = page.goto(at + "yours.html")
         assert ("content-security-policy" in got.headers) is (by is served)
         page.wait_for_function("() => !document.querySelector('.run').disabled", timeout=LIVE)
-        tries = [each.format(address) for each in HOSTILE]
         if language == "javascript":
+            tries = [each.format(address) for each in HOSTILE]
             code = IN_JAVASCRIPT % ", ".join(f'["{t.split("(")[0]}", () => {t}]' for t in tries)
         else:
-            code = IN_PYTHON % ", ".join(f'("{t.split("(")[0]}", "{t}")' for t in tries)
+            tries = [each.format(address) for each in HOSTILE.values() if each]
+            code = IN_PYTHON % ", ".join(f'("{t.split("(")[0]}", lambda: {t})' for t in tries)
         run_code(page, language, code)
         report = page.locator(".report").inner_text()
         reached = report.partition("reached ")[2].splitlines()[0]
@@ -1169,6 +1201,26 @@ def test_code_is_written_and_run_with_mouse_touch_and_keyboard(visit, screen, by
     )
 
 
+@pytest.mark.parametrize(
+    "screen", [WIDE, PHONE, {"viewport": {"width": 900, "height": 700}}], ids=["wide", "phone", "tablet"]
+)
+@pytest.mark.parametrize("code", ["def collide(a, b):\n    return 1 > 0\n", "def collide(a, b:\n", "return"])
+def test_what_was_found_is_seen_after_run_without_scrolling(visit, screen, code):
+    """On a wide screen it stands beside the editor, which stays in sight; else the page scrolls to it."""
+    page = visit("yours.html", live=False, **screen)
+    page.wait_for_function("() => !document.querySelector('.run').disabled", timeout=LIVE)
+    run_code(page, code=code)
+    page.wait_for_function(
+        """() => {
+          const { top, bottom } = document.querySelector(".check-status").getBoundingClientRect();
+          return -1 < top && bottom < innerHeight + 1;
+        }"""
+    )
+    if screen is WIDE:
+        assert page.locator("textarea").first.evaluate("(editor) => editor.getBoundingClientRect().top") > 0
+        assert page.evaluate("scrollY") == 0
+
+
 def drag(page, by, start, end):
     """Drag with the mouse or with a finger, in eight steps."""
     steps = [tuple(p + (q - p) * i / 8 for p, q in zip(start, end, strict=True)) for i in range(9)]
@@ -1243,15 +1295,45 @@ def test_what_the_code_prints_about_the_scene_stands_beside_it(check_page, langu
 
 def test_an_error_in_javascript_is_said_with_its_line(check_page):
     said = run_code(check_page, "javascript", "function collide(a, b) {\n  return true;\n}".replace("true", "c.x"))
-    assert said == "Your function raises ReferenceError in line 2: c is not defined."
+    assert said == "Your function raises ReferenceError in line 2: c is not defined. The line: return c.x;"
+
+
+CALLS = "function collide(a, b) { %s }"
+OUT = "answers with something that cannot be sent"
 
 
 @pytest.mark.parametrize(
     ("language", "code", "line"),
     [
         ("python", "def collide(a, b):\n    raise KeyboardInterrupt\n", "raises KeyboardInterrupt in line 2"),
-        ("javascript", "function collide(a, b) { return 'x'.repeat(1e6); }", "answers with more than 20000 letters"),
-        ("javascript", "function collide(a, b) { postMessage('{'); }", "answers with a message that is not an outcome"),
+        ("python", "raise KeyboardInterrupt\n", "The code raises KeyboardInterrupt in line 1."),
+        ("python", "import os\ndef collide(a, b):\n    os._exit(3)\n", "ends the program by itself"),
+        ("python", "import os\nos._exit(3)\n", "The code ends the program by itself."),
+        ("python", "import js\ndef collide(a, b):\n    js.close()\n", "the function ends the program by itself"),
+        ("python", "import builtins\ndef collide(a, b):\n    builtins.len = None\n", "ends the program by itself"),
+        ("python", "def collide(a, b):\n    return float('nan'), 0\n", "returns (nan, 0): expected True or False"),
+        ("python", "def collide(a, b):\n    return collide\n", "returns <function collide at"),
+        ("javascript", CALLS % "return 'x'.repeat(1e6);", "answers with more than 20000 letters"),
+        ("javascript", CALLS % "self.close(); return true;", "the function ends the program by itself"),
+        (
+            "javascript",
+            CALLS % "for (;;) postMessage('{');",
+            "raises ReferenceError in line 1: postMessage is not defined",
+        ),
+        ("javascript", CALLS % "return [NaN, 1n];", "returns (NaN, 1n): expected True or False"),
+        ("javascript", CALLS % "return Symbol('x');", "returns Symbol(x): expected True or False"),
+        ("javascript", CALLS % "return { overlap: 1 };", "returns {overlap}: expected True or False"),
+        ("javascript", CALLS % "return Array(1e6).fill(1);", "returns a long or deep list: expected"),
+        ("javascript", CALLS % "const x = []; x.push(x); return x;", "returns (((a long or deep list,),),): expected"),
+        ("javascript", "async " + CALLS % "return true;", "returns a value of type Promise: expected"),
+        ("javascript", CALLS % "return { get x() { throw new Error('mine'); } };", "raises Error in line 1: mine"),
+        ("javascript", CALLS % "throw new Proxy({}, { get() { throw 1; } });", OUT),
+        ("javascript", "JSON.stringify = () => Symbol('x');\n" + CALLS % "return true;", OUT),
+        ("javascript", "JSON.stringify = () => '{';\n" + CALLS % "return true;", "message that is not an outcome"),
+        ("javascript", CALLS % "return true;" + "})(); throw 5; (() => {", "The code raises 5 in line 1."),
+        ("javascript", CALLS % "return true;" + " /* open", "The code raises SyntaxError"),
+        ("javascript", CALLS % "const f = () => Promise.resolve().then(f); f();", "an endless loop?"),
+        ("javascript", CALLS % "for (;;) console.error(a);", "an endless loop?"),
     ],
 )
 def test_an_answer_that_is_none_is_said_and_the_page_goes_on(check_page, language, code, line):

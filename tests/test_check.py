@@ -1,11 +1,19 @@
 """A function of the user's own: the smallest scene where it is wrong, and the known mistake it behaves like."""
 
+import os
+import subprocess
+from fractions import Fraction
+from pathlib import Path
+
+import numpy as np
 import pytest
 from own_functions.right import RIGHT, sat
 from own_functions.wrong import WRONG, bounding_boxes, far_apart_first, normals_of_a, raw_depth, touching_is_apart
+from processes import ends
 from speeds import one_in
 
 import satviz as sv
+from satviz.checking import asking
 from satviz.checking.checked import Checked
 from satviz.checking.mistakes import HYPOTHESES, SYMPTOMS, mistakes_with
 from satviz.checking.pairs import KINDS, kind_of, near_pairs, whole_number_pairs
@@ -164,6 +172,7 @@ def raises_without_words(a, b):
         (forgets_to_return, "unreadable", "returns nothing: every way through the function must end in a return"),
         (returns_text, "unreadable", "returns 'yes': expected True or False"),
         (lambda a, b: float("nan"), "unreadable", "returns nan: expected True or False"),
+        (lambda a, b: (yield), "unreadable", "returns <generator object"),
         (lambda a, b: object(), "unreadable", "returns <object object at"),
         (raises_without_words, "error", "raises Speechless in line"),
         (writes, "wrote", "changes its argument A"),
@@ -195,11 +204,104 @@ def test_a_function_in_a_process_of_its_own_answers_as_it_does_here():
     assert str(one) == str(other)
 
 
-def test_a_process_that_ends_itself_is_said_in_one_line():
-    import os
+class Stranger(BaseException):
+    """No Exception, as KeyboardInterrupt is none."""
 
-    found = sv.check(lambda a, b: os._exit(3), call_seconds=2)
-    assert found.line == "ends its process"
+
+def raises(error):
+    raise error
+
+
+def deep():
+    found = []
+    found += [found, found]
+    return found
+
+
+@pytest.mark.parametrize(
+    ("act", "line"),
+    [
+        (lambda: os._exit(3), "ends the program by itself (exit code 3)"),
+        (lambda: os.kill(os.getpid(), 9), "ends the program by itself (SIGKILL)"),
+        (lambda: os.closerange(3, 256), "ends the program by itself (exit code 0)"),
+        (lambda: raises(KeyboardInterrupt), "raises KeyboardInterrupt in line"),
+        (lambda: raises(Stranger()), "raises Stranger in line"),
+        (lambda: setattr(asking, "plain", None), "changes its answer about the same shapes"),
+        (lambda: setattr(asking.CalledHere, "ask_untrusted", None), "ends the program by itself"),
+    ],
+)
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="a function must be sent to a process that is no copy")
+def test_what_a_function_does_to_its_process_is_one_line_and_nothing_else(act, line, capfd):
+    found = sv.check(lambda a, b: bool(act()), call_seconds=5)
+    assert found.line.startswith(line), found.line
+    assert capfd.readouterr() == ("", "") and sv.check(sat, call_seconds=5, kinds="boxes").right
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no process makes a copy of itself")
+def test_a_function_that_makes_copies_of_its_process_still_answers_once():
+    assert sv.check(lambda a, b: bool(os.fork() + 1) and sat(a, b), call_seconds=5, kinds="boxes").right
+
+
+@pytest.mark.skipif(not hasattr(os, "killpg"), reason="no groups of processes")
+def test_what_the_function_has_started_ends_with_its_process(tmp_path):
+    file = tmp_path / "pid"
+
+    def starts(a, b):
+        file.write_text(str(subprocess.Popen(["sleep", "60"]).pid))
+        while True:
+            pass
+
+    assert sv.check(starts, call_seconds=1).finding == "no answer" and ends(int(file.read_text()))
+
+
+@pytest.mark.parametrize(
+    ("make", "line"),
+    [
+        (deep, "returns ((("),
+        (lambda: {"x": deep(), "y": 0}, "returns (("),
+        (lambda: 10**10000, "returns a number that is too large: expected True or False"),
+        (lambda: (float("nan"), float("inf")), "returns (nan, inf): expected True or False"),
+        (lambda: "x" * 10**6, "returns 'xxxxx"),
+        (lambda: [(0, 0)] * 10**6, "returns [(0, 0), (0, 0)"),
+    ],
+)
+@pytest.mark.parametrize("more", [{}, {"call_seconds": 5}], ids=["here", "in a process"])
+def test_an_answer_that_is_none_is_said_in_one_short_line(make, line, more):
+    found = sv.check(lambda a, b: make(), **more)
+    assert found.finding == "unreadable" and found.line.startswith(line) and len(found.line) < 300, found.line
+
+
+def test_a_vector_of_the_functions_own_class_is_an_answer_also_from_a_process():
+    class Vector:
+        def __init__(self, x, y):
+            self.x, self.y = x, y
+
+    def way_out(a, b):
+        move = sv.record(sv.Polygon(a), sv.Polygon(b)).mtv
+        return move and Vector(Fraction(move.x), move.y)
+
+    found = sv.check(way_out, call_seconds=5)
+    assert found.right and found.rules.returns == "mtv", str(found)
+
+
+class Outline:
+    """Equal to itself alone."""
+
+    def __init__(self, points):
+        self.points = points
+
+
+@pytest.mark.parametrize(
+    "form", [lambda shape: np.array(shape.vertices), lambda shape: Outline(shape.vertices)], ids=["array", "object"]
+)
+def test_arguments_of_any_kind_raise_no_false_alarm(form):
+    found = sv.check(lambda a, b: sat(*([*getattr(each, "points", each)] for each in (a, b))), form=form)
+    assert found.right, str(found)
+
+
+def test_an_array_that_is_written_to_is_said():
+    found = sv.check(lambda a, b: bool(a.sort()), form=lambda shape: np.array(shape.vertices)[::-1])
+    assert found.finding == "wrote" and "changes its argument A" in found.line
 
 
 @pytest.mark.slow
@@ -295,7 +397,7 @@ def test_a_score_gives_credit_by_kind_of_scene():
     assert moves.parts["MTV"][0] < moves.parts["MTV"][1] and "MTV" not in moves.passed
     assert sv.check(bounding_boxes).score({"convex": 0, "touching": 0}).total == 1
     assert sv.check(lambda a, b: True).score().total < 0.5
-    every = sv.check(lambda a, b: sv.relate(a, b) > 0, form="shapes", kinds="all").score()
+    every = sv.check(lambda a, b: sv.relate(a, b) > 0, form="shapes", kinds="all", seconds=60).score()
     assert set(every.parts) == {"upright boxes", "convex", "circles", "concave", "touching"} and every.total == 1
 
 
@@ -350,8 +452,10 @@ def test_of_what_code_prints_the_beginning_is_kept_also_where_it_closes_the_outp
     ("code", "why"),
     [
         ("def f(a, b:", "This is not Python: '(' was never closed in line 1."),
-        ("1 / 0", "The code raises ZeroDivisionError: division by zero."),
+        ("1 / 0", "The code raises ZeroDivisionError in line 1: division by zero."),
         ("x = 1", "There is no function of two shapes"),
+        ("raise KeyboardInterrupt", "The code raises KeyboardInterrupt in line 1."),
+        ("x = 1\0", "This is not Python: source code string cannot contain null bytes in line 1."),
     ],
 )
 def test_code_without_a_function_is_said_in_one_line(code, why):
@@ -372,8 +476,6 @@ def test_a_forged_outcome_is_a_wrong_answer_and_no_fault(forged):
 
 
 def test_an_assertion_that_fails_shows_the_sentence_the_data_and_a_picture():
-    from pathlib import Path
-
     a, b = [(0, 0), (2, 0), (0, 2)], [(2, 0), (4, 0), (2, 2)]
     sv.testing.assert_touching(a, b)
     sv.testing.assert_apart(a, sv.Circle((5, 5), 1))

@@ -1,12 +1,14 @@
 """`satviz check`: functions of a file, and programs in other languages."""
 
 import json
+import os
 import shutil
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+from processes import ends
 
 from satviz.checking.checker import check_asker
 from satviz.checking.options import Options
@@ -95,6 +97,9 @@ def test_a_program_answers_line_by_line(tmp_path):
     ("body", "line"),
     [
         ("print('yes', flush=True)", "answers with 'yes': expected one line of JSON"),
+        ("print('[' * 4000 + ']' * 4000, flush=True)", "answers with '[[[["),
+        ("print('9' * 9000, flush=True)", "answers with '9999"),
+        ("print('1e999', flush=True)", "returns inf: expected True or False"),
         ("sys.exit('no memory')", "ends with exit code 1 before it answers: no memory"),
         (
             "import time; time.sleep(9)",
@@ -106,6 +111,24 @@ def test_what_is_wrong_with_a_program_is_one_line(tmp_path, body, line, monkeypa
     monkeypatch.setattr("satviz.checking.programs.START_SECONDS", 0.0 if "endless" in line else 10.0)
     found = program(tmp_path, body, seconds=0.2)
     assert found.line.startswith(line), found.line
+
+
+@pytest.mark.skipif(not hasattr(os, "killpg"), reason="no groups of processes")
+def test_a_program_that_is_started_by_another_one_ends_with_it(tmp_path, monkeypatch):
+    monkeypatch.setattr("satviz.checking.programs.START_SECONDS", 0.0)
+    pid = tmp_path / "pid"
+    inner = written(tmp_path, f"echo $$ > {pid}; while :; do :; done", "mine.sh")
+    found = check_asker(Program(f"sh -c 'sh {inner}; true'", 2), Options())
+    assert found.finding == "no answer" and ends(int(pid.read_text()))
+
+
+def test_nothing_but_the_report_is_printed(tmp_path, capfd):
+    """Also where the function writes past sys.stdout."""
+    writes = "os.write(1, b'x'); os.write(2, b'x'); sys.__stdout__.write('x')"
+    text = f"import os, sys\ndef f(a, b):\n    {writes}\n    return 1\n"
+    assert main(["check", written(tmp_path, text), "--json"]) == 1
+    said, error = capfd.readouterr()
+    assert json.loads(said)["finding"] == "wrong" and error == ""
 
 
 def test_a_program_that_is_not_there_is_said():

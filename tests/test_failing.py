@@ -59,6 +59,7 @@ KNOWN = {
     "unit-normals": (MISSED_HIT, 4.4e-16, 0),
     "raw-depth": (WRONG_NUMBER, 1, 0.75),
     "lengths": (FALSE_HIT, -1, 4),
+    "start-at-zero": (FALSE_HIT, -1, 2),
     "one-maximum": (WRONG_NUMBER, 1, 2),
     "touch-on-paper": (WRONG_NUMBER, 0, -5.6e-17),
     "circles-turned-round": (FALSE_HIT, -1, 1),

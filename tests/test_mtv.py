@@ -265,9 +265,15 @@ def test_no_shorter_move_of_a_circle_ends_the_overlap(a, b):
             assert not ends_overlap(a, b, move), move
 
 
-def forbidden(a, b):
-    """Return the moves of b that make the shapes overlap, computed by shapely: exact but for arcs, good to 1e-6."""
-    (p, q), radius = ([part.core for part in convex_parts.parts(shape)] for shape in (a, b)), a.radius + b.radius
+def forbidden(a, b, wider=0.0):
+    """Return the moves of b that make the shapes overlap, computed by shapely: exact but for arcs, good to 1e-6.
+
+    wider: by what the region is widened.
+    """
+    (p, q), radius = (
+        ([part.core for part in convex_parts.parts(shape)] for shape in (a, b)),
+        a.radius + b.radius + wider,
+    )
     sums = [shapely.MultiPoint([(ux - vx, uy - vy) for ux, uy in u for vx, vy in v]) for u in p for v in q]
     return shapely.union_all([points.convex_hull.buffer(radius, quad_segs=512) for points in sums])
 
@@ -292,6 +298,43 @@ def test_the_mtv_of_a_concave_outline_is_to_the_nearest_move_that_is_not_forbidd
                 nearest = forbidden(a, b).boundary.distance(shapely.Point(0, 0))
                 room = 1e-9 * nearest + 1e-5 * (a.radius + b.radius)
                 assert ends_overlap(a, b, mtv) and hypot(*mtv) <= nearest + room
+
+
+def a_tight_fit(rng):
+    """Return a block with a slot, and a circle or a box that just fits between two corners of its walls, turned."""
+
+    def wall(x):
+        heights = [1, *sorted((rng.uniform(-1, 1) for _ in range(rng.randrange(3))), reverse=True), -1]
+        return [(x + rng.choice((0, 0, 1, -1)) * 2.0 ** -rng.randint(2, 48), y) for y in heights]
+
+    left, right = wall(-1), wall(1)
+    p, q, more = rng.choice(left), rng.choice(right), rng.choice((0, 0, 2.0**-45, -(2.0**-45), 2.0**-25, 2.0**-10))
+    x, y = rng.choice((0, rng.uniform(-0.5, 0.5))), rng.choice((p[1], q[1], rng.uniform(-2, 2)))
+    turn = complex(cos(k := rng.choice((0, 1, rng.uniform(0, 7)))), sin(k))
+    ring, fits = (
+        [((turn * complex(*v)).real, (turn * complex(*v)).imag) for v in vertices]
+        for vertices in (
+            [(-3, 1), (-3, -3), (3, -3), (3, 1), *right, *left[::-1]],
+            [(p[0] + x - more, y), (q[0] + x, y), (q[0] + x, y + 0.5), (p[0] + x - more, y + 0.5)],
+        )
+    )
+    radius = (rng.choice((hypot(q[0] - p[0], q[1] - p[1]), q[0] - p[0])) + more) / 2
+    middle = (fits[0][0] + fits[1][0]) / 2, (fits[0][1] + fits[1][1]) / 2
+    return sv.Polygon(ring), rng.choice((sv.Polygon(fits), sv.Circle(middle, radius)))
+
+
+@pytest.mark.parametrize("seed", one_in(3, range(6)))
+def test_no_shorter_move_ends_the_overlap_where_a_shape_just_fits_between_two_walls(seed):
+    """The crossing of borders that hardly turn is rounded far off, and the sum of their normals has no right digit."""
+    rng, found = Random(f"tight {seed}"), 0
+    while found < 40:
+        a, b = rng.sample(a_tight_fit(rng), 2)
+        if sv.relate(a, b) is sv.Relation.OVERLAPPING:
+            found += 1
+            mtv = sv.record(a, b).mtv
+            # each arc is drawn outside of the true one, so a free move here is one there too
+            wide = forbidden(a, b, wider=2e-6 * (a.radius + b.radius) + 1e-9)
+            assert ends_overlap(a, b, mtv) and hypot(*mtv) <= wide.boundary.distance(shapely.Point(0, 0)) + 1e-6
 
 
 @pytest.mark.parametrize("power", [-600, -40, 0])

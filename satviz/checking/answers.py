@@ -1,6 +1,7 @@
 """What a function under test returned, and whether that is right."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from math import hypot, isfinite
 from typing import Any, NamedTuple
 
@@ -22,6 +23,8 @@ EXPECTED = {
     HIT_AND_MTV: "(hit, move), such as (True, (1, 0)) or (False, None)",
 }
 TOUCHING_AS = "hit", "miss", "either"
+MAX_TEXT, MAX_PARTS, MAX_NUMBER = 1000, 20, 1e300  # letters, parts and size of what is looked at
+MAX_SHOWN = 200  # letters of an answer that cannot be read
 NUMBER_TOLERANCE = 1e-9  # of the scene's size: lengths are rounded, so they are compared to nine digits
 APART, TOUCHING, OVERLAPPING = Relation
 WORDS = {str(relation): relation for relation in Relation}
@@ -62,24 +65,55 @@ def truth_of(a: Shape, b: Shape, kind: str) -> Truth:
     return Truth(trace.relation, trace.mtv)
 
 
-def plain(raw: Any) -> Any:
-    """Return a value without NumPy: its scalars as Python's, its arrays as lists, and {"x", "y"} as a pair."""
+@dataclass(frozen=True)
+class Other:
+    """A returned value that is no answer of any kind; only its text is kept."""
+
+    text: str
+
+    def __repr__(self) -> str:
+        return self.text
+
+
+def plain(raw: Any, depth: int = 3) -> Any:
+    """Return what a function returned as a copy in plain values, which can be compared, sent and shown.
+
+    These are None, bool, Relation, finite numbers, short texts, and tuples of them, nested no deeper than `depth`.
+    An array or a list becomes a tuple, a fraction a float, {"x", "y"} or an object with x and y a pair, and
+    {"hit", "mtv"} a pair (hit, mtv).  Anything else becomes an Other; as JSON that is {"text": ...}.
+    """
     if type(raw).__module__ == "numpy" and hasattr(raw, "tolist"):
         raw = raw.tolist()
+    if raw is None or isinstance(raw, bool | Relation):
+        return raw
+    if isinstance(raw, str):
+        return str.__str__(raw) if len(raw) <= MAX_TEXT else Other(short_repr(raw))
+    if isinstance(raw, int) and abs(raw) < MAX_NUMBER:
+        return int(raw)
+    if isinstance(raw, int):
+        return Other("a number that is too large")
+    if hasattr(type(raw), "__float__"):
+        number = float(raw)
+        return number if isfinite(number) else Other(str(number))
+    if isinstance(raw, dict) and raw.keys() == {"text"}:
+        return Other(str(raw["text"]))
+    parts = _parts(raw) if depth else None
+    return Other(short_repr(raw)) if parts is None else tuple(plain(part, depth - 1) for part in parts)
+
+
+def _parts(raw: Any) -> Sequence[Any] | None:
+    """Return the parts of an answer that has some; None where it has none or very many."""
     if isinstance(raw, dict) and {"x", "y"} <= raw.keys():
-        return (plain(raw["x"]), plain(raw["y"]))
-    if isinstance(raw, dict) and "hit" in raw and {"mtv", "push", "move"} & raw.keys():
-        return (plain(raw["hit"]), plain(raw.get("mtv", raw.get("push", raw.get("move")))))
+        return raw["x"], raw["y"]
+    if isinstance(raw, dict) and "hit" in raw:
+        return next(((raw["hit"], raw[name]) for name in ("mtv", "push", "move") if name in raw), None)
     if isinstance(raw, tuple | list):
-        return tuple(plain(item) for item in raw)
-    if hasattr(raw, "x") and hasattr(raw, "y"):
-        return (plain(raw.x), plain(raw.y))
-    return raw
+        return raw if len(raw) <= MAX_PARTS else None
+    return (raw.x, raw.y) if hasattr(raw, "x") and hasattr(raw, "y") else None
 
 
-def read(raw: Any, kind: str) -> Answer:
-    """Return a raw answer as a value of the kind; Unreadable if that is not possible."""
-    value = plain(raw)
+def read(value: Any, kind: str) -> Answer:
+    """Return a plain value as an answer of the kind; Unreadable if that is not possible."""
     if kind == HIT and (isinstance(value, bool) or (type(value) is int and value in (0, 1))):
         return bool(value)
     if kind == RELATION:
@@ -93,19 +127,16 @@ def read(raw: Any, kind: str) -> Answer:
         return Vec(float(value[0]), float(value[1])) if value else None
     if kind == HIT_AND_MTV and isinstance(value, tuple) and len(value) == 2 and isinstance(value[0], bool):
         return (value[0], read(value[1] if value[0] else None, MTV))
-    raise Unreadable(f"returned {short_repr(raw)}: expected {EXPECTED[kind]}")
+    raise Unreadable(f"returns {short_repr(value)[:MAX_SHOWN]}: expected {EXPECTED[kind]}")
 
 
 def _is_number(value: Any) -> bool:
-    """Return whether the value is a finite int or float, or a fraction."""
-    try:
-        return not isinstance(value, bool | str | tuple | list) and bool(isfinite(value))
-    except TypeError:
-        return False
+    """Return whether the plain value is a number."""
+    return isinstance(value, int | float) and not isinstance(value, bool)
 
 
 def _is_vector(value: Any) -> bool:
-    """Return whether the value is a pair of finite numbers."""
+    """Return whether the plain value is a pair of numbers."""
     return isinstance(value, tuple) and len(value) == 2 and all(map(_is_number, value))
 
 
@@ -181,7 +212,7 @@ def recognize(raws: Sequence[Any], pairs: Sequence[tuple[Shape, Shape]], touchin
     best, found = (0, -1), None
     for kind in KINDS:
         readable = right = 0
-        if kind in (MTV, DEPTH) and all(raw is None or isinstance(plain(raw), bool) for raw in raws):
+        if kind in (MTV, DEPTH) and all(raw is None or isinstance(raw, bool) for raw in raws):
             continue  # False alone is a verdict, and a move or a depth only beside others
         for raw, (a, b) in zip(raws, pairs, strict=True):
             try:

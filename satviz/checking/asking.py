@@ -1,13 +1,15 @@
 """Who answers: a Python function, called here or in a process of its own."""
 
+import os
+import signal
 import traceback
 from collections.abc import Callable, Sequence
 from contextlib import suppress
-from copy import deepcopy
 from typing import Any, NamedTuple, Protocol
 
 from ..engine.polygon_validation import short_repr
 from ..engine.shapes import Shape
+from .answers import plain
 from .forms import FORMS, Form
 
 ERROR, NO_ANSWER, ENDED, WROTE = "error", "no answer", "ended", "wrote"  # what went wrong with a call
@@ -15,7 +17,7 @@ LAST = NO_ANSWER, ENDED  # problems after which nothing more is asked
 
 
 class Outcome(NamedTuple):
-    """What came of one call: the raw value that was returned, or a problem and one line that says what it is."""
+    """What came of one call: the plain value that was returned, or a problem and one line that says what it is."""
 
     value: Any = None
     problem: str = ""
@@ -39,34 +41,58 @@ class CalledHere:
 
     def __init__(self, fn: Callable[[Any, Any], Any], form: Form) -> None:
         self.fn, self.form = fn, form
+        self.file: str | None = None  # in which errors count lines
+        with suppress(Exception):  # of the function's own __getattr__
+            self.file = getattr(fn, "file", None) or fn.__code__.co_filename
 
     def ask(self, a: Shape, b: Shape) -> Outcome:
-        """Call the function with fresh arguments, and compare them afterwards with what they were."""
-        given = self.form(a), self.form(b)
-        kept = deepcopy(given)
+        """Call the function with fresh arguments, and compare them afterwards with a second set of them.
+
+        Arguments are compared only where two sets are equal at first, since an object may be equal to itself alone.
+        """
         try:
-            value = deepcopy(self.fn(*given))  # a list that is reused from call to call must not change later
+            given, kept = ((self.form(a), self.form(b)) for _ in range(2))
+            comparable = [_are_equal(*both) for both in zip(given, kept)]
+            value = plain(self.fn(*given))
+        except KeyboardInterrupt:
+            raise
         except RecursionError:
             return Outcome(problem=ERROR, line="calls itself without end (RecursionError)")
-        except (Exception, SystemExit) as error:
-            return Outcome(problem=ERROR, line=error_line(error, self.fn))
-        if given != kept:
-            which = "A" if given[0] != kept[0] else "B"
-            return Outcome(value, WROTE, f"changes its argument {which}: the caller's shape is not the same afterwards")
+        except BaseException as error:
+            return Outcome(problem=ERROR, line=error_line(error, self.file))
+        for name, now, was, before in zip("AB", given, kept, comparable):
+            if before and not _are_equal(now, was):
+                line = f"changes its argument {name}: the caller's shape is not the same afterwards"
+                return Outcome(value, WROTE, line)
         return Outcome(value)
+
+    def ask_untrusted(self, a: Shape, b: Shape) -> Outcome:
+        """Call the function where no person can press Ctrl-C, so that every exception is the function's own."""
+        try:
+            return self.ask(a, b)
+        except BaseException as error:
+            return Outcome(problem=ERROR, line=error_line(error, self.file))
 
     def close(self) -> None:
         """Do nothing."""
 
 
-def error_line(error: BaseException, fn: Callable[..., Any] | None = None) -> str:
-    """Return one line on an exception: its type, its words, and the line of the function's own file."""
+def _are_equal(one: Any, other: Any) -> bool:
+    """Return whether two arguments hold the same values; arrays are compared as lists."""
     try:
+        if hasattr(one, "tolist"):
+            one, other = one.tolist(), other.tolist()
+        return bool(one == other)
+    except Exception:
+        return False
+
+
+def error_line(error: BaseException, file: str | None) -> str:
+    """Return one line on an exception: its type, its words, and the last line of this file that it came through."""
+    words = ""
+    with suppress(BaseException):  # of its own __str__
         words = short_repr(str(error))[1:-1]
-    except Exception:  # of its own __str__
-        words = ""
-    file = getattr(fn, "file", None) or getattr(getattr(fn, "__code__", None), "co_filename", None)
-    lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if file and frame.filename == file]
+    lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == file]
     place = f" in line {lines[-1]}" if lines else ""
     return f"raises {type(error).__name__}{place}{': ' if words else ''}{words}"
 
@@ -94,43 +120,54 @@ class CalledInProcess:
 
     def ask(self, a: Shape, b: Shape) -> Outcome:
         """Call the function in the process; end the process after `seconds`."""
-        try:
-            seconds = self.seconds
-            if self.process is None:
+        seconds = self.seconds
+        if self.process is None:
+            try:
                 self._start()
-                seconds += self.start_seconds
+            except Exception as error:  # where a new process is no copy, the function must be sent to it
+                return Outcome(problem=ENDED, line=f"cannot be sent to a process of its own: {short_repr(str(error))}")
+            seconds += self.start_seconds
+        try:
             self.pipe.send((a, b))
             if self.pipe.poll(seconds):
                 outcome: Outcome = self.pipe.recv()
                 return outcome
-        except (EOFError, OSError):
+        except Exception:  # the pipe has an end, or something else was written to it
+            self.process.join(1)
+            code = self.process.exitcode
             self.close()
-            return Outcome(problem=ENDED, line="ends its process")
-        except (AttributeError, TypeError, ValueError) as error:  # a function that cannot be sent to a new process
-            self.close()
-            return Outcome(problem=ENDED, line=f"cannot be sent to a process of its own: {short_repr(str(error))}")
+            how = "" if code is None else f" ({signal.Signals(-code).name if code < 0 else f'exit code {code}'})"
+            return Outcome(problem=ENDED, line=f"ends the program by itself{how}")
         self.close()
         return Outcome(problem=NO_ANSWER, line=f"gives no answer within {seconds:g} s: an endless loop?")
 
     def close(self) -> None:
         """End the process."""
         if self.process is not None:
-            self.process.kill()
+            end_group(self.process)
             self.process.join()
             self.pipe.close()
             self.process = None
 
 
+def end_group(process: Any) -> None:
+    """End a process and what it has started, where it leads a group of processes; else the process alone."""
+    with suppress(AttributeError, OSError):
+        os.killpg(process.pid, signal.SIGKILL)
+    process.kill()
+
+
 def _answer_calls(pipe: Any, fn: Callable[[Any, Any], Any], form: Form) -> None:
-    """Answer the pairs that come through the pipe, in the process of its own."""
-    called = CalledHere(fn, form)
-    with suppress(EOFError, KeyboardInterrupt):
+    """Answer the pairs that come through the pipe, in the process of its own, until it is ended."""
+    with suppress(AttributeError, OSError):
+        os.setsid()
+    called, own = CalledHere(fn, form), os.getpid()
+    with suppress(BaseException):  # the function may have replaced anything that is used here
         while True:
-            outcome = called.ask(*pipe.recv())
-            try:
-                pipe.send(outcome)
-            except Exception as error:  # a value that cannot be sent back
-                pipe.send(Outcome(problem=ERROR, line=error_line(error)))
+            outcome = called.ask_untrusted(*pipe.recv())
+            if os.getpid() != own:
+                os._exit(0)  # a copy that the function made of this process
+            pipe.send(outcome)
 
 
 def form_named(form: str | Form) -> Form:

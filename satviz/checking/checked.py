@@ -33,6 +33,7 @@ PARTS = {
     "circles": (CIRCLES, ROUND),
     "concave": (CONCAVE,),
 }
+PART_OF = {kind: part for part, kinds in PARTS.items() for kind in kinds}
 TOUCHING_PART, MTV_PART = "touching", "MTV"
 
 
@@ -80,8 +81,8 @@ class Checked:
     """What came of checking a function: whether it is right, and if not, the smallest scene where it is wrong.
 
     `right`: whether all judged answers were right; `finding`: "" or what went wrong: "wrong", "error", "no answer",
-    "unreadable", "unsteady" or "wrote"; `line`: the finding in one line; `counterexample`: the smallest scene that
-    shows it, or None; `said`, `truth`: the answer there and the true one; `behaves_like`: the known mistakes that
+    "ended", "unreadable", "unsteady" or "wrote"; `line`: the finding in one line; `counterexample`: the smallest scene
+    that shows it, or None; `said`, `truth`: the answer there and the true one; `behaves_like`: the known mistakes that
     answer like the function, the likest first; `results`: every judged pair; `unasked`: pairs that were left out;
     `near`: how it did on pairs that floats can hardly tell, which are not judged; `notes`: what else was found.
     """
@@ -194,27 +195,22 @@ class Checked:
 
         Only kinds that were asked about are parts.  `weights`: how much each part counts, 1 where it is not named.
         """
+        judged = [(self._part_of(result), result.right) for result in self.results]
+        judged += [(PART_OF[pair.kind], False) for pair in self.unasked]
         parts: dict[str, tuple[int, int]] = {}
+        for part in (*PARTS, TOUCHING_PART, MTV_PART):
+            answers = [right for name, right in judged if name == part]
+            if answers:
+                parts[part] = sum(answers), len(answers)
+        return Score(parts, {part: float((weights or {}).get(part, 1.0)) for part in parts})
 
-        def count(part: str, right: bool) -> None:
-            """Add one pair to a part."""
-            done, of = parts.get(part, (0, 0))
-            parts[part] = (done + right, of + 1)
-
-        moves = self.rules.returns in (DEPTH, MTV, HIT_AND_MTV)
-        for result in self.results:
-            if result.truth.relation is Relation.TOUCHING:
-                count(TOUCHING_PART, result.right)
-            elif moves and result.truth.relation is Relation.OVERLAPPING:
-                count(MTV_PART, result.right)
-            else:
-                count(next(part for part, kinds in PARTS.items() if result.pair.kind in kinds), result.right)
-        for pair in self.unasked:
-            count(next(part for part, kinds in PARTS.items() if pair.kind in kinds), False)
-        order = [part for part in (*PARTS, TOUCHING_PART, MTV_PART) if part in parts]
-        return Score(
-            {part: parts[part] for part in order}, {part: float((weights or {}).get(part, 1.0)) for part in order}
-        )
+    def _part_of(self, result: Result) -> str:
+        """Return the part of a score that a result counts for."""
+        if result.truth.relation is Relation.TOUCHING:
+            return TOUCHING_PART
+        if result.truth.relation is Relation.OVERLAPPING and self.rules.returns in (DEPTH, MTV, HIT_AND_MTV):
+            return MTV_PART
+        return PART_OF[result.pair.kind]
 
 
 def _sentence(words: str) -> str:
@@ -235,7 +231,8 @@ def _likeness_lines(likenesses: Sequence[Likeness]) -> list[str]:
         lines.append(f"In a game, something {symptom}.")
     for other in others[:2]:
         differs = other.pairs - other.agrees
-        how = f"it differs on {differs} pairs." if differs else "these pairs do not tell the two mistakes apart."
+        how = f"it differs on {differs} pair{'s' * (differs > 1)}."
+        how = how if differs else "these pairs do not tell the two mistakes apart."
         lines.append(f"{'Less' if differs else 'Also'} like {other.in_words}: {how}")
     return lines
 

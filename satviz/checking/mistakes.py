@@ -28,22 +28,27 @@ from .variants import VARIANTS, Predict, by_shortcut
 
 APART, TOUCHING, OVERLAPPING = Relation
 
-# what the mistake looks like in a game or a drawing program, in the words of the people who see it
+# What a mistake looks like in a game or a drawing program, in the words of the people who see it.  A test simulates it.
 SYMPTOMS: dict[str, tuple[str, ...]] = {
     "collides with nothing: a hit where there is space": (
         "aabb-not-upright",
+        "aabb-turned",
         "one-overlap",
+        "line-for-axis",
         "one-sided-gap",
         "bounding-circles",
         "one-shapes-normals",
         "half-the-normals",
+        "same-shape",
         "open-outline",
+        "slipped-normal",
+        "start-at-zero",
+        "lengths",
         "no-nearest-vertex",
+        "circles-turned-round",
         "dart",
         "box-in-u",
-        "lengths",
-        "slipped-normal",
-        "same-shape",
+        "faces-in-3d",
     ),
     "falls through: no hit where the shapes overlap": (
         "corner-inside",
@@ -53,18 +58,41 @@ SYMPTOMS: dict[str, tuple[str, ...]] = {
         "mixed-signs",
         "tunnelling",
         "circles-turned-round",
-        "touch-as-apart",
     ),
     "jitters: touching is a hit in one frame and none in the next": (
+        "touch-as-apart",
         "unit-normals",
         "touch-on-paper",
-        "touch-as-apart",
+        "far-centers",
+        "mixed-signs",
+        "circles-turned-round",
     ),
-    "sticks, or is not pushed out all the way": ("range-inside", "push-from-center", "repeated-vertex", "tile-seam"),
-    "is pushed the wrong way": ("push-along-normal", "push-from-center", "tile-seam", "sum-of-parts"),
-    "is pushed too far": ("raw-depth", "sum-of-parts", "repeated-vertex"),
+    "is pushed too far": (
+        "raw-depth",
+        "tile-seam",
+        "aabb-not-upright",
+        "aabb-turned",
+        "one-overlap",
+        "line-for-axis",
+        "bounding-circles",
+    ),
+    "is pushed the wrong way": (
+        "push-along-normal",
+        "push-from-center",
+        "sum-of-parts",
+        "repeated-vertex",
+        "raw-depth",
+        "corner-inside",
+    ),
+    "sticks, or is not pushed out all the way": (
+        "range-inside",
+        "push-along-normal",
+        "push-from-center",
+        "sum-of-parts",
+        "repeated-vertex",
+        "corner-inside",
+    ),
 }
-SYMPTOMS = {words: tuple(n for n in names if n in NAMED) for words, names in SYMPTOMS.items()}
 
 
 def symptom_of(name: str) -> str:

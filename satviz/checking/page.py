@@ -5,7 +5,6 @@ from typing import Any
 from ..scenes.link import fragment
 from ..scenes.scenefile import shape_data, shape_from
 from .answers import Rules, in_words, true_in_words
-from .asking import NO_ANSWER
 from .checked import Checked
 from .options import Options
 from .pairs import Pair
@@ -60,6 +59,5 @@ class PageCheck:
             "right": result.right,
             "said": said,
             "answers": not result.problem,
-            "stopped": outcome.problem == NO_ANSWER,
             "truth": true_in_words(result.truth, self.rules),
         }

@@ -35,9 +35,7 @@ SIZES = (3, 4, 6, 8, 12, 20, 60, 400)  # of the grids that later pairs lie on, i
 PAIRS_PER_SIZE = 24  # where there are many ways to lie beside each other; of the other kinds a third
 MAX_CORNERS = 8
 
-
 Maker = Callable[[Random, int], Shape]
-Makers = tuple[Maker, Maker]
 
 
 class Pair(NamedTuple):
@@ -121,16 +119,11 @@ def _small_boxes() -> Iterator[Pair]:
 def _seeded(kinds: Sequence[str], random: Random, size: int, group: str) -> Iterator[Pair]:
     """Yield random pairs in whole numbers up to `size`, with B placed in each of the ways of `_placed`."""
     for kind in kinds:
-        second: Maker = _convex if random.random() < 0.7 else _concave
-        of_kind: dict[str, Makers] = {
-            BOXES: (_box, _box),
-            CONVEX: (_convex, _convex),
-            CONCAVE: (_concave, second),
-            CIRCLES: (_circle, _circle),
-            ROUND: (_circle, _convex),
-            REPEATED: (_repeated, _box if size < 6 else _convex),
-        }
-        makers = of_kind[kind]
+        makers = MAKERS[kind]
+        if random.random() >= 0.7 and kind == CONCAVE:
+            makers = _concave, _concave
+        if kind == REPEATED and size < 6:
+            makers = _repeated, _box
         for i in range(PAIRS_PER_SIZE if kind in (CONVEX, ROUND, CONCAVE) else PAIRS_PER_SIZE // 3):
             a, b = (make(random, size) for make in makers)
             if i % 2 and kind in (CIRCLES, ROUND):
@@ -251,6 +244,16 @@ def _repeated(random: Random, size: int) -> Polygon:
     return Polygon([*ring[: i + 1], *ring[i:]])
 
 
+MAKERS: dict[str, tuple[Maker, Maker]] = {
+    BOXES: (_box, _box),
+    CONVEX: (_convex, _convex),
+    CONCAVE: (_concave, _convex),
+    CIRCLES: (_circle, _circle),
+    ROUND: (_circle, _convex),
+    REPEATED: (_repeated, _convex),
+}
+
+
 def near_pairs(kinds: Sequence[str], seed: int, count: int) -> Iterator[Pair]:
     """Yield pairs that floats can hardly tell: touching in whole numbers, then scaled and moved by rounded numbers.
 
@@ -258,14 +261,8 @@ def near_pairs(kinds: Sequence[str], seed: int, count: int) -> Iterator[Pair]:
     """
     random = Random(seed + 1)
     kind = CONVEX if CONVEX in kinds else kinds[0]
-    makers: dict[str, Makers] = {
-        BOXES: (_box, _box),
-        CIRCLES: (_circle, _circle),
-        ROUND: (_circle, _convex),
-        CONCAVE: (_concave, _convex),
-    }
     for i in range(count):
-        a, b = (make(random, 8) for make in makers.get(kind, (_convex, _convex)))
+        a, b = (make(random, 8) for make in MAKERS[kind])
         beside = _touching(a, b, random)
         scale, away = random.uniform(0.1, 3.0), Vec(random.uniform(-50, 50), random.uniform(-50, 50))
         nudge = 2.0 ** -random.randint(20, 53) * random.choice((-1, 1)) * (i % 3 > 0)

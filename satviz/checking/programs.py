@@ -1,14 +1,14 @@
 """A program in any language that answers pairs of shapes: one line of JSON in, one line of JSON out."""
 
 import ast
-import io
 import json
+import os
 import runpy
 import shlex
 import subprocess
 from collections import deque
 from collections.abc import Callable
-from contextlib import redirect_stdout, suppress
+from contextlib import suppress
 from pathlib import Path
 from queue import Empty, Queue
 from threading import Thread
@@ -16,10 +16,12 @@ from typing import Any
 
 from ..engine.polygon_validation import short_repr
 from ..engine.shapes import Circle, Shape
-from .asking import ENDED, ERROR, NO_ANSWER, Outcome
+from .answers import plain
+from .asking import ENDED, ERROR, NO_ANSWER, Outcome, end_group
 from .forms import as_dict, plain_points
 
 MAX_LINE = 10_000  # letters of an answer
+MAX_WAITING = 1000  # lines that are read before they are asked for
 START_SECONDS = 10.0  # that the first answer may take longer than the others, since a program must start
 
 
@@ -38,7 +40,7 @@ class Program:
 
     def __init__(self, command: str, seconds: float) -> None:
         self.command, self.seconds, self.process = shlex.split(command), seconds, None
-        self.lines: Queue[str] = Queue()
+        self.lines: Queue[str] = Queue(MAX_WAITING)
         self.errors: deque[str] = deque(maxlen=1)
 
     process: "subprocess.Popen[str] | None"
@@ -47,8 +49,9 @@ class Program:
         """Start the program, and two threads that read what it writes."""
         pipe = subprocess.PIPE
         process = subprocess.Popen(
-            self.command, stdin=pipe, stdout=pipe, stderr=pipe, text=True, encoding="utf-8", errors="replace"
-        )
+            self.command, stdin=pipe, stdout=pipe, stderr=pipe, text=True, encoding="utf-8", errors="replace",
+            start_new_session=True,
+        )  # fmt: skip
 
         def read(stream: Any, keep: Callable[[str], None]) -> None:
             """Keep each line of a stream until it ends; an end is kept as an empty line."""
@@ -58,7 +61,8 @@ class Program:
             keep("")
 
         Thread(target=read, args=(process.stdout, self.lines.put), daemon=True).start()
-        Thread(target=read, args=(process.stderr, self._keep_error), daemon=True).start()
+        self.error_reader = Thread(target=read, args=(process.stderr, self._keep_error), daemon=True)
+        self.error_reader.start()
         return process
 
     def _keep_error(self, line: str) -> None:
@@ -90,8 +94,8 @@ class Program:
         if not line:
             return self._ended()
         try:
-            return Outcome(json.loads(line))
-        except ValueError:
+            return Outcome(plain(json.loads(line)))
+        except (ValueError, RecursionError):
             said = short_repr(line.strip())
             return Outcome(
                 problem=ERROR, line=f"answers with {said}: expected one line of JSON, such as true or [1, 0]"
@@ -102,6 +106,7 @@ class Program:
         assert self.process
         with suppress(subprocess.TimeoutExpired):
             self.process.wait(1)
+        self.error_reader.join(1)
         code, said = self.process.returncode, f": {short_repr(self.errors[-1])[1:-1]}" if self.errors else ""
         self.close()
         return Outcome(problem=ENDED, line=f"ends with exit code {code} before it answers{said}")
@@ -109,7 +114,7 @@ class Program:
     def close(self) -> None:
         """End the program."""
         if self.process is not None:
-            self.process.kill()
+            end_group(self.process)
             self.process.wait()
             for stream in (self.process.stdin, self.process.stdout, self.process.stderr):
                 with suppress(OSError, AttributeError):
@@ -118,7 +123,7 @@ class Program:
 
 
 class FunctionOfFile:
-    """A function of a Python file, which is run at the first call; what it prints is dropped."""
+    """A function of a Python file, for a process of its own: the file is run at the first call, and prints nowhere."""
 
     def __init__(self, file: Path, name: str) -> None:
         self.file, self.name = str(file), name
@@ -126,10 +131,12 @@ class FunctionOfFile:
 
     def __call__(self, a: Any, b: Any) -> Any:
         """Run the file if it has not been run, and call its function."""
-        with redirect_stdout(io.StringIO()):
-            if self.fn is None:
-                self.fn = runpy.run_path(self.file)[self.name]
-            return self.fn(a, b)
+        if self.fn is None:
+            nowhere = os.open(os.devnull, os.O_WRONLY)
+            for stream in 1, 2:
+                os.dup2(nowhere, stream)  # what the report is written to must have nothing else in it
+            self.fn = runpy.run_path(self.file)[self.name]
+        return self.fn(a, b)
 
 
 def function_of(target: str) -> FunctionOfFile:
@@ -143,7 +150,9 @@ def function_of(target: str) -> FunctionOfFile:
     except OSError as error:
         raise ValueError(f"cannot read {path}: {error.strerror}") from None
     except SyntaxError as error:
-        raise ValueError(f"{path} is not Python: {error.msg} in line {error.lineno}") from None
+        raise ValueError(f"{path} is not Python: {error.msg} in line {error.lineno or 1}") from None
+    except (MemoryError, RecursionError):
+        raise ValueError(f"{path} is not Python that can be read: an expression is nested too deeply") from None
     found = [node.name for node in tree.body if isinstance(node, ast.FunctionDef)]
     pairs = [n.name for n in tree.body if isinstance(n, ast.FunctionDef) and len(n.args.args) == 2]
     if name and name not in found:

@@ -4,10 +4,9 @@ import inspect
 import io
 import json
 from collections.abc import Callable
-from contextlib import redirect_stdout
+from contextlib import redirect_stderr, redirect_stdout
 from typing import Any
 
-from ..engine.polygon_validation import short_repr
 from ..scenes.scenefile import shape_from
 from .answers import plain
 from .asking import ERROR, CalledHere, Outcome, error_line
@@ -38,7 +37,7 @@ class ReaderPython:
 
     def answer(self, content: dict[str, Any]) -> dict[str, Any]:
         """Return whether the function is there, or what came of one call, and what the code printed."""
-        with redirect_stdout(Printed()) as printed:
+        with redirect_stdout(Printed()) as printed, redirect_stderr(printed):
             reply = self._define(content["code"]) if content["kind"] == "define" else self._call(content)
         return {**reply, "printed": printed.getvalue()}
 
@@ -47,10 +46,7 @@ class ReaderPython:
         a, b = shape_from(content["a"], "A"), shape_from(content["b"], "B")
         if self.called is None:
             return {"problem": ERROR, "line": "is not defined"}
-        try:
-            return outcome_data(self.called.ask(a, b))
-        except BaseException as error:  # a KeyboardInterrupt of the code's own ends nothing here
-            return {"problem": ERROR, "line": error_line(error, self.called.fn)}
+        return outcome_data(self.called.ask_untrusted(a, b))
 
     def _define(self, code: str) -> dict[str, Any]:
         """Run the code, and keep its function `collide`, or its only function of two arguments."""
@@ -58,9 +54,9 @@ class ReaderPython:
         try:
             exec(compile(code, FILE, "exec"), names)
         except SyntaxError as error:
-            return {"why": f"This is not Python: {error.msg} in line {error.lineno}."}
-        except (Exception, SystemExit) as error:
-            return {"why": f"The code raises {type(error).__name__}: {short_repr(str(error))[1:-1]}."}
+            return {"why": f"This is not Python: {error.msg} in line {error.lineno or 1}."}
+        except BaseException as error:
+            return {"why": f"The code {error_line(error, FILE)}."}
         fn = names.get("collide") or _only_function_of_two(names)
         if not callable(fn):
             return {"why": "There is no function of two shapes: write def collide(a, b): ..."}
@@ -75,25 +71,9 @@ def _only_function_of_two(names: dict[str, Any]) -> Callable[..., Any] | None:
 
 
 def outcome_data(outcome: Outcome) -> dict[str, Any]:
-    """Return an outcome as JSON values; a value that JSON does not know becomes its text."""
-    value = plain(outcome.value)
-    try:
-        json.dumps(value, allow_nan=False)
-    except (TypeError, ValueError):
-        try:
-            value = float(value)  # a fraction
-            json.dumps(value, allow_nan=False)
-        except (TypeError, ValueError):
-            value = _as_floats(outcome.value)
-    return {"value": value, "problem": outcome.problem, "line": outcome.line}
-
-
-def _as_floats(value: Any) -> Any:
-    """Return a pair with fractions as floats; of anything else its text."""
-    try:
-        return [each if each is None or isinstance(each, bool) else float(each) for each in value]
-    except (TypeError, ValueError):
-        return short_repr(value)
+    """Return an outcome as JSON values; an Other as {"text": ...}."""
+    data: dict[str, Any] = json.loads(json.dumps(outcome._asdict(), default=vars))
+    return data
 
 
 def outcome_from(data: Any) -> Outcome:
@@ -101,4 +81,4 @@ def outcome_from(data: Any) -> Outcome:
     if not isinstance(data, dict):
         return Outcome(problem=ERROR, line="answers with a message that is not an outcome")
     problem, line = (str(data.get(key) or "")[:MAX_TEXT] for key in ("problem", "line"))
-    return Outcome(data.get("value"), problem, line if line.isprintable() else repr(line))
+    return Outcome(plain(data.get("value")), problem, line if line.isprintable() else repr(line))

@@ -8,6 +8,7 @@ from .asking import Outcome
 from .pairs import Pair
 
 UNREADABLE, WRONG, UNSTEADY = "unreadable", "wrong", "unsteady"
+NOTHING = "returns nothing: every way through the function must end in a return"
 
 
 class Result(NamedTuple):
@@ -40,8 +41,6 @@ def judge(pair: Pair, outcome: Outcome, rules: Rules) -> Result:
     try:
         answer = read(outcome.value, rules.returns)
     except Unreadable as error:
-        line = "returns nothing" if outcome.value is None else str(error).replace("returned", "returns", 1)
-        if outcome.value is None:
-            line += ": every way through the function must end in a return"
+        line = NOTHING if outcome.value is None else str(error)
         return Result(pair, outcome.value, None, truth, False, UNREADABLE, line)
     return Result(pair, outcome.value, answer, truth, is_right(answer, pair.a, pair.b, truth, rules))

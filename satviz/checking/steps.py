@@ -3,7 +3,7 @@
 Whoever runs it decides how a function is asked: a call here, a process, a program, or a worker of a page.
 """
 
-from collections.abc import Generator, Sequence
+from collections.abc import Generator, Iterable, Sequence
 from math import hypot, inf
 from time import monotonic
 from typing import Any
@@ -22,7 +22,6 @@ from .answers import (
     in_words,
     is_right,
     is_tolerated,
-    plain,
     recognize,
     truth_of,
 )
@@ -51,9 +50,7 @@ def steps(options: Options) -> Steps:
     Where fewer outcomes than pairs are sent, the last of them must be one without an answer.
     """
     begun = monotonic()
-    pairs = whole_number_pairs(options.named_kinds, options.seed)
-    if not options.clockwise:
-        pairs = [Pair(_counter_clockwise(p.a), _counter_clockwise(p.b), p.kind, p.group) for p in pairs]
+    pairs = _in_order(whole_number_pairs(options.named_kinds, options.seed), options)
     outcomes: list[Outcome] = []
     while len(outcomes) < len(pairs) and not _is_over(outcomes):
         if outcomes and monotonic() - begun > options.seconds:
@@ -61,7 +58,8 @@ def steps(options: Options) -> Steps:
         chunk = pairs[len(outcomes) :][: CHUNK if outcomes else FIRST_PAIRS]
         outcomes += yield [(pair.a, pair.b) for pair in chunk]
     unasked = tuple(pairs[len(outcomes) :])
-    rules, notes = _rules(options, outcomes, pairs)
+    rules = _rules(options, outcomes, pairs)
+    notes: list[str] = []
     results = [judge(pair, outcome, rules) for pair, outcome in zip(pairs, outcomes, strict=False)]
     if unasked and not _is_over(outcomes):
         notes.append(f"Stopped after {options.seconds:g} s: {len(results)} of {len(pairs)} pairs were asked.")
@@ -104,8 +102,15 @@ def _counter_clockwise(shape: Shape) -> Shape:
     return shape if area > 0 else Polygon(shape.vertices[::-1])
 
 
-def _rules(options: Options, outcomes: Sequence[Outcome], pairs: Sequence[Pair]) -> tuple[Rules, list[str]]:
-    """Return what counts as right, with what the function returns found out from its answers, and notes on it."""
+def _in_order(pairs: Iterable[Pair], options: Options) -> list[Pair]:
+    """Return the pairs, with all vertices in counter-clockwise order if the options say so."""
+    if options.clockwise:
+        return list(pairs)
+    return [pair._replace(a=_counter_clockwise(pair.a), b=_counter_clockwise(pair.b)) for pair in pairs]
+
+
+def _rules(options: Options, outcomes: Sequence[Outcome], pairs: Sequence[Pair]) -> Rules:
+    """Return what counts as right, with what the function returns found out from its answers."""
     answered = [(outcome.value, (p.a, p.b)) for outcome, p in zip(outcomes, pairs, strict=False) if not outcome.problem]
     first = answered[:FIRST_PAIRS]
     for kind_of_value in {type(raw) for raw, _ in answered[FIRST_PAIRS:]}:
@@ -115,7 +120,7 @@ def _rules(options: Options, outcomes: Sequence[Outcome], pairs: Sequence[Pair])
     if kind in (MTV, HIT_AND_MTV):
         counts = {moves: _right_count(answered, rules._replace(moves=moves)) for moves in "BA"}
         rules = rules._replace(moves="A" if counts["A"] > counts["B"] else "B")
-    return rules, []
+    return rules
 
 
 def _right_count(answered: Sequence[tuple[Any, tuple[Shape, Shape]]], rules: Rules) -> int:
@@ -133,10 +138,10 @@ def _right_count(answered: Sequence[tuple[Any, tuple[Shape, Shape]]], rules: Rul
 def _changed(results: Sequence[Result], before: Sequence[Outcome], after: Sequence[Outcome]) -> Result | None:
     """Return the first pair whose second answer differs from its first one, as a Result with that problem.
 
-    Values that are no answer are not compared: not-a-number and most objects differ even from themselves.
+    Values that are no answer are not compared: most objects differ even from themselves.
     """
     for result, one, other in zip(results, before, after, strict=False):
-        if one.problem != other.problem or (not result.problem and plain(one.value) != plain(other.value)):
+        if one.problem != other.problem or (not result.problem and one.value != other.value):
             first, second = (outcome.line or short_repr(outcome.value) for outcome in (one, other))
             line = f"changes its answer about the same shapes: first {first}, then {second}"
             return result._replace(right=False, problem=UNSTEADY, line=line)
@@ -223,9 +228,8 @@ def _near(options: Options, rules: Rules) -> Generator[Asked, list[Outcome], Nea
     Where it gives no answer for such numbers at all, the Result says so, since rounding is not the reason.
     """
     gives_verdict = rules.returns in (HIT, RELATION, HIT_AND_MTV)
-    pairs = list(near_pairs(options.named_kinds, options.seed, NEAR_PAIRS))
-    if not options.clockwise:
-        pairs = [Pair(_counter_clockwise(p.a), _counter_clockwise(p.b), p.kind, p.group) for p in pairs]
+    verdict_rules = rules._replace(returns=RELATION if rules.returns == RELATION else HIT)
+    pairs = _in_order(near_pairs(options.named_kinds, options.seed, NEAR_PAIRS), options)
     outcomes = yield [(pair.a, pair.b) for pair in pairs]
     asked, wrong, largest, smallest = 0, 0, 0.0, inf
     for pair, outcome in zip(pairs, outcomes, strict=False):
@@ -235,15 +239,12 @@ def _near(options: Options, rules: Rules) -> Generator[Asked, list[Outcome], Nea
             return result._replace(line=f"{result.line}; {hint}")
         if not gives_verdict or result.truth.relation is Relation.TOUCHING:
             continue
-        hit = result.answer[0] if rules.returns == HIT_AND_MTV else result.answer
-        asked += 1
-        margin = relative_margin(pair.a, pair.b)
-        if not is_right(
-            hit, pair.a, pair.b, result.truth, rules._replace(returns=RELATION if rules.returns == RELATION else HIT)
-        ):
-            wrong, largest = wrong + 1, max(largest, margin)
-        else:
+        verdict = result.answer[0] if rules.returns == HIT_AND_MTV else result.answer
+        margin, asked = relative_margin(pair.a, pair.b), asked + 1
+        if is_right(verdict, pair.a, pair.b, result.truth, verdict_rules):
             smallest = min(smallest, margin)
+        else:
+            wrong, largest = wrong + 1, max(largest, margin)
     return Near(asked, wrong, largest, smallest) if gives_verdict else None
 
 

@@ -13,11 +13,13 @@ from ..engine.shapes import Shape
 from ..engine.shortcut import Shortcut, move_along_axis
 from ..engine.trace import record
 from ..scenes.failing import NAMED
+from ..scenes.failing.saved_work import corner_tests
 from ..scenes.failing.wrong_steps import is_closing_edge, measured_test, only_x, raw_normals, vertex_count
 from ..scenes.shape_tools import vertex_mean
 
 Predict = Callable[[Shape, Shape], tuple[Relation, Vec | None]]  # the claimed relation, and the push of B
 Reach = Callable[[Shape], float]
+Landings = Sequence[float]
 APART, TOUCHING, OVERLAPPING = Relation
 
 
@@ -53,15 +55,49 @@ def without_minus(a: Shape, b: Shape) -> Choice:
     return directions(*(Vec(axis.normal.x, -axis.normal.y) for axis in edge_normals(a, b).axes))(a, b)
 
 
-def one_side_of_each_edge(sign: int, a: Shape, b: Shape) -> tuple[Relation, Vec | None]:
-    """Return APART if A ends before B begins on an edge's normal, turned left (`sign` 1) or right (-1) of the edge."""
-    gaps = []
+def edge_landings(sign: int, a: Shape, b: Shape) -> Iterator[tuple[Vec, Landings, Landings]]:
+    """Yield each edge's normal, as long as the edge, turned left (`sign` 1) or right (-1), and the landings of A and B.
+
+    The edges go by the vertices as they are listed, so the normals of a clockwise outline are turned, too.
+    """
+    if not (a.vertices and b.vertices):
+        raise ValueError("a circle has no edges")
     for ring in a.vertices, b.vertices:
         for p, q in zip(ring, (*ring[1:], *ring[:1])):
             n = Vec(sign * (p.y - q.y), sign * (q.x - p.x))
             on_a, on_b = ([n.x * v.x + n.y * v.y for v in shape.vertices] for shape in (a, b))
-            gaps.append(min(on_b) - max(on_a))
-    return _by_largest(gaps), None
+            yield n, on_a, on_b
+
+
+def by_gaps(gap_of: Callable[[Landings, Landings], float], sign: int, a: Shape, b: Shape) -> tuple[Relation, None]:
+    """Return what the largest gap on the normals of all edges claims, with `gap_of` in place of the true gap."""
+    return _by_largest([gap_of(on_a, on_b) for _, on_a, on_b in edge_landings(sign, a, b)]), None
+
+
+def on_one_side(on_a: Landings, on_b: Landings) -> float:
+    """Return the gap from A's end to B's start alone."""
+    return min(on_b) - max(on_a)
+
+
+def from_zero(on_a: Landings, on_b: Landings) -> float:
+    """Return the gap of ranges whose larger ends were searched for from 0 upward."""
+    return max(min(on_a) - max(0.0, *on_b), min(on_b) - max(0.0, *on_a))
+
+
+def about_the_middle(on_a: Landings, on_b: Landings) -> float:
+    """Return the gap of ranges that reach equally far to both sides of the vertex mean."""
+    p, q = (sum(on) / len(on) for on in (on_a, on_b))
+    return abs(p - q) - max(abs(t - p) for t in on_a) - max(abs(t - q) for t in on_b)
+
+
+def by_an_end_of_a(on_a: Landings, on_b: Landings) -> float:
+    """Return how far the nearer end of A's range lies outside B's range; else 0 or less."""
+    return min(max(min(on_b) - t, t - max(on_b)) for t in (min(on_a), max(on_a)))
+
+
+def by_an_end_of_b(on_a: Landings, on_b: Landings) -> float:
+    """Return how far the nearer end of B's range lies outside A's range; else 0 or less."""
+    return by_an_end_of_a(on_b, on_a)
 
 
 def push_by_edges(sign: int, one_sided: bool, a: Shape, b: Shape) -> tuple[Relation, Vec | None]:
@@ -70,16 +106,14 @@ def push_by_edges(sign: int, one_sided: bool, a: Shape, b: Shape) -> tuple[Relat
     `one_sided`: the depth on a normal is how far A's end lies beyond B's start, also where B's end is nearer.
     """
     best, push = inf, None
-    for ring in a.vertices, b.vertices:
-        for p, q in zip(ring, (*ring[1:], *ring[:1])):
-            length = hypot(q.x - p.x, q.y - p.y)
-            if not length:
-                continue  # a vertex that is listed twice is another mistake
-            n = Vec(sign * (p.y - q.y) / length, sign * (q.x - p.x) / length)
-            on_a, on_b = ([n.x * v.x + n.y * v.y for v in shape.vertices] for shape in (a, b))
-            depth = max(on_a) - min(on_b) if one_sided else min(max(on_a) - min(on_b), max(on_b) - min(on_a))
-            if depth < best:
-                best, push = depth, Vec(n.x * depth, n.y * depth)
+    for n, on_a, on_b in edge_landings(sign, a, b):
+        length = hypot(*n)
+        if not length:
+            continue  # a vertex that is listed twice is another mistake
+        depth = max(on_a) - min(on_b)
+        depth = (depth if one_sided else min(depth, max(on_b) - min(on_a))) / length
+        if depth < best:
+            best, push = depth, Vec(n.x / length * depth, n.y / length * depth)
     relation = relate(a, b)
     return relation, push if relation is OVERLAPPING else None
 
@@ -92,6 +126,61 @@ def middle_inside(a: Shape, b: Shape) -> tuple[Relation, Vec | None]:
         for spot, shape in spots
     )
     return (OVERLAPPING if inside else APART), None
+
+
+def corners_in(owner: str, a: Shape, b: Shape) -> tuple[Relation, None]:
+    """Return OVERLAPPING if a corner of the other shape lies in A or B, as `owner` says."""
+    gaps = [test.gap for test in corner_tests(a, b) if test.axis.source.shape == owner]
+    return (OVERLAPPING if min(gaps) <= 0 else APART), None
+
+
+def corners_or_center(a: Shape, b: Shape) -> tuple[Relation, None]:
+    """Return OVERLAPPING if a corner of a polygon lies in a circle, or the circle's center in the polygon."""
+    shape, circle = (a, b) if b.core_is_point else (b, a)
+    gaps = [dist(vertex, circle.core[0]) - circle.radius for vertex in shape.vertices]
+    gaps.append(max(_beyond(axis, circle.core[0], shape) for axis in edge_normals(shape, shape).axes))
+    return (OVERLAPPING if min(gaps) <= 0 else APART), None
+
+
+def edges_turn(a: Shape, b: Shape) -> tuple[Relation, None]:
+    """Return OVERLAPPING if two edges cross by the test of turns, which counts a turn of 0 as clockwise."""
+
+    def turns(p: Vec, q: Vec, r: Vec) -> bool:
+        """Return whether p, q, r turn counter-clockwise."""
+        return (q.x - p.x) * (r.y - p.y) > (q.y - p.y) * (r.x - p.x)
+
+    edges_of_a, edges_of_b = (tuple(zip(ring, (*ring[1:], *ring[:1]))) for ring in (a.vertices, b.vertices))
+    crossed = any(
+        turns(p, r, s) != turns(q, r, s) and turns(p, q, r) != turns(p, q, s)
+        for p, q in edges_of_a
+        for r, s in edges_of_b
+    )
+    return (OVERLAPPING if crossed else APART), None
+
+
+def squared_distance(a: Shape, b: Shape) -> tuple[Relation, None]:
+    """Return what follows for two circles if the squared distance is compared with the sum of the radii."""
+    if not (a.core_is_point and b.core_is_point):
+        raise ValueError("no two circles")
+    (ax, ay), (bx, by) = a.core[0], b.core[0]
+    return _by_largest([(bx - ax) ** 2 + (by - ay) ** 2 - a.radius - b.radius]), None
+
+
+def line_of_middles(a: Shape, b: Shape) -> Choice:
+    """Return the line between the vertex means as the only axis; x where both are one point."""
+    (ax, ay), (bx, by) = vertex_mean(a), vertex_mean(b)
+    along = Vec(bx - ax, by - ay)
+    return directions(along if any(along) else Vec(1.0, 0.0))(a, b)
+
+
+def one_edge(index: int, a: Shape, b: Shape) -> Choice:
+    """Return the normal of one edge of both shapes' edges in order as the only axis."""
+    return Choice(edge_normals(a, b).axes[index:][:1])
+
+
+def without_first_edges(a: Shape, b: Shape) -> Choice:
+    """Return all edge normals but that of the first edge of each shape."""
+    return Choice(tuple(axis for axis in edge_normals(a, b).axes if axis.source.ids != (0, 1)))
 
 
 def _beyond(axis: Axis, spot: Vec, shape: Shape) -> float:
@@ -190,12 +279,25 @@ def _variants() -> Iterator[tuple[str, Predict, str]]:
     yield chosen("one-shapes-normals", edge_normals_of_b, "here those of B")
     yield chosen("one-overlap", only_x, "here on the x axis")
     yield "one-overlap", any_overlap, "here on any one of them"
+    yield chosen("one-overlap", partial(one_edge, 0), "here on the normal of the first edge")
+    yield chosen("one-overlap", partial(one_edge, -1), "here on the normal of the last edge")
+    yield chosen("one-overlap", line_of_middles, "here on the line between the middles")
+    yield chosen("open-outline", without_first_edges, "here without the first edge")
+    yield "bounding-circles", partial(by_gaps, about_the_middle, 1), "here on each axis, about the middle of each range"
+    yield "corner-inside", partial(by_gaps, by_an_end_of_a, 1), "here an end of A's range in B's, on each axis"
+    yield "corner-inside", partial(by_gaps, by_an_end_of_b, 1), "here an end of B's range in A's, on each axis"
     for sign in (1, -1):
-        yield "one-sided-gap", partial(one_side_of_each_edge, sign), "here on the normal of each edge"
+        yield "start-at-zero", partial(by_gaps, from_zero, sign), "here on the normal of each edge"
+        yield "one-sided-gap", partial(by_gaps, on_one_side, sign), "here on the normal of each edge"
         yield "one-sided-gap", partial(push_by_edges, sign, True), "here for the depth"
         yield "push-along-normal", partial(push_by_edges, sign, False), ""
     yield chosen("one-sided-gap", world, "here on x and y")
     yield "corner-inside", middle_inside, "here the middle of one"
+    yield "corner-inside", partial(corners_in, "B"), "here a corner of A in B alone"
+    yield "corner-inside", partial(corners_in, "A"), "here a corner of B in A alone"
+    yield "corner-inside", corners_or_center, "here the center of the circle, too"
+    yield "edges-cross", edges_turn, "here by the signs of their turns"
+    yield "circles-turned-round", squared_distance, "here the squared distance is compared"
     yield chosen("line-for-axis", along_edges, "here an edge is taken as an axis, without the quarter turn")
     yield chosen("slipped-normal", without_minus, "here (dy, dx), without the minus")
     yield chosen("half-the-normals", first_half_rounded_up, "here half of them, rounded up")

@@ -20,7 +20,7 @@ from .relate import relate_moved
 from .sat import AxisTest
 from .shapes import Shape
 
-NUDGES = (0.0, *(2.0**-e for e in range(52, 19, -2)))  # lengths by which a rounded move is made longer, near size 1
+NUDGES = (0.0, *(2.0**-e for e in range(52, 1, -2)))  # lengths by which a rounded move is made longer, near size 1
 ROUNDING = 2.0**-40  # error of a region's border near size 1: some roundings of 2**-53, with much to spare
 BORDER_TOLERANCE = 1e-9  # near size 1, by how much a crossing may miss the ends of a border
 MAX_CORNERS = 4000  # corners over all pairs of convex parts: seconds at worst, most often far less
@@ -145,14 +145,15 @@ class _ShortestFreeMove:
 
     def try_all(self, candidates: Iterable[Candidate]) -> None:
         """Find the shortest candidate that ends the overlap, nudged if needed; store it in `move`."""
-        for length, move, out in sorted((c for c in candidates if c.length < self.length), key=lambda c: c.length):
-            if self._any_region(partial(self._certainly_forbids, move=move)):
-                continue
+        for _, move, out in sorted((c for c in candidates if c.length < self.length), key=lambda c: c.length):
             for nudge in NUDGES:
-                nudged = self._to_scene_units(move + out * nudge)
-                if nudged and not self._any_region(partial(_parts_overlap, move=nudged)):
-                    self.length, self.move = length, nudged
-                    return
+                nudged = move + out * nudge
+                if abs(nudged) >= self.length or self._any_region(partial(self._certainly_forbids, move=nudged)):
+                    break
+                vector = self._to_scene_units(nudged)
+                if vector and not self._any_region(partial(_parts_overlap, move=vector)):
+                    self.length, self.move = abs(nudged), vector
+                    break
 
     def is_buried(self, border: Border) -> bool:
         """Return whether a piece of border lies certainly inside one region, so it cannot matter."""
@@ -263,8 +264,12 @@ def _crossing_candidates(one: Border, other: Border, radius: float) -> Iterator[
         one, other = other, one
     for move in _line_points(one, other, radius) if one.normal else _circle_points(one.center, other.center, radius):
         if one.contains(move) and other.contains(move):
-            out = sum(border.normal or (move - border.center) / radius for border in (one, other))
-            yield Candidate(abs(move), move, out / (abs(out) or 1))  # in a narrow slot `out` is nearly 0
+            m, n = (border.normal or (move - border.center) / radius for border in (one, other))
+            out = m + n
+            if abs(out) < 2**-10:  # a narrow slot: the sum has few right digits; it is at right angles to m - n
+                out = 1j * (m - n) / 2
+                yield Candidate(abs(move), move, -out)
+            yield Candidate(abs(move), move, out)
 
 
 def _line_points(one: Border, other: Border, radius: float) -> Iterator[complex]:
@@ -276,14 +281,14 @@ def _line_points(one: Border, other: Border, radius: float) -> Iterator[complex]
             yield one.p + along * (p.real + (q.real - p.real) * p.imag / (p.imag - q.imag))
     else:
         c = (other.center - one.p) * along.conjugate()
-        if abs(c.imag) <= radius:
-            half = (radius * radius - c.imag * c.imag) ** 0.5
+        if abs(c.imag) <= radius + ROUNDING:
+            half = max(0.0, radius * radius - c.imag * c.imag) ** 0.5
             yield from (one.p + along * t for t in (c.real - half, c.real + half))
 
 
 def _circle_points(c: complex, d: complex, radius: float) -> Iterator[complex]:
     """Yield the points where the circles of this radius round the centers c and d cross."""
     half = (d - c) / 2
-    if 0 < abs(half) <= radius:
-        aside = 1j * half / abs(half) * (radius * radius - abs(half) ** 2) ** 0.5
+    if 0 < abs(half) <= radius + ROUNDING:
+        aside = 1j * half / abs(half) * max(0.0, radius * radius - abs(half) ** 2) ** 0.5
         yield from (c + half - aside, c + half + aside)

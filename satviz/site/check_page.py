@@ -71,6 +71,7 @@ mistake it behaves like. The test in the editor has such a mistake: it looks at 
 <noscript><p>This page needs JavaScript. On your own machine, <code>satviz check mine.py</code> does the same.</p>
 </noscript>
 <section class="check" aria-label="your function">
+<div class="written">
 <fieldset><legend>Language</legend>
 <label><input type="radio" name="language" value="python" checked> Python</label>
 <label><input type="radio" name="language" value="javascript"> JavaScript</label></fieldset>
@@ -79,17 +80,20 @@ mistake it behaves like. The test in the editor has such a mistake: it looks at 
 <label class="editor">Your function <textarea rows="13" spellcheck="false" autocapitalize="off" autocomplete="off"
 autocorrect="off" wrap="off" aria-describedby="editor-keys"></textarea></label>
 <p class="keys" id="editor-keys">Ctrl+Enter runs it. Tab indents; press Escape before Tab to leave the editor.</p>
-<p class="keys">The answer may also be a depth, or a move (x, y) that ends the overlap, with None or null for none.</p>
 <p class="choices"><label>Shapes <select name="kinds">{options(CHOICES)}</select></label>
 <label>Touching is <select name="touching">{options(TOUCHING)}</select></label>
 <button class="run" type="button" disabled>Run</button>
 <button class="forget" type="button">Delete my code</button></p>
+<p class="keys">The answer may also be a depth, or a move (x, y) that ends the overlap, with None or null for none.</p>
 <p class="keys">Your code stays in this browser. It is not sent anywhere, and no link contains it.</p>
+</div>
+<div class="answers">
 <p class="check-status" role="status"></p>
-<p class="yours" hidden></p>
+<p class="yours" role="status" hidden></p>
 <pre class="printed out" aria-label="what your code printed" tabindex="0" hidden></pre>
 <div class="found" hidden>{parts.explorer(ExplorerModel(scene("triangles")))}</div>
 <div class="report" hidden></div>
+</div>
 <script type="application/json" class="skeletons">{data}</script>
 </section>
 {_symptoms()}

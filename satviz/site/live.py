@@ -57,15 +57,16 @@ def _open(place: str, content: dict[str, Any]) -> dict[str, Any]:
             "pinned": shown.row,
         }
         pose |= {"view": shown.view} if shown.view else {}
-        if shown._replace(goal=None) != DEFAULT_VIEW:
+        width = content.get("width")  # of a narrow place for the picture
+        if width is not None or shown._replace(goal=None) != DEFAULT_VIEW:
             first = model.state()
-            reply = model.answer({"kind": "pose", "a": first["a"], "b": first["b"], **pose})
+            reply = model.answer({"kind": "pose", "a": first["a"], "b": first["b"], "width": width, **pose})
             if reply and reply["kind"] == "refused":
                 raise InvalidScene(reply["why"])
     except ValueError as error:
         return {"kind": "refused", "why": str(error)}
     _models[place] = model
-    return {"kind": "opened", "title": scene.title, "first": model.state(), "pose": pose, **CHOICES}
+    return {"kind": "opened", "title": scene.title, "first": model.state(), "pose": pose, "width": width, **CHOICES}
 
 
 def _player_data(scene: Scene, shown: ViewOptions, options: EmbedOptions) -> dict[str, Any]:

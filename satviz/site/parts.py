@@ -16,6 +16,8 @@ from ..render.notebook import bundle
 from ..scenes.link import PAGE, fragment, fragment_of_trace
 from ..widgets.explorer_model import ExplorerModel
 
+PHONE_WIDTH_PT = 360  # of the place for a scene there
+
 
 def svg_element(picture: Picture) -> str:
     """Return the picture as an SVG element that follows the reader's theme."""
@@ -23,15 +25,28 @@ def svg_element(picture: Picture) -> str:
 
 
 def explorer(model: ExplorerModel) -> str:
-    """Return an explorer as HTML: the still scene, its sentence and its table, until Python has started."""
-    link, drawing, line = escape(fragment(model.scene)), model.picture(), model.number_line()
-    still = svg_element(drawing) + (svg_element(line) if line else "")
+    """Return an explorer as HTML: the still scene, its sentence and its table, until Python has started.
+
+    On a telephone the still scene is laid out for it, as the live one is: small letters could not be read, and all
+    that is below would jump.
+    """
+    link, drawing = escape(fragment(model.scene)), model.picture()
+    still = f'<div class="wide">{_still(model)}</div>'
+    pose = {name: model.state()[name] for name in ("a", "b")}
+    model.answer({"kind": "pose", **pose, "width": PHONE_WIDTH_PT})
+    still += f'<div class="narrow">{_still(model)}</div>'
     return (
         f'<div class="live" data-hash="{link}"><div class="satviz still"><div class="sv-columns">'
         f'<div class="sv-stage">{still}<p class="sv-sentence">{escape(drawing.sentence)}</p></div>'
         f'<div class="sv-side"><pre class="out" tabindex="0">{escape(str(model.trace))}</pre></div></div></div></div>'
         f'<p class="status" role="status"></p><p class="open"><a href="{PAGE}#{link}">Open in the explorer</a></p>'
     )
+
+
+def _still(model: ExplorerModel) -> str:
+    """Return the present picture and number line of an explorer as SVG elements."""
+    line = model.number_line()
+    return svg_element(model.picture()) + (svg_element(line) if line else "")
 
 
 def player(trace: Trace, *, predict: bool = False) -> str:

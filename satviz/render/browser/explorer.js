@@ -43,6 +43,14 @@ const TURNS = { "[": 1, "{": 1, "]": -1, "}": -1 };
 /** @type {Record<string, number>} */
 const HANDLE_STEPS = { PageDown: 1, n: 1, PageUp: -1, p: -1, Escape: 0 }; // Escape: back to the first
 
+/**
+ * The width that a picture in a place is laid out for, in points; null: as wide as a picture ever is.
+ * @param {number} wide Of the place.
+ */
+export function pictureWidth(wide) {
+  return wide && wide < FULL_WIDTH ? Math.floor(wide / 20) * 20 : null;
+}
+
 export class Explorer {
   /**
    * @param {WidgetModel} model
@@ -70,7 +78,7 @@ export class Explorer {
     this.keepsRefusal = false; // a refused outline stays on the screen until the next change
     this.announcing = 0;
     /** @type {number | null} Of the place for the picture, in points; null: as wide as a picture ever is. */
-    this.width = null;
+    this.width = model.get("width") ?? null;
 
     this.svg = element("svg", { class: "sv-picture", role: "img" });
     this.pen = new Pen(this.svg);
@@ -228,7 +236,7 @@ export class Explorer {
     const wide = this.stage.clientWidth || this.columns.clientWidth;
     if (!wide) return;
     this.handles.pixelsPerPoint = this.board.clientWidth / this.pen.width;
-    const width = wide < FULL_WIDTH ? Math.floor(wide / 20) * 20 : null;
+    const width = pictureWidth(wide);
     if (width !== this.width) {
       this.width = width;
       this.send(this.pose, true);

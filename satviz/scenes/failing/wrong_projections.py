@@ -5,6 +5,7 @@ from functools import partial
 from math import nan
 
 from ...engine.axes import EDGE, Axis, Source, edge_normals, needed
+from ...engine.geometry import Vec
 from ...engine.sat import AxisTest, Projection, axis_tests, project
 from ...engine.shapes import Polygon, Shape
 from ...engine.shortcut import Shortcut
@@ -34,6 +35,16 @@ def a_before_b(a: Shape, b: Shape, axis: Axis) -> AxisTest:
 def without_signs(a: Shape, b: Shape, axis: Axis) -> AxisTest:
     """Return the test of an axis with the absolute value of every landing."""
     p, q = (side._replace(landings=tuple(map(abs, side.landings))) for side in (project(a, axis), project(b, axis)))
+    return measured_test(axis, p, q)
+
+
+def largest_from_zero(a: Shape, b: Shape, axis: Axis) -> AxisTest:
+    """Return the test of an axis with ranges that reach up to 0 where every landing is negative."""
+    origin = Vec(0.0, 0.0)
+    p, q = (
+        Projection((*side.points, origin), (*side.landings, 0.0)) if side.interval.hi < 0 else side
+        for side in (project(a, axis), project(b, axis))
+    )
     return measured_test(axis, p, q)
 
 
@@ -102,6 +113,11 @@ CASES = (
         FALSE_HIT,
         (box(-3, 0, -2, 1), box(2, 0, 3, 1)),
         panels=Panels(claimed="fold"),
+    ),
+    FailureCase(
+        Shortcut("start-at-zero", "the search for the largest may start at 0", needed, largest_from_zero),
+        FALSE_HIT,
+        (box(-5, 0, -4, 1), box(-2, 0, -1, 1)),
     ),
     FailureCase(
         Shortcut("one-maximum", "on any axis one vertex is the furthest", edge_normals, unit_normals),

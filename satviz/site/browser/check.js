@@ -2,7 +2,7 @@
 
 import { element } from "../../render/browser/elements.js";
 import { keep, kept } from "./kept.js";
-import { NO_ANSWER, Reader } from "./reader.js";
+import { LAST, NO_ANSWER, Reader } from "./reader.js";
 
 /** @import { State } from "../../render/browser/messages.js" */
 /** @import { PythonWorker } from "./python_worker.js" */
@@ -116,6 +116,13 @@ export class CheckPage {
     this.status.textContent = text;
   }
 
+  // The editor has no line numbers.
+  /** @param {string} text That may name a line of the code. */
+  withLine(text) {
+    const line = this.editor.value.split("\n")[Number(text.match(/ in line (\d+)/)?.[1]) - 1]?.trim();
+    return line ? `${text} The line: ${line}` : text;
+  }
+
   stop() {
     this.reader?.stop();
     this.reader?.settle({ problem: NO_ANSWER, line: "was stopped" });
@@ -132,8 +139,10 @@ export class CheckPage {
     try {
       const why = await reader.define();
       this.showPrinted(reader.printed);
-      if (why) this.say(why);
+      if (why) this.say(this.withLine(why));
       else await this.ask(reader);
+      const below = this.status.getBoundingClientRect().top > this.run.getBoundingClientRect().top; // else it stands beside
+      this.status.scrollIntoView({ block: below && !this.found.hidden ? "start" : "nearest" });
     } finally {
       this.running = false;
       this.run.textContent = "Run";
@@ -150,7 +159,7 @@ export class CheckPage {
       const outcomes = [];
       for (const pair of reply.pairs) {
         outcomes.push(await reader.call(pair));
-        if (outcomes.at(-1)?.problem === NO_ANSWER) break;
+        if (LAST.includes(outcomes.at(-1)?.problem ?? "")) break;
       }
       asked += outcomes.length;
       this.say(`${asked} pairs of shapes so far.`);
@@ -185,7 +194,7 @@ export class CheckPage {
 
   /** @param {Checked} checked */
   show(checked) {
-    this.say(`${checked.sentence} ${checked.mistake}`.trim());
+    this.say(this.withLine(`${checked.sentence} ${checked.mistake}`.trim()));
     const mistake = checked.behaves_like[0];
     const link = mistake && element("a", { href: `scene.html#${mistake.name}` }, "See this mistake in the explorer");
     this.report.replaceChildren(element("pre", { class: "out", tabindex: "0" }, checked.text), ...(link ? [element("p", {}, link)] : []));
@@ -194,7 +203,6 @@ export class CheckPage {
     if (!checked.link) return;
     this.place.root.dataset.hash = checked.link;
     this.place.open();
-    this.status.scrollIntoView({ block: matchMedia("(max-width: 700px)").matches ? "start" : "nearest" }); // with the picture
   }
 
   /** @param {State} state The explorer's: its shapes are given to the reader's function, the newest only. */
@@ -211,7 +219,7 @@ export class CheckPage {
     if (this.reader.ended) {
       this.live.hidden = false;
       this.live.className = "yours wrong";
-      this.live.textContent = "✗ Your function was stopped: it gave no answer. Change it, and run it again.";
+      this.live.textContent = "✗ Your function does not run any more. Change it, and run it again.";
       return;
     }
     this.judging = true;
@@ -230,7 +238,8 @@ export class CheckPage {
   showAnswer({ right, said, truth, answers }) {
     this.live.hidden = false;
     this.live.className = right ? "yours right" : "yours wrong";
-    this.live.textContent = `${right ? "✓" : "✗"} Your function ${answers ? `says: ${said}` : said}${said.endsWith("?") ? "" : "."} The right answer: ${truth}.`;
+    const text = `${right ? "✓" : "✗"} Your function ${answers ? `says: ${said}` : said}${said.endsWith("?") ? "" : "."} The right answer: ${truth}.`;
+    if (this.live.textContent !== text) this.live.textContent = text; // a screen reader reads each change
   }
 }
 

@@ -12,6 +12,8 @@ const CALL_MS = 2000; // that one call may take
 const START_MS = 60000; // that Python may take to start; a script starts at once
 const MAX_LETTERS = 20000; // of an answer with all that was printed
 export const NO_ANSWER = "no answer";
+const ENDED = "ended";
+export const LAST = [NO_ANSWER, ENDED]; // problems after which nothing more is asked
 
 export class Reader {
   /**
@@ -35,20 +37,20 @@ export class Reader {
       event.preventDefault();
       const number = event.lineno - HARNESS_LINES;
       const line = number > 0 && number <= code.split("\n").length ? ` in line ${number}` : "";
-      this.settle({ why: `${event.message || "The code does not load"}${line}.`.replace(/^Uncaught /, "") });
+      this.settle({ problem: "error", line: event.message ? `raises ${event.message.replace(/^Uncaught /, "")}${line}` : "does not load" });
     };
   }
 
   /** @returns {Promise<string>} Why there is no function; empty where there is one. */
   async define() {
     if (this.language === "python") {
-      const { failed } = await this.next(START_MS);
-      if (failed !== undefined) return failed;
+      const { failed, problem } = await this.next(START_MS);
+      if (failed || problem) return `Python does not start${failed ? `: ${failed}` : ""}.`;
       this.worker.postMessage({ place: "reader", content: { kind: "define", code: this.code } });
     }
     const found = await this.next(this.language === "python" ? START_MS / 4 : CALL_MS);
     this.printed = String(found.printed ?? "");
-    return found.problem ? "The code does not come to its end: an endless loop?" : String(found.why ?? "");
+    return found.problem ? `The code ${found.line}.`.replace("?.", "?") : String(found.why ?? "");
   }
 
   /**
@@ -81,7 +83,8 @@ export class Reader {
   /** @param {any} data */
   receive(data) {
     if (this.language === "python") {
-      if (data?.ready || data?.failed) this.settle(data.failed ? { failed: String(data.failed) } : {});
+      if (data?.ended) this.end();
+      else if (data?.ready || data?.failed) this.settle(data.failed ? { failed: String(data.failed) } : {});
       else if (typeof data?.text === "string") this.settle(outcomeFrom(data.text));
     } else this.settle(typeof data === "string" ? outcomeFrom(data) : {});
   }
@@ -91,6 +94,11 @@ export class Reader {
     const { waiting } = this;
     this.waiting = null;
     waiting?.(data);
+  }
+
+  end() {
+    this.stop();
+    this.settle({ problem: ENDED, line: "ends the program by itself" });
   }
 
   stop() {
@@ -114,7 +122,7 @@ function outcomeFrom(text) {
 }
 
 const FILE = "your-code"; // the name of the reader's script in the stack of an error
-const before = (/** @type {number} */ lines) => `(${shutOff})();\n(${answerPairs})("${FILE}", ${lines});\nself.satvizCollide = (() => {\n`;
+const before = (/** @type {number} */ lines) => `((post) => {\n(${shutOff})();\n(${answerPairs})(post, "${FILE}", ${lines});\n})(self.postMessage.bind(self));\nself.satvizCollide = (() => {\n`;
 const HARNESS_LINES = before(0).split("\n").length - 1;
 const FUNCTION_OF_TWO = /(?:function\s+|(?:const|let|var)\s+)([A-Za-z_$][\w$]*)\s*(?:=\s*(?:function\s*)?)?\(\s*[\w$]+\s*,\s*[\w$]+\s*\)/g;
 

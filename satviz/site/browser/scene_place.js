@@ -2,7 +2,7 @@
 
 import { arrowKeys } from "../../render/browser/arrows.js";
 import { element } from "../../render/browser/elements.js";
-import { Explorer } from "../../render/browser/explorer.js";
+import { Explorer, pictureWidth } from "../../render/browser/explorer.js";
 import { Player } from "../../render/browser/player.js";
 import { SiteModel } from "./python_worker.js";
 import { keepSolved } from "./solved.js";
@@ -64,7 +64,8 @@ export class ScenePlace {
     this.opening = true;
     if (this.linked && !this.widget && !withinPage) showStill(this.root, fragment);
     const query = this.linked ? location.search.slice(1) : "";
-    this.python.send(this.name, { kind: "open", hash: fragment && !withinPage ? fragment : this.root.dataset.hash, query });
+    const hash = fragment && !withinPage ? fragment : this.root.dataset.hash;
+    this.python.send(this.name, { kind: "open", hash, query, width: pictureWidth(this.root.clientWidth) });
   }
 
   /** @param {Start} start */

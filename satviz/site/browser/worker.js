@@ -20,6 +20,7 @@ import { shutOff } from "./shut_off.js";
 /** @type {Request[]} */
 const waiting = [];
 const turns = new MessageChannel();
+const post = self.postMessage.bind(self); // kept, since what runs a reader's code is shut off from the page
 /** @type {Python | null} */
 let python = null;
 self.onmessage = ({ data }) => {
@@ -35,8 +36,13 @@ turns.port1.onmessage = async () => {
     shutOff();
   }
   const stale = content.kind === "pose" && waiting.some((later) => later.place === place && later.content.kind === "pose");
-  const text = stale ? "" : python.answer(place, JSON.stringify(content));
-  if (text) self.postMessage({ place, text });
+  try {
+    const text = stale ? "" : python.answer(place, JSON.stringify(content));
+    if (text) post({ place, text });
+  } catch (error) {
+    if (place !== "reader") throw error;
+    post({ ended: String(error) }); // Python itself has come to its end
+  }
 };
 
 const LIBRARY_DELAY_MS = 3000; // after the start the rest of the library is fetched
@@ -59,7 +65,7 @@ async function unpacked(name, type) {
   const counted = new TransformStream({
     transform(chunk, controller) {
       received += chunk.byteLength;
-      if (!python) self.postMessage({ progress: Math.min(1, received / total) });
+      if (!python) post({ progress: Math.min(1, received / total) });
       controller.enqueue(chunk);
     },
   });
@@ -108,7 +114,7 @@ async function start() {
 
 try {
   python = await start();
-  self.postMessage({ ready: python.from });
+  post({ ready: python.from });
   for (const _ of waiting) turns.port2.postMessage(null);
   const { fetchLibrary } = python;
   if (fetchLibrary) {
@@ -117,5 +123,5 @@ try {
     setTimeout(() => python?.fetchLibrary?.(), LIBRARY_DELAY_MS);
   }
 } catch (error) {
-  self.postMessage({ failed: String(error) });
+  post({ failed: String(error) });
 }

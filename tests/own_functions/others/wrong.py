@@ -318,3 +318,104 @@ def without_the_minus(a, b):
             if max(on_a) < min(on_b) or max(on_b) < min(on_a):
                 return False
     return True
+
+
+# -- loops, searches and choices of axes that are nearly right
+
+
+def without_the_first_edge(a, b):
+    for p in a, b:
+        for i in range(1, len(p)):
+            (x1, y1), (x2, y2) = p[i], p[(i + 1) % len(p)]
+            on_a, on_b = ([(y1 - y2) * x + (x2 - x1) * y for x, y in shape] for shape in (a, b))
+            if max(on_a) < min(on_b) or max(on_b) < min(on_a):
+                return False
+    return True
+
+
+def else_in_the_loop(a, b):
+    for p in a, b:
+        for i in range(len(p)):
+            (x1, y1), (x2, y2) = p[i - 1], p[i]
+            on_a, on_b = ([(y1 - y2) * x + (x2 - x1) * y for x, y in shape] for shape in (a, b))
+            if max(on_a) < min(on_b) or max(on_b) < min(on_a):
+                return False
+            else:
+                return True
+
+
+def overwritten(a, b):
+    hit = False
+    for p in a, b:
+        for i in range(len(p)):
+            (x1, y1), (x2, y2) = p[i - 1], p[i]
+            on_a, on_b = ([(y1 - y2) * x + (x2 - x1) * y for x, y in shape] for shape in (a, b))
+            hit = max(on_a) >= min(on_b) and max(on_b) >= min(on_a)
+    return hit
+
+
+def largest_from_zero(a, b):
+    """A range that is searched for, from a first value that is no landing place."""
+
+    def project(shape, x, y):
+        low, high = math.inf, 0
+        for px, py in shape:
+            low, high = min(low, px * x + py * y), max(high, px * x + py * y)
+        return low, high
+
+    for (x1, y1), (x2, y2) in [e for p in (a, b) for e in zip(p, p[1:] + p[:1])]:
+        (a0, a1), (b0, b1) = (project(p, y2 - y1, x1 - x2) for p in (a, b))
+        if a1 < b0 or b1 < a0:
+            return False
+    return True
+
+
+def extents_about_the_middle(a, b):
+    (ax, ay), (bx, by) = ([sum(c) / len(c) for c in zip(*p)] for p in (a, b))
+    for p in a, b:
+        for (x1, y1), (x2, y2) in zip(p[-1:] + p, p):
+            nx, ny = y2 - y1, x1 - x2
+            half_a = max(abs((x - ax) * nx + (y - ay) * ny) for x, y in a)
+            half_b = max(abs((x - bx) * nx + (y - by) * ny) for x, y in b)
+            if abs((bx - ax) * nx + (by - ay) * ny) > half_a + half_b:
+                return False
+    return True
+
+
+def line_of_middles(a, b):
+    (ax, ay), (bx, by) = ([sum(c) / len(c) for c in zip(*p)] for p in (a, b))
+    return max(x * (bx - ax) + y * (by - ay) for x, y in a) >= min(x * (bx - ax) + y * (by - ay) for x, y in b)
+
+
+def corner_of_a_inside(a, b):
+    return any(_inside(p, b) for p in a)
+
+
+def an_end_of_b_within(a, b):
+    for (x1, y1), (x2, y2) in [e for p in (a, b) for e in zip(p[-1:] + p, p)]:
+        s, t = ([(y1 - y2) * x + (x2 - x1) * y for x, y in p] for p in (a, b))
+        if not (min(s) <= min(t) <= max(s) or min(s) <= max(t) <= max(s)):
+            return False
+    return True
+
+
+def counter_clockwise_or_not(a, b):
+    def ccw(p, q, r):
+        return (r[1] - p[1]) * (q[0] - p[0]) > (q[1] - p[1]) * (r[0] - p[0])
+
+    def cross(p, q, r, s):
+        return ccw(p, r, s) != ccw(q, r, s) and ccw(p, q, r) != ccw(p, q, s)
+
+    return any(cross(*e, *f) for e in zip(a[-1:] + a, a) for f in zip(b[-1:] + b, b))
+
+
+def squares_and_sum(a, b):
+    ((ax, ay), r), ((bx, by), s) = a, b
+    return (bx - ax) ** 2 + (by - ay) ** 2 <= r + s
+
+
+def corners_and_center(a, b):
+    if isinstance(a, tuple):
+        a, b = b, a
+    center, radius = b
+    return any(math.dist(p, center) <= radius for p in a) or _inside(center, a)

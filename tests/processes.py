@@ -1,0 +1,14 @@
+"""Whether a process has come to its end."""
+
+import time
+from pathlib import Path
+
+
+def ends(pid):
+    """Whether a process is gone, or dead with nobody who has asked for its end, within some seconds."""
+    state = Path(f"/proc/{pid}/stat")
+    for _ in range(100):
+        if not state.exists() or state.read_text().split()[2] == "Z":
+            return True
+        time.sleep(0.05)
+    return False

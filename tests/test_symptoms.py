@@ -1,0 +1,72 @@
+"""What users see of a mistake, by simulation: each failing case is asked, and B is moved as it says."""
+
+from collections import Counter
+from math import hypot
+
+import pytest
+
+from satviz.checking.mistakes import SYMPTOMS
+from satviz.checking.pairs import KINDS, kind_of, whole_number_pairs
+from satviz.engine.geometry import Relation
+from satviz.engine.trace import record
+from satviz.scenes.failing import FAILURE_CASES, FALSE_HIT, MISSED_HIT, NAMED
+from satviz.scenes.shape_tools import translated
+
+NOTHING, THROUGH, JITTERS, TOO_FAR, WRONG_WAY, STICKS = SYMPTOMS
+OF_OVERLAPS = THROUGH, TOO_FAR, WRONG_WAY, STICKS
+PAIRS = whole_number_pairs(tuple(KINDS), 1)[::3]
+SEEN_OTHERWISE = {
+    "tunnelling": {THROUGH},
+    "touch-on-paper": {JITTERS},
+    "faces-in-3d": {NOTHING},
+}  # motion, floats, space
+
+
+def gives_an_answer(case):
+    """Whether the mistake is about a verdict or a move, as a user sees it."""
+    return case.how in (FALSE_HIT, MISSED_HIT) or case.is_about_push
+
+
+def seen(case, a, b):
+    """What a user sees of two shapes where the case's shortcut decides."""
+    run, truth = record(a, b, axes=case.shortcut, every_axis=True), record(a, b)
+    if truth.relation is not Relation.OVERLAPPING:
+        wrong = (run.claim is Relation.APART) is not (truth.relation is Relation.APART)
+        return {NOTHING if truth.relation is Relation.APART else JITTERS} if wrong else set()
+    if run.claim is Relation.APART:
+        return {THROUGH}
+    if not gives_an_answer(case):
+        return set()
+    left, longer = record(a, translated(b, run.push)).mtv, hypot(*run.push) / hypot(*truth.mtv)
+    is_out = left is None or hypot(*left) < 1e-7 * max(a.max_coordinate, b.max_coordinate)
+    if is_out and longer < 1 + 1e-7:
+        return set()
+    along = run.push.x * truth.mtv.x + run.push.y * truth.mtv.y
+    return {TOO_FAR if is_out else STICKS} | ({WRONG_WAY} if along < 1e-9 else set())
+
+
+def seen_of(case):
+    """What the case's own scene shows, and what more than half of the pairs show in which it can be seen."""
+    found, of = Counter(), Counter()
+    own = kind_of(*case.shapes)
+    for pair in PAIRS:
+        if pair.kind not in (own, "boxes", *(("convex",) if own == "boxes" else ())):
+            continue
+        try:
+            found.update(seen(case, pair.a, pair.b))
+        except (ValueError, ArithmeticError):
+            continue
+        relation = record(pair.a, pair.b).relation
+        of.update({Relation.APART: [NOTHING], Relation.TOUCHING: [JITTERS]}.get(relation, OF_OVERLAPS))
+    return seen(case, *case.shapes) | {symptom for symptom in found if found[symptom] > of[symptom] / 2}
+
+
+LISTED = {name for names in SYMPTOMS.values() for name in names}
+CASES = sorted(LISTED | {case.name for case in FAILURE_CASES if gives_an_answer(case)})
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", CASES)
+def test_a_mistake_stands_under_what_users_see_of_it_and_nowhere_else(name):
+    listed = {symptom for symptom, names in SYMPTOMS.items() if name in names}
+    assert listed == (SEEN_OTHERWISE.get(name) or seen_of(NAMED[name]))
