@@ -83,7 +83,7 @@ def test_the_heading_says_the_claim_the_wrong_answer_and_the_right_one(case):
     drawn = sv.picture(trace)
     words = " ".join(" ".join(drawn.mark(name).text.split()) for name in ("heading", "wrong"))
     wrong, good = case.answers
-    compared = f"{wrong}, which is not less than {case.actual}" if case.claims_less else f"{wrong}. Right: {good}"
+    compared = f"{wrong}, not less than {case.actual}" if case.claims_less else f"{wrong}. Right: {good}"
     assert words == f"Claim: {case.claim}. Wrong: {compared}."
     assert drawn.sentence == trace.sentence and case.claim in drawn.sentence
 

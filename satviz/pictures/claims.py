@@ -103,7 +103,7 @@ def heading(trace: Trace, digits: Digits = USUAL_DIGITS) -> tuple[str, str]:
     found = answers(trace, digits)
     claim, case = f"Claim: {trace.shortcut.claim}.", case_of(trace.shortcut)
     if found.is_wrong and case and case.claims_less:
-        return claim, f"Wrong: {found.claimed}, which is not less than {found.actual.rsplit(' ', 1)[-1]}."
+        return claim, f"Wrong: {found.claimed}, not less than {found.actual.rsplit(' ', 1)[-1]}."
     if found.is_wrong:
         return claim, f"Wrong: {found.claimed}. Right: {found.actual}."
     return claim, f"Here it happens to be right: {found.actual}."
