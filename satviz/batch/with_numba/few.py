@@ -52,7 +52,10 @@ NO_BLOCK = np.empty((2, 1, 0))
 
 @compiled
 def _collide_columns(columns_x: Array, columns_y: Array, radius: Array) -> tuple[Pairs, bool]:
-    """Return what `_collide` returns, for shapes of one number of corners in columns; no radii for polygons."""
+    """Return what `_collide` returns, for shapes with equal numbers of corners, one shape a column.
+
+    `radius` is read only where the shapes have one corner, and so are circles.
+    """
     corners, n = columns_x.shape
     x, y = np.empty(corners * n), np.empty(corners * n)
     for v in range(corners):

@@ -233,7 +233,10 @@ def _closed_columns(shapes: Shapes) -> tuple[Array | None, Array | None]:
 
 
 def _closed_blocks(blocks: Sequence[Array]) -> tuple[Array | None, Array | None]:
-    """Return what `_closed_columns` returns, for the shapes of blocks of groups, which follow each other."""
+    """Return (corners, radii) in the form of `_closed_columns`, for all shapes of several blocks, block after block.
+
+    A block is one array of shapes with equal numbers of corners: x, y, and for circles the radius.
+    """
     most = max(block.shape[1] for block in blocks)
     if most > MAX_CORNERS:
         return None, None
