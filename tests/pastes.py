@@ -2299,8 +2299,8 @@ c.translate(7.0, 0.0);""",
         "chipmunk",
         """cpShape *a = cpCircleShapeNew(body, 5, cpv(0, 0));
 cpShape *b = cpBoxShapeNew2(body2, cpBBNew(4, -5, 14, 5), 0);""",
-        (),
-        says="no shape",
+        ((-5, -5, 5, 5),),
+        says="cpBBNew",
     ),
     Paste(
         "Farseer",

@@ -167,7 +167,6 @@ def test_a_batch_joined_of_kinds_is_that_of_its_shapes_whatever_is_read_first(re
         for own in single:  # joined as outlines
             own.rings  # noqa: B018
         expected = batch.Shapes(
-            np.concatenate([own.count for own in single]),
             rings=concat_rings([own.rings for own in single]),
             radius=np.concatenate([own.radius for own in single]),
         )

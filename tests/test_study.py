@@ -135,7 +135,7 @@ def as_set(pairs):
 def test_rivals_that_round_in_float64_agree_with_satviz_on_ordinary_scenes(work, n, seed):
     scene = scene_of(work, n, seed)
     methods = scene_methods(scene)
-    assert {"satviz numpy", "satviz numba", "brute force", "sort and sweep", "STRtree"} < set(methods)
+    assert {"satviz numpy", "satviz numba", "brute force", "sort and sweep", "short sweep", "STRtree"} < set(methods)
     for frame in scene.frames:
         right = as_set(methods["satviz numpy"](frame))
         assert n < 150 or len(right) > n / 10
@@ -150,9 +150,10 @@ def test_rivals_that_round_in_float64_agree_with_satviz_on_ordinary_scenes(work,
 def test_a_rival_finds_more_pairs_than_it_has_space_for_at_first():
     for corners in turned_boxes(np.random.default_rng(1), 60, 0.1), np.zeros((60, 1, 2)):
         v = corners.shape[1]
-        for sweep in False, True:
-            for kind in v, scene_rivals.MIXED:
-                found = scene_rivals.colliding_pairs(corners, np.full(60, v), np.zeros(60), kind=kind, sweep=sweep)
+        padded = corners, np.full(60, v), np.zeros(60)
+        for kind in v, scene_rivals.MIXED:
+            by_sweep = [scene_rivals.colliding_pairs(*padded, kind=kind, sweep=sweep) for sweep in (False, True)]
+            for found in *by_sweep, scene_rivals.short_sweep(kind)(*padded):
                 assert len(as_set(found)) == len(found) == 60 * 59 // 2 > scene_rivals.PAIRS_A_SHAPE * 60
 
 

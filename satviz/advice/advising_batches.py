@@ -169,7 +169,7 @@ def shape_as_batch(shape: Shape) -> Shapes:
     start = np.cumsum([0, *map(len, cores)])
     x, y = np.concatenate(cores).T.copy()
     owner = np.zeros(len(cores), np.int64) if len(cores) > 1 else None
-    return Shapes(np.diff(start), owner, rings=Rings(x, y, start))
+    return Shapes(rings=Rings(x, y, start), owner=owner)
 
 
 def repeated_pair(a: Shape, b: Shape, copies: int = 4096) -> Pairs:

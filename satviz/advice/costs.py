@@ -119,4 +119,4 @@ def _prepare_both(model: Model, a: batch.Shapes, b: batch.Shapes) -> tuple[objec
 def _uncached(shapes: batch.Shapes) -> batch.Shapes:
     """Return a copy of the shapes without cached results."""
     made = vars(shapes)
-    return batch.Shapes(shapes.count, shapes.owner, rings=made.get("rings"), groups=made.get("groups"))
+    return batch.Shapes(**{name: made.get(name) for name in ("rings", "radius", "owner", "runs")})

@@ -101,13 +101,12 @@ def _margins_of_columns(a: Group, b: Group, polygon_gap: Measure, circle_gap: Me
 
 def _halved(g: Group) -> Group:
     """Return the shapes at half size."""
-    return Group(g.x / 2, g.y / 2, None if g.r is None else g.r / 2)
+    return Group(g.block / 2)
 
 
 def _scaled(g: Group, power: NDArray[np.intp]) -> Group:
     """Return the group with each shape multiplied by its 2**power."""
-    r = None if g.r is None else np.ldexp(g.r, power)
-    return Group(np.ldexp(g.x, power), np.ldexp(g.y, power), r)
+    return Group(np.ldexp(g.block, power))
 
 
 def _polygon_gap(a: Group, b: Group) -> Array:

@@ -52,10 +52,7 @@ def prepare(model: Model, shapes: Shapes) -> Any:
         return direction_ranges(shapes, model.directions)
     dtype = DTYPES[model.kind]
     with np.errstate(over="ignore"):
-        groups = {
-            v: Group(g.x.astype(dtype), g.y.astype(dtype), None if g.r is None else g.r.astype(dtype))
-            for v, g in shapes.groups.items()
-        }
+        groups = {v: Group(g.block.astype(dtype)) for v, g in shapes.groups.items()}
         x, y, r = (c.astype(dtype) for c in (*shapes.rings[:2], part_radii(shapes)))
         bounds = shapes.parts.bounds.astype(dtype)  # rounding keeps order: boxes apart after it were apart before
         return ConvertedParts(x, y, r, shapes.rings.start, bounds, shapes.count, shapes.slot, groups)

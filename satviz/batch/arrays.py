@@ -21,33 +21,47 @@ Selection = SupportsIndex | slice | Sequence[int] | NDArray[np.integer[Any] | np
 class Group:
     """Hold shapes with the same number of corners: one row per corner, one column per shape.
 
-    x, y: (V, n) counter-clockwise corners in scene units, no repeats, none straight on (V = 1: centers, r: (n,) radii).
-    block: the contiguous array that x, y and, for circles, r are rows of, (2 or 3, V, n), if they lie in one.
+    block: (2, V, n) x and y of the corners in scene units, counter-clockwise, no repeats, none straight on; of circles
+    (3, 1, n) x and y of the centers, and the radii.
     maxima: the rows of `tile_maxima`, if they are known.
     """
 
-    def __init__(
-        self,
-        x: NDArray[np.float64],
-        y: NDArray[np.float64],
-        r: NDArray[np.float64] | None = None,
-        block: NDArray[np.float64] | None = None,
-        maxima: NDArray[np.float64] | None = None,
-    ) -> None:
-        self.x, self.y, self.r, self.block, self._maxima = x, y, r, block, maxima
+    def __init__(self, block: NDArray[np.float64], maxima: NDArray[np.float64] | None = None) -> None:
+        self.block, self._maxima = block, maxima
+
+    def __len__(self) -> int:
+        """Return the number of shapes."""
+        return int(self.block.shape[2])
+
+    @property
+    def x(self) -> NDArray[np.float64]:
+        """Return the x of the corners, (V, n)."""
+        x: NDArray[np.float64] = self.block[0]
+        return x
+
+    @property
+    def y(self) -> NDArray[np.float64]:
+        """Return the y of the corners, (V, n)."""
+        y: NDArray[np.float64] = self.block[1]
+        return y
+
+    @property
+    def r(self) -> NDArray[np.float64] | None:
+        """Return the radii of circles, (n,); None for polygons."""
+        return self.block[2, 0] if len(self.block) == 3 else None
 
     @cached_property
     def tile_maxima(self) -> "TileMaxima":
         """Return the largest numbers of each tile of polygons, for error bounds."""
         if self._maxima is not None:
             return TileMaxima(*self._maxima)
-        starts = np.arange(0, self.x.shape[1], TILE_SHAPES)
+        starts = np.arange(0, len(self), TILE_SHAPES)
         if not len(starts):
             return TileMaxima(np.zeros(0), np.zeros(0))
-        edge, coordinate = np.zeros((2, self.x.shape[1]))
+        edge, coordinate = np.zeros((2, len(self)))
         part = np.empty_like(edge)
         with np.errstate(over="ignore"):
-            for c in (self.x, self.y):
+            for c in self.block:
                 for v in range(len(c)):
                     np.maximum(edge, np.abs(np.subtract(c[v], c[v - 1], out=part), out=part), out=edge)
                     np.maximum(coordinate, np.abs(c[v], out=part), out=coordinate)
@@ -60,11 +74,9 @@ class Group:
 
     def columns(self, where: slice | NDArray[np.integer[Any] | np.bool_]) -> "Group":
         """Return the group of the shapes chosen by a slice, an index array or a mask, in contiguous rows."""
-        r = None if self.r is None else self.r[where]
         if isinstance(where, slice):
-            return Group(self.x[:, where], self.y[:, where], r)
-        places = np.flatnonzero(where) if where.dtype == bool else where
-        return Group(self.x.take(places, axis=1), self.y.take(places, axis=1), r)
+            return Group(self.block[:, :, where])
+        return Group(self.block.take(np.flatnonzero(where) if where.dtype == bool else where, axis=2))
 
 
 class TileMaxima(NamedTuple):
@@ -95,33 +107,31 @@ class Flat(NamedTuple):
 class Shapes:
     """Hold many convex polygons and circles; make a batch with Polygons, Circles, from_shapely or concat.
 
-    `count`: (N,) corners of each part (a circle has one; None where `groups` holds a single group); `owner`: (N,) which
-    shape each is a part of, where concave polygons were split.  Made of `rings` with (N,) radii (None: all are
-    polygons), or of `groups`; the other is worked out when it is first needed, and kept.  Made of the `blocks` of
-    groups, which follow each other, they are joined when one of both is first needed.  These arrays are the batch's own
-    memory: read them, but do not write to them, since what is written there is not checked.
+    `count`: (N,) corners of each part (a circle has one); `owner`: (N,) which shape each is a part of, where concave
+    polygons were split.  Made of `rings` with (N,) radii (None: all are polygons), or of `runs`: groups whose shapes
+    follow each other.  What else is asked for is worked out when it is first needed, and kept; several runs are then
+    joined to rings.  These arrays are the batch's own memory: read them, but do not write to them, since what is
+    written there is not checked.
     """
+
+    owner: NDArray[np.int64] | None = None
+    runs: Sequence[Group]
 
     def __init__(
         self,
-        count: NDArray[np.int64] | None = None,
-        owner: NDArray[np.int64] | None = None,
         *,
         rings: Rings | None = None,
         radius: NDArray[np.float64] | None = None,
-        groups: dict[int, Group] | None = None,
-        blocks: Sequence[NDArray[np.float64]] | None = None,
+        owner: NDArray[np.int64] | None = None,
+        runs: Sequence[Group] | None = None,
     ) -> None:
-        self.owner = owner
-        if blocks is not None:
-            self.blocks = blocks
-        if count is not None:
-            self.count = count.astype(np.int64, copy=False)
+        if runs is not None:
+            self.runs = runs
         if rings is not None:
             self.rings = rings
             self.radius = np.zeros(len(rings.start) - 1) if radius is None else radius
-        if groups is not None:
-            self.groups = groups
+        if owner is not None:
+            self.owner = owner
 
     def __len__(self) -> int:
         """Return the number of shapes; the parts of one concave polygon count once."""
@@ -132,10 +142,13 @@ class Shapes:
     @property
     def part_count(self) -> int:
         """Return the number of convex parts: more than `len` where concave polygons were split."""
-        if "groups" in vars(self):
-            return sum(group.x.shape[1] for group in self.groups.values())
-        blocks = vars(self).get("blocks")  # asked once, since another thread may join them
-        return len(self.count) if blocks is None else sum(block.shape[2] for block in blocks)
+        runs = vars(self).get("runs")  # asked once, since another thread may join them
+        return len(self.rings.start) - 1 if runs is None else sum(map(len, runs))
+
+    def _only_run(self) -> Group | None:
+        """Return the group that the batch was made of; None if it was made of several or of rings."""
+        runs = vars(self).get("runs", ())
+        return runs[0] if len(runs) == 1 else None
 
     def __repr__(self) -> str:
         kinds = zip(*np.unique(self.count, return_counts=True), strict=True)
@@ -147,65 +160,51 @@ class Shapes:
     @cached_property
     def count(self) -> NDArray[np.int64]:
         """Return the number of corners of each part, (N,) integers; a circle has one."""
-        if "groups" not in vars(self):
-            rings = vars(self).get("rings")
-            return self._joined()[0] if rings is None else rings.start[1:] - rings.start[:-1]
-        ((v, group),) = self.groups.items()
-        return np.full(group.x.shape[1], v, np.int64)
+        if (run := self._only_run()) is not None:
+            return np.full(len(run), len(run.x), np.int64)
+        return np.diff(self.rings.start).astype(np.int64, copy=False)
 
     @cached_property
     def rings(self) -> Rings:
         """Return the corners of all parts, one outline after another."""
-        if "groups" not in vars(self):
-            return self._joined()[1]
-        if len(self.groups) == 1:
-            ((v, group),) = self.groups.items()
-            return Rings(group.x.ravel("F"), group.y.ravel("F"), np.arange(0, group.x.size + 1, v))
-        start = np.concatenate([[0], np.cumsum(self.count)])
-        x, y = np.empty((2, start[-1]))
-        for v, group in self.groups.items():
-            place = start[:-1][self.count == v][:, None] + np.arange(v)
-            x[place], y[place] = group.x.T, group.y.T
-        return Rings(x, y, start)
+        if (run := self._only_run()) is None:
+            return self._joined()[0]
+        return Rings(run.x.ravel("F"), run.y.ravel("F"), np.arange(0, run.x.size + 1, len(run.x)))
 
     @cached_property
     def radius(self) -> NDArray[np.float64]:
         """Return the radius of each part, (N,) scene units: 0 for polygons."""
-        if "groups" not in vars(self):
-            return self._joined()[2]
-        if len(self.groups) == 1 and 1 in self.groups and (r := self.groups[1].r) is not None:
-            return r
-        found = np.zeros(len(self.count))
-        if 1 in self.groups:
-            found[self.count == 1] = self.groups[1].r
-        return found
+        if (run := self._only_run()) is None:
+            return self._joined()[1]
+        return np.zeros(len(run)) if run.r is None else run.r
 
-    def _joined(self) -> tuple[NDArray[np.int64], Rings, NDArray[np.float64]]:
-        """Return (count, rings, radius) of the blocks, one after another, and keep these in the place of the blocks."""
-        if (blocks := vars(self).get("blocks")) is not None:
-            sizes = [block.shape[2] for block in blocks]
-            count = np.repeat([block.shape[1] for block in blocks], sizes)
+    def _joined(self) -> tuple[Rings, NDArray[np.float64]]:
+        """Return (rings, radius) of several runs, one after another, and keep these in the place of the runs."""
+        if (runs := vars(self).get("runs")) is not None:
+            count = np.repeat([len(run.x) for run in runs], list(map(len, runs)))
             start = np.zeros(len(count) + 1, np.intp)
             np.cumsum(count, out=start[1:])
-            x, y = (np.concatenate([block[k].ravel("F") for block in blocks]) for k in (0, 1))
-            radius = np.concatenate([block[2, 0] if len(block) == 3 else np.zeros(block.shape[2]) for block in blocks])
-            vars(self).update(count=count, rings=Rings(x, y, start), radius=radius)
-            vars(self).pop("blocks", None)  # another thread may have been first
-        return self.count, self.rings, self.radius
+            x, y = (np.concatenate([run.block[k].ravel("F") for run in runs]) for k in (0, 1))
+            radius = np.concatenate([np.zeros(len(run)) if run.r is None else run.r for run in runs])
+            vars(self).update(rings=Rings(x, y, start), radius=radius)
+            vars(self).pop("runs", None)  # another thread may have been first
+        return self.rings, self.radius
 
     @cached_property
     def groups(self) -> dict[int, Group]:
         """Return the parts grouped by their number of corners, in ascending order."""
+        if (run := self._only_run()) is not None:
+            return {len(run.x): run}
         found = {}
         values = self.count[:1].tolist() if (self.count == self.count[:1]).all() else np.unique(self.count).tolist()
-        if len(values) == 1:
-            v = values[0]
-            x, y = (c.reshape(-1, v).T.copy() for c in self.rings[:2])
-            return {v: Group(x, y, self.radius if v == 1 else None)}
         for v in values:
             mine = self.count == v
-            places = self.rings.start[:-1][mine] + np.arange(v)[:, None]
-            found[v] = Group(self.rings.x[places], self.rings.y[places], self.radius[mine] if v == 1 else None)
+            if len(values) == 1:
+                rows = [c.reshape(-1, v).T for c in self.rings[:2]]
+            else:
+                places = self.rings.start[:-1][mine] + np.arange(v)[:, None]
+                rows = [c[places] for c in self.rings[:2]]
+            found[v] = Group(np.stack([*rows, self.radius[mine][None]] if v == 1 else rows))
         return found
 
     @cached_property
@@ -220,6 +219,8 @@ class Shapes:
     @cached_property
     def uniform(self) -> Group | None:
         """Return the only group if all shapes are convex and have the same number of corners, else None."""
+        if (run := self._only_run()) is not None:
+            return run if len(run) else None
         alike = self.owner is None and len(self.count) and (self.count == self.count[0]).all()
         return self.groups[int(self.count[0])] if alike else None
 
@@ -235,8 +236,8 @@ class Shapes:
     @cached_property
     def are_upright_boxes(self) -> bool:
         """Return whether all shapes are boxes with sides along x and y."""
-        if "groups" in vars(self):
-            return all(group.upright for group in self.groups.values())
+        if (run := self._only_run()) is not None:
+            return run.upright
         return bool((self.count == 4).all() and self.flat.upright.all())
 
     @cached_property
@@ -263,8 +264,7 @@ class Shapes:
     @cached_property
     def _unowned_parts(self) -> "Shapes":
         """Return the parts as a batch in which each part is a shape of its own."""
-        made = vars(self)
-        return Shapes(self.count, rings=made.get("rings"), radius=made.get("radius"), groups=made.get("groups"))
+        return Shapes(rings=self.rings, radius=self.radius)
 
     def __getitem__(self, where: Selection) -> "Shapes":
         """Some of the shapes by slice, index array or mask; one by its index is a batch of one.
@@ -273,39 +273,31 @@ class Shapes:
         """
         refuse_masked(where, "indices")
         where = list(where) if isinstance(where, tuple) else where
-        if isinstance(where, slice) and (where.step or 1) == 1 and "groups" in vars(self) and self.uniform is not None:
-            group = self.uniform.columns(where)
-            return Shapes(self.count[where], groups={len(group.x): group})
         chosen = np.atleast_1d(np.arange(len(self))[where])
         if chosen.ndim != 1:
             raise IndexError(f"the indices have the shape {chosen.shape}: expected one row of them")
+        if (run := self._only_run()) is not None:
+            return Shapes(runs=[run.columns(chosen)])
         owner = None
         if self.owner is not None:
             first = self.starts[chosen]
             many = self.starts[chosen + 1] - first
             owner = np.repeat(np.arange(len(chosen)), many)
             chosen = np.arange(len(owner)) + np.repeat(first - (np.cumsum(many) - many), many)
-        count = self.count[chosen]
-        if "rings" in vars(self):
-            return Shapes(count, owner, rings=self.rings.take(chosen), radius=self.radius[chosen])
-        slot = self.slot[chosen]
-        groups = {v: self.groups[v].columns(slot[count == v]) for v in np.unique(count).tolist()}
-        return Shapes(count, owner, groups=groups)
+        return Shapes(rings=self.rings.take(chosen), radius=self.radius[chosen], owner=owner)
 
     @property
     def bounds(self) -> NDArray[np.float64]:
         """Return the boxes, (N, 4) as x min, y min, x max, y max in scene units, rounded outwards for circles."""
+        if (run := self._only_run()) is not None:
+            return _bounding_boxes(run)
         found = np.empty((len(self.count), 4))
-        if "rings" in vars(self):
-            x, y, first = self.rings.x, self.rings.y, self.rings.start[:-1]
-            if len(first):
-                for i, (extreme, c) in enumerate(((np.minimum, x), (np.minimum, y), (np.maximum, x), (np.maximum, y))):
-                    found[:, i] = extreme.reduceat(c, first)
-            if (circles := np.flatnonzero(self.radius)).size:
-                found[circles] = _widen(found[circles], self.radius[circles])
-        else:
-            for v, group in self.groups.items():
-                found[self.count == v] = _bounding_boxes(group)
+        x, y, first = self.rings.x, self.rings.y, self.rings.start[:-1]
+        if len(first):
+            for i, (extreme, c) in enumerate(((np.minimum, x), (np.minimum, y), (np.maximum, x), (np.maximum, y))):
+                found[:, i] = extreme.reduceat(c, first)
+        if (circles := np.flatnonzero(self.radius)).size:
+            found[circles] = _widen(found[circles], self.radius[circles])
         if self.owner is None:
             return found
         first = self.starts[:-1]

@@ -35,14 +35,15 @@ def colliding_pairs(
     `progress` (called with the candidates done after each block) and `chunk`: as in `relate`;
     for upright boxes alone the broad phase decides.
     """
-    kernels, parts = engine_of(engine), check_shapes(shapes, "shapes").parts
+    kernels = engine_of(engine)
+    check_shapes(shapes, "shapes")
     if chunk is not CHUNK_PAIRS or executor is not None or progress is not None:
         chunk = check_options(engine, executor, progress, chunk)  # also where the grid alone decides
     elif shapes.owner is None:
-        few: Pairs | None = kernels.colliding_pairs(parts)
+        few: Pairs | None = kernels.colliding_pairs(shapes)
         if few is not None:
             return few
-    found = []
+    found, parts = [], shapes.parts
     if kernels.flatten is not None and "flat" not in vars(parts):
         parts.flat = kernels.flatten(parts)
     for pairs in candidate_blocks(parts.flat.bounds, kernels):

@@ -1,6 +1,6 @@
 """Circles and Polygons: batches of shapes, validated when they are made."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 from typing import Any, TypeGuard
 
 import numpy as np
@@ -18,6 +18,8 @@ from .engines import engine_for_checks
 from .outlines import convex_rings
 from .ragged import MAX_LANE_CORNERS, Rings, concat_rings
 
+FLOAT64, INTP = np.dtype(np.float64), np.dtype(np.intp)  # comparing with these takes half as long as with np.float64
+
 # what an error line says of a concave polygon, by the argument `concave` of build_shapes
 WAYS_OUT = {
     None: " with these coordinates: nothing was moved",
@@ -31,18 +33,19 @@ class Circles(Shapes):
 
     def __init__(self, centers: validation.Points, radii: validation.Numbers) -> None:
         if (group := _certified_circles(centers, radii)) is not None:
-            super().__init__(groups={1: group})
+            self.runs = (group,)
             return
         centers = validation.points(centers, "centers", lambda i: f"circle {i}: center")
         n = len(centers)
         r = validation.numbers(radii, "radii", "radius", lambda i: f"circle {i}: radius")
         if r.shape not in ((), (1,), (n,)):
             raise InvalidShape(f"radii has the shape {r.shape}: expected ({n},), or one radius for all")
-        r = np.array(np.broadcast_to(r, (n,)))
-        if (bad := np.flatnonzero(~(r > 0))).size:
-            raise InvalidShape(f"circle {bad[0]}: radius is {r[bad[0]]}: a circle needs a positive radius")
-        x, y = centers.T[:, None] + 0.0  # -0.0 becomes 0.0
-        super().__init__(groups={1: Group(x, y, r)})
+        block = np.empty((3, 1, n))
+        block[:2, 0], block[2, 0] = centers.T + 0.0, r  # no -0.0
+        if (bad := np.flatnonzero(~(block[2, 0] > 0))).size:
+            i = bad[0]
+            raise InvalidShape(f"circle {i}: radius is {block[2, 0, i]}: a circle needs a positive radius")
+        self.runs = (Group(block),)
 
 
 def _certified_circles(centers: object, radii: object) -> Group | None:
@@ -61,12 +64,12 @@ def _certified_circles(centers: object, radii: object) -> Group | None:
 
 def _is_carray(values: object, axes: int) -> TypeGuard[Array]:
     """Return whether this is a float64 array with `axes` axes, aligned, writable and contiguous in C order."""
-    return type(values) is np.ndarray and values.dtype == np.float64 and values.ndim == axes and values.flags.carray
+    return type(values) is np.ndarray and values.dtype == FLOAT64 and values.ndim == axes and values.flags.carray
 
 
 def _is_index_array(values: object) -> TypeGuard[Indices]:
     """Return whether this is a plain array of integers with one axis, as large as a pointer."""
-    return type(values) is np.ndarray and values.dtype == np.intp and values.ndim == 1 and values.flags.carray
+    return type(values) is np.ndarray and values.dtype == INTP and values.ndim == 1 and values.flags.carray
 
 
 class Polygons(Shapes):
@@ -87,7 +90,7 @@ class Polygons(Shapes):
     ) -> None:
         validation.check_word("concave", concave, validation.CONCAVE_OPTIONS)
         if offsets is None and (group := _certified_group(vertices)) is not None:
-            super().__init__(groups={len(group.x): group})
+            self.runs = (group,)
             return
         if (made := _certified_shapes(vertices, offsets)) is not None:
             pass
@@ -170,8 +173,7 @@ def build_mixed(points: Array, start: Indices, radius: Array, concave: str | Non
     """Return a batch of circles, where the radius is positive, and polygons; other arguments as in build_shapes."""
     circles = radius > 0
     if len(radius) and circles.all():
-        x, y = points.T[:, None] + 0.0
-        return Shapes(groups={1: Group(x, y, radius)})
+        return Shapes(runs=[Group(np.vstack([points.T + 0.0, radius])[:, None])])
     if not circles.any():
         return build_shapes(points, start, "polygon {}".format, concave)
     of = np.flatnonzero(~circles)
@@ -184,48 +186,27 @@ def build_mixed(points: Array, start: Indices, radius: Array, concave: str | Non
     is_center = np.repeat(circles, count)
     for c, made, given in ((x, polygons.rings.x, points[:, 0]), (y, polygons.rings.y, points[:, 1])):
         c[~is_center], c[is_center] = made, given[start[:-1][circles]] + 0.0
-    return Shapes(count, rings=Rings(x, y, ends), radius=radius)
+    return Shapes(rings=Rings(x, y, ends), radius=radius)
 
 
 def concat(many: Iterable[Shapes]) -> Shapes:
     """Return one batch with the shapes of several, in order; this is how circles and polygons are mixed."""
     many = list(many)
     for i, shapes in enumerate(many):
-        check_shapes(shapes, f"batch {i}")
-    blocks = [block for shapes in many if (block := _block_of(shapes)) is not None]
-    if len(blocks) == len(many) > 0:
-        return Shapes(blocks=blocks)
+        if not isinstance(shapes, Shapes):  # few shapes are joined in each frame, and even their names take time
+            check_shapes(shapes, f"batch {i}")
+    runs = [some for shapes in many if (some := vars(shapes).get("runs")) is not None]
+    if len(runs) == len(many) > 0:
+        return Shapes(runs=[run for some in runs for run in some])
     owner = None
     if any(shapes.owner is not None for shapes in many):
         first, owners = 0, []
         for shapes in many:
-            owners.append((np.arange(len(shapes.count)) if shapes.owner is None else shapes.owner) + first)
+            owners.append((np.arange(shapes.part_count) if shapes.owner is None else shapes.owner) + first)
             first += len(shapes)
         owner = np.concatenate(owners)
-    total = sum(shapes.part_count for shapes in many)
-    count, radius, first = np.empty(total, np.int64), np.zeros(total), 0
-    x, y = [np.empty(0)], [np.empty(0)]
-    for shapes in many:
-        place = slice(first, first + shapes.part_count)
-        first = place.stop
-        if "groups" in vars(shapes) and len(shapes.groups) == 1:  # read as it lies: few shapes are joined in each frame
-            ((count[place], group),) = shapes.groups.items()
-            corners: Sequence[NDArray[np.float64]] = group.x.ravel("F"), group.y.ravel("F")
-            if group.r is not None:
-                radius[place] = group.r
-        else:
-            count[place], corners, radius[place] = shapes.count, shapes.rings[:2], shapes.radius
-        x.append(corners[0])
-        y.append(corners[1])
-    start = np.zeros(total + 1, np.intp)
-    np.cumsum(count, out=start[1:])
-    return Shapes(count, owner, rings=Rings(np.concatenate(x), np.concatenate(y), start), radius=radius)
-
-
-def _block_of(shapes: Shapes) -> Array | None:
-    """Return the array that holds all numbers of a batch of one kind as it was made; None where there is none."""
-    groups = vars(shapes).get("groups", ())
-    return next(iter(groups.values())).block if len(groups) == 1 and shapes.owner is None else None
+    radius = np.concatenate([np.empty(0), *(shapes.radius for shapes in many)])
+    return Shapes(rings=concat_rings([shapes.rings for shapes in many]), radius=radius, owner=owner)
 
 
 def number_polygons(vertices: validation.Rings, numbers: Indices | None, concave: str | None) -> Shapes:
@@ -240,7 +221,7 @@ def number_polygons(vertices: validation.Rings, numbers: Indices | None, concave
         if array is not vertices:
             array = np.ascontiguousarray(array)
             if (group := _certified_group(array)) is not None:
-                return Shapes(groups={len(group.x): group})
+                return Shapes(runs=[group])
             if (certified := _certified_shapes(array)) is not None:
                 return certified
         start = np.arange(len(array) + 1, dtype=np.intp) * array.shape[1]
@@ -279,7 +260,7 @@ def _certified_shapes(vertices: object, offsets: object = None) -> Shapes | None
     if (certified_rings := engine_for_checks(vertices.size // 2).certified_rings) is None:
         return None
     rings, doubtful = certified_rings(vertices.reshape(-1, 2), start)
-    return None if doubtful.size else Shapes(rings.start[1:] - rings.start[:-1], rings=rings)
+    return None if doubtful.size else Shapes(rings=rings)
 
 
 def build_shapes(points: Array, start: Indices, name: Callable[[int], str], concave: str | None) -> Shapes:
@@ -290,9 +271,8 @@ def build_shapes(points: Array, start: Indices, name: Callable[[int], str], conc
     """
     given = Rings(points[:, 0], points[:, 1], start)
     rings, plain = _convex_rings(points, given)
-    count = np.diff(rings.start)
     if plain.all():
-        return Shapes(count, rings=rings)
+        return Shapes(rings=rings)
     pieces: list[NDArray[np.float64]] = []
     owners = [np.flatnonzero(plain)]
     for i in np.flatnonzero(~plain).tolist():
@@ -311,7 +291,7 @@ def build_shapes(points: Array, start: Indices, name: Callable[[int], str], conc
     owner = np.concatenate(owners)
     order = np.argsort(owner, kind="stable")
     rings = concat_rings([rings, Rings(flat[:, 0], flat[:, 1], start)]).take(order)
-    return Shapes(np.diff(rings.start), owner[order], rings=rings)
+    return Shapes(rings=rings, owner=owner[order])
 
 
 def _convex_rings(points: Array, given: Rings) -> tuple[Rings, Mask]:

@@ -97,11 +97,11 @@ def _certified(frame: Frame, corners: Any) -> Shapes | None:
     forms = (n, frame.corners, 2), (n * frame.corners, 2)
     if 3 <= frame.corners <= MAX_LANE_CORNERS and corners.shape in forms:
         group = kernels.certified_group(corners.reshape(forms[0]))
-        return None if group is None else Shapes(groups={frame.corners: group})
+        return None if group is None else Shapes(runs=[group])
     if kernels.certified_rings is None or corners.shape != (frame.start[-1], 2):
         return None
     rings, doubtful = kernels.certified_rings(corners, frame.start, True)
-    return None if doubtful.size else Shapes(np.diff(rings.start), rings=rings, radius=frame.radius)
+    return None if doubtful.size else Shapes(rings=rings, radius=frame.radius)
 
 
 def _checked(frame: Frame, corners: Any) -> Shapes:

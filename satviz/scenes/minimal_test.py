@@ -98,17 +98,16 @@ int main() {{
 CSHARP = """{comment}
 using System;
 
-record struct Point(double X, double Y);
-record Shape(Point[] Points, double Radius);
-
 static class MinimalTest
 {{
-    static readonly Shape A = new(new Point[] {{ {a} }}, {ar});
-    static readonly Shape B = new(new Point[] {{ {b} }}, {br});
+    static readonly double[,] A = {{ {a} }};
+    const double ARadius = {ar};
+    static readonly double[,] B = {{ {b} }};
+    const double BRadius = {br};
     const string Relation = "{relation}"; // apart, touching or overlapping
-    const bool TouchingIsAHit = true; // false for a library whose shapes are open sets
+    static readonly bool TouchingIsAHit = true; // false for a library whose shapes are open sets
 
-    static bool Collides(Shape a, Shape b)
+    static bool Collides(double[,] a, double aRadius, double[,] b, double bRadius)
     {{
         throw new NotImplementedException("call the library under test here");
     }}
@@ -116,7 +115,10 @@ static class MinimalTest
     static void Main()
     {{
         bool expected = Relation == "overlapping" || (Relation == "touching" && TouchingIsAHit);
-        if (Collides(A, B) != expected) throw new Exception($"expected {{expected}}: the shapes are {{Relation}}");
+        if (Collides(A, ARadius, B, BRadius) != expected)
+        {{
+            throw new Exception($"expected {{expected}}: the shapes are {{Relation}}");
+        }}
         Console.WriteLine("passed");
     }}
 }}
@@ -174,7 +176,7 @@ LANGUAGES = {
         Language("javascript", "js", "//", "[]", JAVASCRIPT),
         Language("python", "py", "#", "()", PYTHON),
         Language("cpp", "cpp", "//", "{}", CPP),
-        Language("csharp", "cs", "//", "new()", CSHARP),
+        Language("csharp", "cs", "//", "{}", CSHARP),
         Language("rust", "rs", "//", "[]", RUST),
         Language("java", "java", "//", "{}", JAVA),
     )
@@ -193,7 +195,7 @@ def minimal_test(a: Shape, b: Shape, language: str) -> str:
 
 def _points(shape: Shape, language: Language) -> str:
     """Return the points of a shape as literals: the vertices as given, or a circle's center."""
-    opening, closing = language.brackets[:-1], language.brackets[-1]
+    opening, closing = language.brackets[0], language.brackets[1]
     return ", ".join(f"{opening}{x!r}, {y!r}{closing}" for x, y in (shape.vertices or shape.core))
 
 

@@ -32,6 +32,7 @@ AXES, PANEL = 220.0, 310.0  # points: the height of the axes of one work, and of
 SHADES = {"satviz numba": "gap", "satviz numpy": "A"}  # the others are grey
 DASHES = {
     "brute force": ":",
+    "short sweep": (0, (1, 2, 4, 2)),
     "STRtree": "--",
     "prepared STRtree": (0, (5, 1, 1, 1)),
     "Box2D": "-.",
@@ -39,7 +40,7 @@ DASHES = {
 }
 TICKS = 10, 1000, 100_000
 BETWEEN = 6  # points on a line between two sizes that labels keep off
-SHORT_PROGRAMS = "brute force", "sort and sweep"  # the other rivals are libraries
+SHORT_PROGRAMS = "brute force", "sort and sweep", "short sweep"  # the other rivals are libraries
 
 EndLabel = tuple[float, float, str, str]  # x, y, text, colour
 Times = Mapping[str, Mapping[int, float]]  # the times of one work in ns, by method and by number of shapes

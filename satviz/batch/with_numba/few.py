@@ -33,68 +33,71 @@ MIN_CELL = 2.0**-48  # of the farthest coordinate: smaller cells run together
 
 def colliding_pairs(shapes: Shapes) -> Pairs | None:
     """Return the pairs i < j, in order, of the shapes that share a point; None where this way does not decide them."""
-    if len(shapes) > MAX_SHAPES:
-        return None
-    if "groups" in vars(shapes) and len(shapes.groups) == 1:
-        (group,) = shapes.groups.values()
-        pairs, decided = _collide_columns(group.x, group.y, NO_RADII if group.r is None else group.r)
-    elif (blocks := vars(shapes).get("blocks")) is not None and len(blocks) <= MAX_BLOCKS:
-        pairs, decided = _collide_blocks(*blocks, *[NO_BLOCK] * (MAX_BLOCKS - len(blocks)))
+    runs = vars(shapes).get("runs")  # asked once, since another thread may join them
+    if runs is not None and len(runs) == 1:
+        pairs, decided = _collide_block(runs[0].block)
+    elif runs is not None and len(runs) <= MAX_RUNS:
+        pairs, decided = _collide_blocks(*(run.block for run in runs), *[NO_BLOCK] * (MAX_RUNS - len(runs)))
     else:
         pairs, decided = _collide(*shapes.rings, shapes.radius)
     return pairs if decided else None
 
 
-NO_RADII = np.zeros(0)
-MAX_BLOCKS = 4  # kinds of shapes that one call takes as they lie
+MAX_RUNS = 4  # groups of shapes that one call takes as they lie
 NO_BLOCK = np.empty((2, 1, 0))
 
 
 @compiled
-def _collide_columns(columns_x: Array, columns_y: Array, radius: Array) -> tuple[Pairs, bool]:
-    """Return what `_collide` returns, for shapes with equal numbers of corners, one shape a column.
-
-    `radius` is read only where the shapes have one corner, and so are circles.
-    """
-    corners, n = columns_x.shape
-    x, y = np.empty(corners * n), np.empty(corners * n)
+def _collide_block(block: Array) -> tuple[Pairs, bool]:
+    """Return what `_collide` returns, for the shapes of a group's block: (2, corners, n), or 3 rows with radii."""
+    _, corners, n = block.shape
+    if n > MAX_SHAPES:
+        return np.empty((0, 2), np.intp), False
+    xy, start, radius = np.empty((2, corners * n)), np.empty(n + 1, np.intp), np.zeros(n)
     for v in range(corners):
         for i in range(n):
-            x[i * corners + v], y[i * corners + v] = columns_x[v, i], columns_y[v, i]
-    start = np.arange(0, corners * n + 1, corners)
-    return _collide(x, y, start, radius if corners == 1 else np.zeros(n))
+            xy[0, i * corners + v], xy[1, i * corners + v] = block[0, v, i], block[1, v, i]
+    for i in range(n + 1):
+        start[i] = i * corners
+    if block.shape[0] == 3:
+        radius[:] = block[2, 0]
+    return _collide(xy[0], xy[1], start, radius)
 
 
 @compiled
 def _collide_blocks(a: Array, b: Array, c: Array, d: Array) -> tuple[Pairs, bool]:
     """Return what `_collide` returns, for the shapes of four blocks of groups, in order."""
     n = a.shape[2] + b.shape[2] + c.shape[2] + d.shape[2]
+    if n > MAX_SHAPES:
+        return np.empty((0, 2), np.intp), False
     corners = a[0].size + b[0].size + c[0].size + d[0].size
-    x, y, start, radius = np.empty(corners), np.empty(corners), np.zeros(n + 1, np.intp), np.zeros(n)
+    xy, start, radius = np.empty((2, corners)), np.zeros(n + 1, np.intp), np.zeros(n)
     i = to = 0
     for block in (a, b, c, d):
         for k in range(block.shape[2]):
             for v in range(block.shape[1]):
-                x[to], y[to] = block[0, v, k], block[1, v, k]
+                xy[0, to], xy[1, to] = block[0, v, k], block[1, v, k]
                 to += 1
             if block.shape[0] == 3:
                 radius[i] = block[2, 0, k]
             i += 1
             start[i] = to
-    return _collide(x, y, start, radius)
+    return _collide(xy[0], xy[1], start, radius)
 
 
 @compiled
 def _collide(x: Array, y: Array, start: Indices, radius: Array) -> tuple[Pairs, bool]:
     """Return (pairs i < j of the shapes that share a point, in order; False if there is a pair that is not decided)."""
     n = radius.size
+    if n > MAX_SHAPES:
+        return np.empty((0, 2), np.intp), False
     bounds, upright = np.empty((n, 4)), np.empty(n, np.bool_)
     fill_boxes(x, y, start, radius, bounds, upright)
     candidates, _, _, complete = _candidate_pairs(bounds)
     if not complete:
         return candidates, False
-    first, second = candidates[:, 0].copy(), candidates[:, 1].copy()
-    found = np.empty(len(candidates), np.int8)
+    both, found = candidates.T.copy(), np.empty(len(candidates), np.int8)
+    first, second = both[0], both[1]
     fill_relations(x, y, start, radius, bounds, upright, x, y, start, radius, bounds, upright, first, second, found)
     return _hits_in_order(first, second, found, n)
 
@@ -224,7 +227,8 @@ def _all_pairs(bounds: Array) -> Pairs:
     For each box those that meet it are marked first, without a branch, which the compiler vectorises.
     """
     n = len(bounds)
-    x0, y0, x1, y1 = bounds[:, 0].copy(), bounds[:, 1].copy(), bounds[:, 2].copy(), bounds[:, 3].copy()
+    sides = bounds.T.copy()
+    x0, y0, x1, y1 = sides[0], sides[1], sides[2], sides[3]
     mask = np.empty((n // WORD_BYTES + 1) * WORD_BYTES, np.uint8)
     words = mask.view(np.uint64)
     out, found = np.empty((4 * n, 2), np.intp), np.intp(0)  # as Python, 0 would grow in the type of the mask

@@ -67,9 +67,7 @@ def fill_relations(
     ia: Indices, ib: Indices, out: Signs,
 ) -> None:  # fmt: skip
     """Fill `out` with the relations of pairs (ia, ib): by boxes, then the float filter in lanes, then exactly."""
-    terms, error_bounds, best = np.empty(MAX_TERMS), np.empty(LANES), np.empty(LANES)
-    lanes = np.empty((4, MAX_LANE_CORNERS + 1, LANE_STRIDE))
-    x, y, p, q = lanes[0], lanes[1], lanes[2], lanes[3]
+    terms = np.empty(MAX_TERMS)
     waiting, many = np.empty(LANES, np.intp), 0  # pairs of up to eight corners
     for k in range(out.size):
         i, j = ia[k], ib[k]
@@ -98,12 +96,10 @@ def fill_relations(
             waiting[many] = k
             many += 1
             if many == LANES:
-                _evaluate_lanes(
-                    ax, ay, sa, box_a, bx, by, sb, box_b, ia, ib, waiting, x, y, p, q, error_bounds, best, out
-                )
+                _evaluate_lanes(ax, ay, sa, box_a, bx, by, sb, box_b, ia, ib, waiting, out)
                 many = 0
-    left = waiting[:many]
-    _evaluate_lanes(ax, ay, sa, box_a, bx, by, sb, box_b, ia, ib, left, x, y, p, q, error_bounds, best, out)
+    if many:
+        _evaluate_lanes(ax, ay, sa, box_a, bx, by, sb, box_b, ia, ib, waiting[:many], out)
     for k in range(out.size):
         if out[k] == UNDECIDED and ra[ia[k]] == 0 and rb[ib[k]] == 0:
             i, j = ia[k], ib[k]
@@ -167,11 +163,12 @@ def _clearance_of_few(x: Array, y: Array, i0: int, i1: int, p: Array, q: Array, 
 @compiled
 def _evaluate_lanes(
     ax: Array, ay: Array, sa: Indices, box_a: Array, bx: Array, by: Array, sb: Indices, box_b: Array,
-    ia: Indices, ib: Indices, which: Indices,
-    x: Array, y: Array, p: Array, q: Array, error_bounds: Array, best: Array, out: Signs,
+    ia: Indices, ib: Indices, which: Indices, out: Signs,
 ) -> None:  # fmt: skip
     """Fill `out` at the pairs `which` by the float filter, side by side, each outline repeated up to as many edges."""
-    n = which.size
+    n, error_bounds, best = which.size, np.empty(LANES), np.empty(LANES)
+    lanes = np.empty((4, MAX_LANE_CORNERS + 1, LANE_STRIDE))
+    x, y, p, q = lanes[0], lanes[1], lanes[2], lanes[3]
     for k in range(n):
         i, j = ia[which[k]], ib[which[k]]
         copy_to_lane(ax, ay, sa[i], sa[i + 1], MAX_LANE_CORNERS, x, y, k)

@@ -15,7 +15,8 @@ from ..exact_signs import ERRBOUND_A
 from ..ragged import Rings
 from .jit_cache import compiled, inlined
 
-MIN_FULL = 7 / 8  # share of the corners that must remain for their arrays to be kept as they are
+MIN_FULL = 7 / 8  # share of the corners that must remain for their arrays to be kept as they are, if they are large
+MAX_UNUSED = 1 << 12  # corners of small arrays that may stay unused
 
 
 def certified_group(vertices: Array) -> Group | None:
@@ -25,13 +26,13 @@ def certified_group(vertices: Array) -> Group | None:
     kernel = (_fill_columns_3, _fill_columns_4)[corners - 3] if corners <= 4 else _fill_columns
     if not kernel(vertices, columns, maxima):
         return None
-    return Group(columns[0], columns[1], None, columns, maxima)
+    return Group(columns, maxima)
 
 
 def certified_circles(centers: Array, radii: Array) -> Group | None:
     """Return circles from (N, 2) centers and (N,) radii as a group; None if a number is not finite or not positive."""
     block = np.empty((3, 1, len(centers)))
-    return Group(block[0], block[1], block[2, 0], block) if _fill_circles(centers, radii, block) else None
+    return Group(block) if _fill_circles(centers, radii, block) else None
 
 
 @compiled
@@ -96,10 +97,11 @@ def certified_rings(points: Array, start: Indices, accept_centers: bool = False)
 
 def _rings_of(x: Array, y: Array, kept: Indices) -> Rings:
     """Return outlines as Rings: x and y up to the last corner, copied where much memory would be unused."""
-    many = int(kept[-1])
-    return (
-        Rings(x[:many], y[:many], kept) if many >= MIN_FULL * len(x) else Rings(x[:many].copy(), y[:many].copy(), kept)
-    )
+    many, size = int(kept[-1]), len(x)
+    x, y = x[:many], y[:many]
+    if many < MIN_FULL * size and size - many > MAX_UNUSED:
+        x, y = x.copy(), y.copy()
+    return Rings(x, y, kept)
 
 
 def certified_padded(corners: Array, counts: Indices, radii: Array) -> Rings | None:

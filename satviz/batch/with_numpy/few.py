@@ -8,7 +8,7 @@ import numpy as np
 
 from ...engine.relate import ERROR_FACTOR_F64, MAX_ERROR_BOUND, MIN_ERROR_BOUND
 from ..array_types import Array, Indices, Pairs, Signs
-from ..arrays import Shapes
+from ..arrays import Group, Shapes
 from ..broad_rule import ALL_PAIRS, GRID, MAX_ALL_PAIRS, MAX_SWEEP_COMPARISONS, MAX_SWEEP_NUMPY, SWEEP
 from ..codes import APART, OVERLAPPING, UNDECIDED
 from .filter import circle_polygon_gaps, circles, classify_clearances
@@ -214,17 +214,10 @@ def _closed_columns(shapes: Shapes) -> tuple[Array | None, Array | None]:
 
     The row after an outline's last corner starts it again.
     """
-    if "groups" in vars(shapes) and len(shapes.groups) == 1:
-        (group,) = shapes.groups.values()
-        corners, n = group.x.shape
-        if corners > MAX_CORNERS or not 1 < n <= MAX_SHAPES:
-            return None, None
-        xy = np.stack([group.x, group.y]) if group.block is None else group.block[:2]
-        return xy.take(CLOSING[corners, : corners + 1], axis=1), group.r
     if not 1 < shapes.part_count <= MAX_SHAPES:
         return None, None
-    if (blocks := vars(shapes).get("blocks")) is not None:  # asked once, since another thread may join them
-        return _closed_blocks(blocks)
+    if (runs := vars(shapes).get("runs")) is not None:  # asked once, since another thread may join them
+        return _closed_runs(runs)
     if shapes.max_corners > MAX_CORNERS:
         return None, None
     x, y, start = shapes.rings
@@ -232,16 +225,15 @@ def _closed_columns(shapes: Shapes) -> tuple[Array | None, Array | None]:
     return np.stack([x[places], y[places]]), shapes.radius if shapes.radius.any() else None
 
 
-def _closed_blocks(blocks: Sequence[Array]) -> tuple[Array | None, Array | None]:
-    """Return (corners, radii) in the form of `_closed_columns`, for all shapes of several blocks, block after block.
-
-    A block is one array of shapes with equal numbers of corners: x, y, and for circles the radius.
-    """
-    most = max(block.shape[1] for block in blocks)
+def _closed_runs(runs: Sequence[Group]) -> tuple[Array | None, Array | None]:
+    """Return (corners, radii) in the form of `_closed_columns`, for the shapes of several groups, group after group."""
+    most = max(run.block.shape[1] for run in runs)
     if most > MAX_CORNERS:
         return None, None
-    closed = [block[:2].take(CLOSING[block.shape[1], : most + 1], axis=1) for block in blocks]
-    if all(len(block) == 2 for block in blocks):
+    closed = [run.block[:2].take(CLOSING[run.block.shape[1], : most + 1], axis=1) for run in runs]
+    if len(runs) == 1:
+        return closed[0], runs[0].r
+    if all(run.r is None for run in runs):
         return np.concatenate(closed, axis=2), None
-    radius = [block[2, 0] if len(block) == 3 else np.zeros(block.shape[2]) for block in blocks]
+    radius = [np.zeros(len(run)) if run.r is None else run.r for run in runs]
     return np.concatenate(closed, axis=2), np.concatenate(radius)

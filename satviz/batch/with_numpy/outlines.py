@@ -28,7 +28,7 @@ def certified_group(vertices: Array) -> Group | None:
                 part[:, :, right] = part[:, ::-1, right]
             if not (left | right).all():
                 return None
-    return Group(columns[0], columns[1], None, columns)
+    return Group(columns)
 
 
 def certified_circles(centers: Array, radii: Array) -> Group | None:
@@ -36,7 +36,7 @@ def certified_circles(centers: Array, radii: Array) -> Group | None:
     block = np.empty((3, 1, len(centers)))
     np.add(centers.T, 0.0, out=block[:2, 0])  # -0.0 becomes 0.0
     block[2, 0] = radii
-    return Group(block[0], block[1], block[2, 0], block) if np.isfinite(block).all() and (radii > 0).all() else None
+    return Group(block) if np.isfinite(block).all() and (radii > 0).all() else None
 
 
 def _turns_one_way(xy: Array) -> tuple[Mask, Mask] | None:

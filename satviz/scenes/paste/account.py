@@ -8,7 +8,7 @@ outside the brackets of a shape is prose.
 import re
 from bisect import bisect_left, bisect_right
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from itertools import accumulate, groupby, pairwise
+from itertools import accumulate, groupby, pairwise, takewhile
 from operator import itemgetter
 from types import MappingProxyType
 from typing import Any, NamedTuple
@@ -333,12 +333,11 @@ class Account:
 
     def is_row(self, i: int) -> bool:
         """Return whether a number is that of a row in a table whose shape is in WKT."""
-        k = i
-        while self.at(i).kind == NUMBER:
-            i += 1
-        while self.at(k).kind == NUMBER:
-            k -= 1
-        return self.at(k).kind == LINE and self.at(i).text in ("POLYGON", "MULTIPOLYGON")
+        row = self.tokens[max(i - 3, 0) : i + 4]
+        before = takewhile(lambda token: token.kind == NUMBER, reversed(row[: min(i, 3)]))
+        first = i - len(list(before))
+        word = next((token.text for token in self.tokens[i : i + 4] if token.kind != NUMBER), "")
+        return self.at(first - 1).kind == LINE and word in ("POLYGON", "MULTIPOLYGON")
 
     def miss(self, first: int, last: int) -> None:
         """Note that the tokens from one place to another are not understood."""
@@ -561,71 +560,73 @@ class Account:
 
     def check_sign(self, i: int, frame: Frame) -> None:
         """Name a sign among the numbers of a shape, or beside one."""
-        token, before, after = self.at(i), self.at(i - 1), self.at(i + 1)
-        if token.text == "'":
-            behind = before.end == token.start and before.kind in (CLOSE, NAME, NUMBER, FIELD)
-            transposes = not self.quoted and behind and not (after.kind == NAME and token.end == after.start)
-            self.quoted = not behind
-            row = before.kind == NUMBER and self.holds(before.start, before.end)
-            if transposes and (self.is_variable(before) or row or (before.kind == CLOSE and self.is_data(i - 1))):
-                self.miss(i - 1, i)  # [0 4 4; 0 0 3]' of MATLAB
-                return
-        if token.text in PUNCTUATION or token.text[0] == "\\":
+        token, before = self.at(i), self.at(i - 1)
+        if token.text == "'" and self.transposes(i):
+            self.miss(i - 1, i)  # [0 4 4; 0 0 3]' of MATLAB
             return
-        if token.text == "+" and any(t.kind == TEXT and not self.holds(t.start, t.end) for t in (before, after)):
-            return  # a text and what is printed behind it
-        if token.text == "%" and after.text == "{" and token.end == after.start:
-            return  # of Elixir
-        first = before.kind == LINE or before.text in (",", "(", "[", "{", "=", ":", ";")
-        refers = first or (before.kind == NAME and not self.is_variable(before))
-        if (
-            token.text in "&*@"
-            and token.end == after.start
-            and refers
-            and (after.kind == NAME or (first and after.kind == OPEN))
-        ):
-            return  # a reference
-        if token.text in "&*" and before.kind == NAME == after.kind and not self.is_variable(before) and not frame.data:
-            return  # Polygon *p
-        bullet = not self.is_variable(after) or self.at(i + 2).text in (":", "=")
-        if before.kind == LINE and token.text in "-*+>|\u2022" and bullet:
-            return  # a bullet, or a quoted line
-        if token.text == "|" and not frame.data and (notation(after.text) or after.kind in (LINE, NUMBER)):
-            return  # between the columns of a table
-        if token.text == "-" and first and after.kind == NUMBER and self.at(i + 2).text in (",", ")", "]", "}", ";"):
-            return  # - 4
-        if token.text == "?" and after.text in (";", ")", ","):
-            return  # of Rust
-        chooses = token.text == "?" and (self.is_ternary(i) or after.kind == NUMBER)
-        ends = not frame.data and after.text not in (":", "[") and (after.kind == LINE or token.end != after.start)
-        if token.text in ".!?" and ends and not chooses:
-            return  # the end of a sentence
-        tight = before.end == token.start and token.end == after.start
-        if token.text == "?" and tight and after.text == "(" and before.kind == NAME and is_call(before.text):
-            return  # a.hit?(b) of Ruby
-        if (token.text == "<" and token.end == after.start and notation(after.text)) or (
-            token.text == ">" and before.kind == CLOSE and before.end == token.start and after.kind != NUMBER
-        ):
-            return  # <POLYGON ((0 0, 4 0, 0 3))>
-        both = token.text in "|&" and self.is_data(i - 1) and self.is_data(i + 1)
-        both = both or (
-            token.text in "|&" and before.kind == CLOSE and self.is_data(i - 1) and not self.is_tested(i - 1)
-        )
-        shifts = token.text in "<>" and after.text == token.text and self.at(i + 2).kind == NUMBER
-        both = both or (shifts and self.is_data(i - 1) and not STREAM.search(self.text, *self.line(token)))
-        denies = token.text == "!" and (after.kind == OPEN or not after.text) and self.is_data(i + 1)
-        if token.text in "<>!|&" and not (both or denies) and not frame.data and before.kind != NUMBER:
+        known = token.text in PUNCTUATION or token.text[0] == "\\" or self.is_of_code(i)
+        if known or (not frame.data and (self.is_of_text(i) or self.is_test(token))):
+            return
+        if token.text in "<>!|&" and not frame.data and before.kind != NUMBER and not self.is_operator(i):
             return  # a comparison, or a logical sign
-        spaced = before.end < token.start and token.end < after.start
-        prose = after.kind == NAME and not self.is_variable(after) and self.at(i + 2).kind == NAME
-        if token.text in "-\u2013\u2014" and not frame.data and spaced and prose:
-            return  # a dash in a sentence
-        if token.text == "-" and not frame.data and before.text == ")" and after.text == "(":
-            return  # (0, 0)-(10, 10)
-        if not frame.data and self.is_test(token):
-            return
         if frame.data or self.is_data(i - 1) or self.is_data(i + 1):
             self.miss(i - 1 if before.kind == NAME or (before.kind == NUMBER and before.text) else i, i + 1)
+
+    def transposes(self, i: int) -> bool:
+        """Return whether a quote stands behind data; it can open or close a text of several lines as well."""
+        token, before, after = self.at(i), self.at(i - 1), self.at(i + 1)
+        behind = before.end == token.start and before.kind in (CLOSE, NAME, NUMBER, FIELD)
+        opens, self.quoted = self.quoted, not behind
+        if opens or not behind or (after.kind == NAME and token.end == after.start):
+            return False
+        row = before.kind == NUMBER and self.holds(before.start, before.end)
+        return self.is_variable(before) or row or (before.kind == CLOSE and self.is_data(i - 1))
+
+    def is_of_code(self, i: int) -> bool:
+        """Return whether a sign is a reference, a bullet, or a mark of a language that changes no value."""
+        token, before, after = self.at(i), self.at(i - 1), self.at(i + 1)
+        tight = token.end == after.start
+        first = before.kind == LINE or before.text in (",", "(", "[", "{", "=", ":", ";")
+        if token.text in "&*@" and tight:  # &a, *points, @g
+            named = after.kind == NAME and (first or (before.kind == NAME and not self.is_variable(before)))
+            return named or (first and after.kind == OPEN)
+        if token.text == "-" and first and after.kind == NUMBER and self.at(i + 2).text in (",", ")", "]", "}", ";"):
+            return True  # - 4
+        if before.kind == LINE and token.text in "-*+>|\u2022":  # a bullet, or a quoted line
+            return not self.is_variable(after) or self.at(i + 2).text in (":", "=")
+        if token.text == "?":  # f(x)?; of Rust, and a.hit?(b) of Ruby
+            ruby = tight and before.end == token.start and before.kind == NAME and is_call(before.text)
+            return after.text in (";", ")", ",") or (ruby and after.text == "(")
+        if token.text == "<" and tight and notation(after.text):
+            return True  # <POLYGON ((0 0, 4 0, 0 3))>
+        closes = token.text == ">" and before.kind == CLOSE and before.end == token.start
+        return (closes and after.kind != NUMBER) or (token.text == "%" and tight and after.text == "{")  # of Elixir
+
+    def is_of_text(self, i: int) -> bool:
+        """Return whether a sign stands between columns, ends a sentence, or is a dash."""
+        token, before, after = self.at(i), self.at(i - 1), self.at(i + 1)
+        tight = token.end == after.start
+        if token.text == "|":
+            return bool(notation(after.text)) or after.kind in (LINE, NUMBER)
+        if token.text in ".!?":
+            chooses = token.text == "?" and (self.is_ternary(i) or after.kind == NUMBER)
+            return not chooses and after.text not in (":", "[") and (after.kind == LINE or not tight)
+        if token.text in "-\u2013\u2014":
+            prose = after.kind == NAME and not self.is_variable(after) and self.at(i + 2).kind == NAME
+            dash = prose and before.end < token.start and not tight
+            return dash or (token.text == "-" and before.text == ")" and after.text == "(")  # (0, 0)-(10, 10)
+        return False
+
+    def is_operator(self, i: int) -> bool:
+        """Return whether one of the signs of comparisons works on data: a | b, a << 1, !a, a || b."""
+        token, before, after = self.at(i), self.at(i - 1), self.at(i + 1)
+        if token.text in "|&":
+            joins = before.kind == CLOSE and not self.is_tested(i - 1)
+            return self.is_data(i - 1) and (self.is_data(i + 1) or joins)
+        if token.text == "!":
+            return (after.kind == OPEN or not after.text) and self.is_data(i + 1)
+        shifts = after.text == token.text and self.at(i + 2).kind == NUMBER
+        return shifts and self.is_data(i - 1) and not STREAM.search(self.text, *self.line(token))
 
     def is_test(self, token: Token) -> bool:
         """Return whether a line compares names and gives none a value: return a.x < b.x + b.w."""

@@ -46,25 +46,8 @@ class Keyed(Boxes):
         kind = obj.fields.get("type")
         if obj.twice and key(obj.twice):
             raise Unreadable(f"the key {obj.twice} is given twice")
-        if isinstance(kind, Name) and "coordinates" in obj.fields:
-            inside = obj.fields["coordinates"]
-            if kind.text == "Polygon":
-                return self._rings(inside, label)
-            if kind.text == "MultiPolygon" and isinstance(inside, Group):
-                return [s for each in inside.items for s in self._rings(each, label)]
-            return []
-        sort = obj.fields.get(
-            "shape_type"
-        )  # of labelme: two points are corners of a box, or a center and a border point
-        if isinstance(sort, Name) and sort.text == "circle":
-            raise Unreadable("a circle given by its center and a point on it: write its radius")
-        if isinstance(sort, Name) and sort.text == "rectangle" and obj.get("points") is not None:
-            two = self.resolve(obj.get("points"))
-            ends = [self.point(v) for v in two.items] if isinstance(two, Group) else []
-            if len(ends) == 2 and ends[0] and ends[1]:
-                return [self._made_box([*ends[0], *ends[1]], CORNER_CORNER, obj, label)]
-        if {"a", "b", "c"} <= set(obj.fields) <= set("abcd") and (corners := self.ring(self._lettered(obj))):
-            return [self._outline(corners, obj, label)]
+        if (typed := self._typed(obj, label)) is not None:
+            return typed
         angle, unit = obj.get("angle", "degrees", "radians"), unit_of(obj)
         center = obj.get("center", "corner")
         if isinstance(self.resolve(center), Name) and obj.get("x0") is not None:
@@ -132,6 +115,25 @@ class Keyed(Boxes):
                     found = [moved(s, place) for s in found]
                 inner += found
         return inner
+
+    def _typed(self, obj: Obj, label: str) -> list[Read] | None:
+        """Return the shapes of GeoJSON, of labelme, and of a triangle with the corners a, b and c; None for others."""
+        kind, sort = obj.fields.get("type"), obj.fields.get("shape_type")
+        if isinstance(kind, Name) and "coordinates" in obj.fields:
+            inside = obj.fields["coordinates"]
+            if kind.text == "MultiPolygon" and isinstance(inside, Group):
+                return [s for each in inside.items for s in self._rings(each, label)]
+            return self._rings(inside, label) if kind.text == "Polygon" else []
+        if isinstance(sort, Name) and sort.text == "circle":
+            raise Unreadable("a circle given by its center and a point on it: write its radius")
+        if isinstance(sort, Name) and sort.text == "rectangle" and obj.get("points") is not None:
+            two = self.resolve(obj.get("points"))
+            ends = [self.point(v) for v in two.items] if isinstance(two, Group) else []
+            if len(ends) == 2 and ends[0] and ends[1]:  # opposite corners
+                return [self._made_box([*ends[0], *ends[1]], CORNER_CORNER, obj, label)]
+        if {"a", "b", "c"} <= set(obj.fields) <= set("abcd") and (corners := self.ring(self._lettered(obj))):
+            return [self._outline(corners, obj, label)]
+        return None
 
     def _lettered(self, obj: Obj) -> Group:
         """Return the fields a, b, c as a list of corners: Triangle { a: Vec2(0, 0), ... }."""

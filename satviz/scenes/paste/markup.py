@@ -27,7 +27,7 @@ _OTHER = re.compile(
     r"<(?:svg|g|text|tspan|title|desc|style|defs|image)\b(?![^<>]*transform)[^<>]*>|\bviewBox\s*=\s*(?:\"[^\"<>]*\"|'[^'<>]*')"
     r"|\b(?:interface|struct|type|record)\s+\w+\s*(?:=\s*)?\{[^{}()\d]*\}"
     r"|\bsizeof\s*\([^()]*\)\s*/\s*sizeof\s*\([^()]*\)|(?P<quote>['\"])[012FT*]{9}(?P=quote)"
-    r"|[\w/.-]+\.(?:py|js|ts|cs|cpp|cc|c|h|hpp|rs|go|java|rb|lua|gd|kt|swift|m):\d+(?::\d+)?|TopologyException:[^\n]*"
+    r"|(?<![\w/.-])[\w/.-]{1,80}\.(?:py|js|ts|cs|cpp|cc|c|h|hpp|rs|go|java|rb|lua|gd|kt|swift|m):\d+(?::\d+)?|TopologyException:[^\n]*"
     r"|\bversion\W{1,6}\d+(?:\.\d+)+|\bv\d+\.\d+\.\d+"
     r"|\bEigen::Matrix\w+ +\w+\(\d+, *\d+\)|^\s*size\(\d+, *\d+\);",
     re.IGNORECASE | re.MULTILINE,

@@ -332,7 +332,9 @@ class _Parser:
         for word, group in pairwise(values):
             if isinstance(word, Name) and isinstance(group, Group) and group.name:
                 group.before = word.text
-        return Bad(start, end, "words", [v for v in values if not isinstance(v, (Name, Bad))])
+        inside = [v for v in values if not isinstance(v, (Name, Bad))]
+        apart = len(inside) > 1 and all(isinstance(v, Num) for v in inside)  # 780 mod 2
+        return Bad(start, end, "words", [] if apart else inside)
 
     def joined(self, atoms: list[Any]) -> tuple[list[Any], list[str]]:
         """Return the values among the atoms, each name joined with the brackets behind it, and the operators."""

@@ -9,7 +9,7 @@ from .harmless import HARMLESS
 from .names import Obj, Unreadable, short
 from .notations import LIST_WORDS, POINT, RING, notation
 from .statements import Statements
-from .tree import Group, Name, Num, Pair, Value
+from .tree import Bad, Group, Name, Num, Pair, Value
 
 Pt = tuple[Fraction, Fraction]
 
@@ -162,7 +162,8 @@ class Points(Statements):
         other = value.bracket == "(" and value.name and row is None
         if other and any(map(self._is_style, items)):
             return None
-        flat = self.numbers(items) if len(items) > 2 else None
+        two_words = len(items) == 2 and not any(isinstance(v, Bad) for v in items)  # {:ok, 0.0}
+        flat = None if two_words else self.numbers(items)
         if flat is not None:
             if len(flat) < 6 or (row and row.kind == POINT) or (other and not LIST_WORDS.search(value.name)):
                 return None  # setTransform(1, 0, 0, 1, 5, 5) is no outline

@@ -62,7 +62,7 @@ def fields(text: str) -> Iterator[tuple[int, int, list[Token]]]:
 _KEYS = re.compile(
     r"(?:\[(?P<php>\w+)\]|(?P<export>\b\d+))\s*=>(?=\s*(?:[Aa]rray\b|[-\d\[]))"
     r"|(?<=[{\s]):(?P<clojure>[a-z]\w*)(?=\s+[-.\d\[{])"
-    rf"|^[ \t]*(?P<eigen>\w+)\s*<<(?=\s*{_N}(?:\s*,\s*{_N}){{5,}}\s*;)",
+    rf"|^[ \t]*(?P<eigen>\w{{1,40}})\s*<<(?=\s*{_N}(?:\s*,\s*{_N}){{5,}}\s*;)",
     re.MULTILINE,
 )
 

@@ -17,10 +17,11 @@ from . import installed_engines
 
 FindPairs = Callable[[Frame], Any]  # returns (K, 2) indices, or a set of pairs
 # the largest number of shapes for which a slow method is timed
-MAX_SHAPES = {"brute force": 10_000, "STRtree": 30_000, "prepared STRtree": 30_000, "Box2D": 30_000}
+MAX_SHAPES = {"brute force": 10_000} | dict.fromkeys(("short sweep", "STRtree", "prepared STRtree", "Box2D"), 30_000)
 # what the answers of a method leave out, as a sentence
 DIFFERENCES = {
-    "brute force": "Brute force and sort and sweep are compiled by numba and round in float64.",
+    "brute force": "Brute force and both sweeps are compiled by numba and round in float64.",
+    "short sweep": "Short sweep is written in 40 lines; sort and sweep first copies shapes next to their neighbours.",
     "cKDTree": "cKDTree takes coins of one radius only.",
     "STRtree": "For STRtree a coin is a point with a distance, and a circle among polygons is a polygon of 32 corners.",
     "Box2D": "Box2D keeps its world between frames, rounds in float32 and counts gaps below 0.02 as touching. "
@@ -39,6 +40,7 @@ def scene_methods(scene: MovingScene) -> dict[str, FindPairs]:
     if is_installed("numba"):
         for name, sweep in (("brute force", False), ("sort and sweep", True)):
             found[name] = partial(_numba_pairs, kind=kind, sweep=sweep)
+        found["short sweep"] = partial(_short_sweep_pairs, kind=kind)
     if is_installed("shapely"):
         if kind == 1:
             found["STRtree"] = _tree_coin_pairs
@@ -82,6 +84,13 @@ def _numba_pairs(frame: Frame, kind: int, sweep: bool) -> NDArray[np.int64]:
     from .scene_rivals import colliding_pairs
 
     return colliding_pairs(*frame.padded, kind=kind, sweep=sweep)
+
+
+def _short_sweep_pairs(frame: Frame, kind: int) -> NDArray[np.int64]:
+    """Return the pairs that a short program in numba finds."""
+    from .scene_rivals import short_sweep
+
+    return short_sweep(kind)(*frame.padded)
 
 
 def _tree_pairs(frame: Frame, prepared: bool) -> NDArray[np.intp]:

@@ -105,6 +105,52 @@ def _scene_kernel(kind: int, sweep: bool) -> Callable[..., Ints]:
     return kernel
 
 
+@cache
+def short_sweep(kind: int) -> Callable[[Array, Ints, Array], Ints]:
+    """Return a sort and sweep as one writes it in some 40 lines: boxes, their order along x, then pair by pair.
+
+    Shapes stay where they lie, and nothing is marked ahead: this is quicker for few shapes and slower for many.
+    """
+
+    @compiled
+    def kernel(corners: Array, counts: Ints, radii: Array) -> Ints:
+        """Return the colliding pairs."""
+        n = len(corners)
+        boxes = np.empty((n, 4))
+        for i in range(n):
+            x0 = x1 = corners[i, 0, 0]
+            y0 = y1 = corners[i, 0, 1]
+            for v in range(1, corners.shape[1]):
+                x, y = corners[i, v, 0], corners[i, v, 1]
+                x0, x1, y0, y1 = min(x0, x), max(x1, x), min(y0, y), max(y1, y)
+            r = radii[i]
+            boxes[i, 0], boxes[i, 1], boxes[i, 2], boxes[i, 3] = x0 - r, x1 + r, y0 - r, y1 + r
+        order = np.argsort(boxes[:, 0])
+        boxes = boxes[order]
+        pairs, found = np.empty((PAIRS_A_SHAPE * n, 2), np.int64), 0
+        for a in range(n):
+            for b in range(a + 1, n):
+                if boxes[b, 0] > boxes[a, 1]:
+                    break
+                if boxes[b, 2] > boxes[a, 3] or boxes[a, 2] > boxes[b, 3]:
+                    continue
+                i, j = order[a], order[b]
+                if kind == CIRCLES:
+                    hit = circles_hit(corners, radii, i, j)
+                elif kind == MIXED:
+                    hit = mixed_hit(corners, counts, radii, i, j)
+                else:
+                    hit = polygons_hit(corners, i, j, kind)
+                if hit:
+                    if found == len(pairs):
+                        pairs = np.concatenate((pairs, np.empty_like(pairs)))
+                    pairs[found, 0], pairs[found, 1] = min(i, j), max(i, j)
+                    found += 1
+        return pairs[:found]
+
+    return kernel
+
+
 @inlined
 def polygons_hit(at: Array, i: int, j: int, corners: int) -> bool:
     """Return whether two polygons hit: no edge of either has all corners of the other beyond it."""
