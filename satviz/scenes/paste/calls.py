@@ -144,7 +144,7 @@ class Calls(Keyed):
             given |= places(*(c for p in outline for c in p))
             outline = hull(outline) if len(hull(outline)) < len(set(outline)) else outline
         if any(not key(name) and self.point(value) is not None for name, value in named.fields.items()):
-            raise Unreadable("a list of corners holds an item that is not a corner: leave it out")
+            raise Unreadable("a list of corners holds something that is not a corner")
         beside = sum(self._is_number(a) for a in arguments)
         if beside and not (outline is not None and self.numbers(arguments)) and beside != count_of_position:
             self.remark("numbers beside a list of corners were left out")

@@ -318,7 +318,7 @@ class Reader(Calls):
         if not _is_call(group) and len(items) > 1:
             pairs = [self.point(item) is not None for item in items if isinstance(item, Group)]
             if any(pairs) and not all(pairs):
-                raise Unreadable("a list of corners holds an item that is not a corner: leave it out")
+                raise Unreadable("a list of corners holds something that is not a corner")
         return list(self._each(items, label))
 
     def _each(self, items: Sequence[Any], label: str) -> Iterator[Read]:
