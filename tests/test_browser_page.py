@@ -784,7 +784,9 @@ COVERED = """() => {
 }"""
 
 
-@pytest.mark.parametrize("name", ["triangles", "concave", "aabb-rotated", "slipped-normal", "dart", "tile-seam"])
+@pytest.mark.parametrize(
+    "name", ["triangles", "concave", "aabb-rotated", "slipped-normal", "dart", "tile-seam", "range-inside"]
+)
 def test_a_turn_handle_hides_no_words(browser, errors, name):
     for screen in PHONE, WIDE:
         with explored(browser, ExplorerModel(sv.scene(name)), errors, **screen) as page:

@@ -393,6 +393,8 @@ def test_the_gallery_has_every_scene(files, pages):
     for row in FAILURE_CASES:  # on a telephone one panel above the other
         assert f"pictures/{row.name}-narrow.svg" in files
         assert f'srcset="pictures/{row.name}-narrow.svg"' in pages["gallery.html"]
+        alt = re.search(rf'<img src="pictures/{row.name}.svg" [^>]*alt="([^"]*)"', pages["gallery.html"]).group(1)
+        assert "Wrong: " in alt or row.how == REFUSED  # also where the verdict itself is right
     openable = set(re.findall(r'href="scene.html#([^"]+)"', pages["gallery.html"]))
     assert openable == {s.name for s in SCENES} | {row.name for row in FAILURE_CASES if row.how != REFUSED}
 

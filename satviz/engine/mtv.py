@@ -153,7 +153,6 @@ class _ShortestFreeMove:
                 vector = self._to_scene_units(nudged)
                 if vector and not self._any_region(partial(_parts_overlap, move=vector)):
                     self.length, self.move = abs(nudged), vector
-                    break
 
     def is_buried(self, border: Border) -> bool:
         """Return whether a piece of border lies certainly inside one region, so it cannot matter."""
@@ -268,11 +267,8 @@ def _crossing_candidates(one: Border, other: Border, radius: float) -> Iterator[
     for move in _line_points(one, other, radius) if one.normal else _circle_points(one.center, other.center, radius):
         if one.contains(move) and other.contains(move):
             m, n = (border.normal or (move - border.center) / radius for border in (one, other))
-            out = m + n
-            if abs(out) < 2**-10:  # a narrow slot: the sum has few right digits; it is at right angles to m - n
-                out = 1j * (m - n) / 2
-                yield Candidate(abs(move), move, -out)
-            yield Candidate(abs(move), move, out)
+            # in a narrow slot m + n is nearly 0, so its digits are wrong, but it is at right angles to m - n
+            yield from (Candidate(abs(move), move, out) for out in (m + n, 1j * (m - n), 1j * (n - m)))
 
 
 def _line_points(one: Border, other: Border, radius: float) -> Iterator[complex]:

@@ -101,7 +101,9 @@ def heading(trace: Trace, digits: Digits = USUAL_DIGITS) -> tuple[str, str]:
     """Return two lines: the claim, and what is wrong with it or that it happens to be right."""
     assert trace.shortcut
     found = answers(trace, digits)
-    claim = f"Claim: {trace.shortcut.claim}."
+    claim, case = f"Claim: {trace.shortcut.claim}.", case_of(trace.shortcut)
+    if found.is_wrong and case and case.claims_less:
+        return claim, f"Wrong: {found.claimed}, which is not less than {found.actual.rsplit(' ', 1)[-1]}."
     if found.is_wrong:
         return claim, f"Wrong: {found.claimed}. Right: {found.actual}."
     return claim, f"Here it happens to be right: {found.actual}."

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from ..engine.geometry import Vec
 from ..engine.trace import Trace
-from ..scenes.failing import MISSED_HIT, FailureCase, case_of
+from ..scenes.failing import FailureCase, case_of
 from ..scenes.failing.failure_case import Panels
 from ..scenes.resolve import EXPECT_RUN, SceneLike, resolve
 from ..scenes.shape_tools import box
@@ -17,7 +17,7 @@ from . import step_picture
 from .axis_place import AxisPlace
 from .claims import answers, heading, verdict_words
 from .comparison_panels import PANELS, PIECES
-from .default_panels import Panel, PanelSketch, claimed_tests, drawable_test, exact_gap, is_as_measured
+from .default_panels import Panel, PanelSketch, claimed_tests, drawable_test, is_as_measured
 from .draw_steps import draw_other_parts, draw_test
 from .float_geometry import bounding_box, crossing_point
 from .insets import add_insets
@@ -32,7 +32,6 @@ from .stages import STAGES_BEFORE_AXIS, TEST_STAGES, Stage, Step, resolve_step, 
 from .step_picture import LARGEST_PT
 
 CLAIMED, ACTUAL = "what the shortcut saw", "what is"
-READ_OFF_RANGES = "gap", "depth"  # quantities whose number stands at the bars of the ranges
 # a stage, and the later one whose labels leave space for what comes next, so that nothing jumps
 FULLER = {Stage.EDGE: Stage.NORMAL, Stage.NORMAL: Stage.AXIS} | dict.fromkeys(TEST_STAGES[2:-1], Stage.GAP)
 # in points
@@ -199,17 +198,12 @@ def strike_wrong_answers(drawn: Picture, trace: Trace) -> Picture:
     if not answers(trace).is_wrong:
         return drawn
     claim, verdict = verdict_words(trace)
-    tests, case = claimed_tests(trace), case_of(trace.shortcut)
-    best = max((test.gap for test in tests), default=0.0)
-    # an overlap that is as measured is true: only what was concluded from it is wrong
-    false = [test for test in tests if test.gap == best and not (trace.false_hit and is_as_measured(trace, test))]
-    # and so is an overlap where there is a gap
-    false += [test for test in tests if test.gap < 0 and any(test.axis.normal) and exact_gap(trace, test) > 0]
-    axes = {str(trace.tests.index(test) + 1) for test in false}
-    wrong = {"push-name", "number"} | ({"claim"} if claim != verdict else set())
-    missed = trace.missed_hit or (case is not None and case.how == MISSED_HIT)
-    if not (missed and trace.gaps_are_proofs):  # there the gap is right, and only what follows from it is wrong
-        wrong |= {"gap-name"} if claim != verdict or (case and case.quantity in READ_OFF_RANGES) else set()
+    case = case_of(trace.shortcut)
+    # a gap or overlap that is as measured is true: only what was concluded from it is wrong
+    axes = {str(trace.tests.index(test) + 1) for test in claimed_tests(trace) if not is_as_measured(trace, test)}
+    wrong = {"push-name", "gap-name"} | ({"claim"} if claim != verdict else set())
+    if not (case and case.claims_less):  # there both numbers are true, and only the comparison is wrong
+        wrong.add("number")
     labels = (mark for mark in drawn.labels if mark.part in wrong)
     lines = [_strike(mark, drawn.scale) for mark in labels if mark.part != "gap-name" or mark.axis in axes]
     return drawn._replace(marks=(*drawn.marks, *lines))

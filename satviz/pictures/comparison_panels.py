@@ -70,7 +70,7 @@ def draw_pieces(sketch: Sketch, times: int = 1) -> None:
             text = f"{pair.names.a} pushes\n{describe.digits(trace).vector(pair.mtv)}"
             sketch.label("mtv-name", text, "move", tip, number=i, prefer=pair.mtv, first=3)
     if times > 1:
-        sketch.note("longer", f"arrows {times} times as long", "guide", first=4)
+        sketch.note("longer", f"arrows drawn {times} times as long", "guide", first=4)
     if trace.push:
         sketch.note("push-name", f"in all: push {describe.digits(trace).vector(trace.push)}", "move", first=2)
 
@@ -203,7 +203,7 @@ def draw_support_points(trace: Trace, layout: Layout) -> Sketch:
     if not trace.hit:
         rest = "a miss may need only this one"
     wide, high = layout.size
-    lines = f"one corner of B {MINUS} A: {count} vertices looked at;", rest
+    lines = f"GJK, one corner of B {MINUS} A: {count} vertices looked at;", rest
     text = "\n".join(wrap_text(line, wide - 2 * NARROW_PAD_PT) for line in lines)
     band = text_size(text)[1] + NARROW_PAD_PT  # below the picture, for words
     around = Group([box(min(xs), min(ys), max(xs), max(ys))])
@@ -253,7 +253,9 @@ def draw_axes_of_sat(trace: Trace, layout: Layout) -> Sketch:
         sketch.project(test, place, numbers=False)
     corners = len(trace.a.vertices) + len(trace.b.vertices)
     if len(run.tests) == len(tests) and corners:
-        text = f"{len(tests)} axes, {corners} corners on each: {len(tests)} \u00d7 {corners} = {len(tests) * corners}"
+        text = (
+            f"SAT, {len(tests)} axes, {corners} corners on each: {len(tests)} \u00d7 {corners} = {len(tests) * corners}"
+        )
         sketch.note("tested", text, "guide", first=7)
     elif len(run.tests) > len(tests):
         sketch.note("tested", f"one of {len(run.tests)} axes that SAT looks at", "guide", first=7)
@@ -283,7 +285,8 @@ def draw_edges(trace: Trace, layout: Layout) -> Sketch:
     for i, p in enumerate(sorted(found)):
         sketch.add("crossing", "disc", "overlap", p, number=i, radius=layout.units(RING_PT))
     count = f"{len(borders[0])} edges and {len(borders[1])} edges"
-    sketch.note("crossings", f"{count}: {len(found) or 'no'} crossings", "gap", first=3)
+    crossings = "1 crossing" if len(found) == 1 else f"{len(found) or 'no'} crossings"
+    sketch.note("crossings", f"{count}: {crossings}", "gap", first=3)
     return sketch
 
 

@@ -29,7 +29,7 @@ from ..engine.trace import Trace, record
 from ..scenes.shape_tools import translated
 from .claims import is_about_push, is_near
 from .draw_steps import draw_mtv, draw_separating_line, draw_verdict
-from .float_geometry import midpoint, point_along
+from .float_geometry import gap_or_overlap, midpoint, point_along
 from .labels import short_name
 from .layout import Group, Layout
 from .sketch import RING_PT, Sketch
@@ -92,7 +92,7 @@ def draw_claimed_tests(trace: Trace, layout: Layout) -> Sketch:
         else:
             sketch.no_axis(test)
     if len(tests) < len(trace.tests) and not trace.ended_by and any(any(test.axis.normal) for test in tests):
-        sketch.note("tested", f"the least overlap of {len(trace.tests)} axes", "guide", first=7)
+        sketch.note("tested", f"shown: the least overlap of {len(trace.tests)} axes", "guide", first=7)
     draw_push(sketch)
     return sketch
 
@@ -118,13 +118,16 @@ def meeting_point(trace: Trace, test: AxisTest) -> str:
 
 
 def is_as_measured(trace: Trace, test: AxisTest) -> bool:
-    """Check whether a shortcut measured the gap on its axis as it is, up to rounding."""
-    return any(test.axis.normal) and isclose(exact_gap(trace, test), test.gap, rel_tol=1e-9, abs_tol=1e-300)
+    """Check whether a shortcut measured the gap or overlap on its axis as it is, up to rounding.
 
-
-def exact_gap(trace: Trace, test: AxisTest) -> float:
-    """Return the gap as it is on the axis of a test, which must have a direction."""
-    return next(axis_tests(trace.a, trace.b, [test.axis])).gap
+    Where one range holds the other, the length that both cover is a true overlap, too, though less than the way out.
+    """
+    if not any(test.axis.normal):
+        return False
+    exact = next(axis_tests(trace.a, trace.b, [test.axis]))
+    both = gap_or_overlap(exact)
+    true = [exact.gap, *([both.lo - both.hi] if exact.gap < 0 and both.lo < both.hi else [])]
+    return any(isclose(gap, test.gap, rel_tol=1e-9, abs_tol=1e-300) for gap in true)
 
 
 def forgotten_normals(trace: Trace) -> list[Axis]:

@@ -339,7 +339,10 @@ def _card(name: str) -> str:
     else:
         title, sentence = f"“{row.claim}”", row.how
     size = 'width="{:g}" height="{:g}"'.format(*drawn.size)
-    image = f'<img src="pictures/{name}.svg" {size} alt="{escape(drawn.sentence)}">'
+    said = drawn.sentence
+    if row and row.how != REFUSED:  # whose sentence says what is refused
+        said += " " + " ".join(drawn.mark("wrong").text.split())
+    image = f'<img src="pictures/{name}.svg" {size} alt="{escape(said)}">'
     if row:  # on a telephone one panel above the other
         narrow_size = 'width="{:g}" height="{:g}"'.format(*_scene_picture(name, narrow=True).size)
         source = f'<source media="(max-width: 600px)" srcset="pictures/{name}-narrow.svg" {narrow_size}>'

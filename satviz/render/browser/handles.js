@@ -117,8 +117,9 @@ export class Handles {
     const spots = [[x, high], [x, low], [right, y], [left, y], [right, high], [left, high], [right, low], [left, low]];
     const other = pose[key === "a" ? "b" : "a"];
     const sides = [this.sides[key], ...spots.keys()];
-    const side = sides.find((s) => this.isClear(spots[s], off, taken) && !contains(other, spots[s]) && this.isClearOfWords(spots[s]))
-      ?? sides.slice(1).find((s) => this.isClear(spots[s], off, taken)) ?? 0;
+    const clear = sides.filter((s) => this.isClear(spots[s], off, taken));
+    const wordless = clear.filter((s) => this.isClearOfWords(spots[s]));
+    const side = wordless.find((s) => !contains(other, spots[s])) ?? wordless[0] ?? clear[0] ?? 0; // inside A all are in A
     this.sides[key] = side;
     return spots[side];
   }

@@ -60,7 +60,7 @@ CASES = (
         Shortcut("only-one-axis", "of all directions exactly one separates them"),
         WRONG_NUMBER,
         (SQUARE, BESIDE),
-        quantity="separating directions, in degrees:",
+        quantity="width of the separating directions, in degrees:",
         claimed_value=spread_of_found_axes,
         true_value=width_of_separating_angles,
         error_region=region_apart,
