@@ -865,7 +865,7 @@ new Konva.Circle({ x: 10, y: 0, radius: 5 })""",
         """add([rect(20, 40), pos(100, 50), area()])
 add([rect(20, 40), pos(120, 50), area()])""",
         (),
-        says="something else",
+        says="not a corner",
     ),
     Paste(
         "macroquad",

@@ -230,10 +230,10 @@ def test_lengths_and_indices_that_do_not_fit_are_refused():
     ("index", "words"),
     [
         ([0, 1], "shape \\(2,\\)"),
-        ([[0, 1, 2]], "shape \\(1, 3\\) of int"),
+        ([[0, 1, 2]], "shape \\(1, 3\\) and holds int"),
         ([[0], [1]], "shape \\(2, 1\\)"),
-        ([[0.0, 1.0]], "of float64"),
-        ([[True, False]], "of bool"),
+        ([[0.0, 1.0]], "holds float64"),
+        ([[True, False]], "holds bool"),
         ([[0, 0], [0, -1]], "outside 0 to 2 and 0 to 4"),
         ([[-1, 0], [2, 4]], "outside"),
         ([[0, 0], [3, 0]], "outside"),

@@ -233,7 +233,7 @@ def advise(
         a = named(a)
     if isinstance(a, Scene):
         if b is not None or pairs is not None:
-            raise TypeError("a scene has both its shapes: give nothing else")
+            raise TypeError("a scene holds both shapes already: leave out b and pairs")
         return advise(a.a, a.b)
     if isinstance(a, Shape) and (b is None or isinstance(b, Shape)):
         if pairs is not None:

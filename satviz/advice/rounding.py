@@ -109,7 +109,9 @@ def is_representable(value: Fraction, form: Format) -> bool:
 
 
 def polygons(arithmetic: Arithmetic[N], p: Sequence[Point[N]], q: Sequence[Point[N]]) -> Iterator[None]:
-    """Compute all that SAT can compute on two convex polygons, edge by edge; yield after each, so one may stop.
+    """Do every operation of SAT on two convex polygons, so that `arithmetic` records their roundings.
+
+    It goes edge by edge and yields after each, so that the caller may stop.
 
     Each corner of the other shape is compared with the edge, and each corner is projected on its normal.
     """
@@ -132,7 +134,7 @@ def landing(arithmetic: Arithmetic[N], normal: Point[N], corner: Point[N]) -> N:
 
 
 def circles(arithmetic: Arithmetic[N], a: Sequence[N], b: Sequence[N]) -> None:
-    """Compute all that the comparison of two circles (x, y, radius) by squares can compute."""
+    """Do every operation that compares two circles (x, y, radius) by squares; `arithmetic` records the roundings."""
     dx, dy = (arithmetic.total(c, _minus(d)) for c, d in zip(a[:2], b[:2], strict=True))
     radii = arithmetic.total(a[2], b[2])
     square = arithmetic.product(radii, radii)
@@ -141,7 +143,7 @@ def circles(arithmetic: Arithmetic[N], a: Sequence[N], b: Sequence[N]) -> None:
 
 
 def circle_ranges(arithmetic: Arithmetic[N], a: Sequence[N], b: Sequence[N]) -> None:
-    """Compute all that the comparison of two circles by ranges on the line of centers can compute."""
+    """Do every operation that compares two circles by ranges on the line of centers; `arithmetic` records roundings."""
     nx, ny = (arithmetic.total(c, _minus(d)) for c, d in zip(a[:2], b[:2], strict=True))
     length = arithmetic.root(arithmetic.total(arithmetic.product(nx, nx), arithmetic.product(ny, ny)))
     for x, y, radius in (a, b):

@@ -83,7 +83,10 @@ def _product(a: Array, b: Array) -> tuple[Array, Array]:
 
 
 def _sum(terms: Sequence[Array]) -> tuple[Array, Flags]:
-    """Return (sum of the terms, mask: no addition rounds); true for every order once all partial sums are held."""
+    """Return (sum of the terms, mask of the pairs for which no addition rounds).
+
+    The mask is that of adding in the given order; where the format holds all partial sums, it is that of every order.
+    """
     total, exact = terms[0], np.bool_(True)
     for term in terms[1:]:
         total, error = two_sum(total, term)

@@ -98,7 +98,7 @@ def check_pairs(pairs: ArrayLike, na: int, nb: int) -> tuple[Indices, Indices]:
     if pairs.shape == (0,):  # an empty list
         pairs = pairs.reshape(0, 2)
     if pairs.ndim != 2 or pairs.shape[1] != 2 or (pairs.size and pairs.dtype.kind not in "iu"):
-        raise ValueError(f"pairs has the shape {pairs.shape} of {pairs.dtype}: expected (K, 2) integers")
+        raise ValueError(f"pairs has the shape {pairs.shape} and holds {pairs.dtype}: expected (K, 2) integers")
     pairs = pairs.astype(np.intp, copy=False)
     if pairs.size and (pairs.min() < 0 or pairs[:, 0].max() >= na or pairs[:, 1].max() >= nb):
         raise IndexError(f"pairs name shapes outside 0 to {na - 1} and 0 to {nb - 1}")

@@ -43,7 +43,7 @@ class PageCheck:
         return {"kind": "ask", "pairs": [{"a": shape_data(a), "b": shape_data(b)} for a, b in asked]}
 
     def _found(self, checked: Checked) -> dict[str, Any]:
-        """Return the message that says what was found."""
+        """Return the message that says what was found, and keep its rules for later questions."""
         self.rules = checked.rules
         scene = checked.counterexample
         return {"kind": "checked", **checked.data(), "link": scene and fragment(scene)}

@@ -49,7 +49,7 @@ class ReaderPython:
         return outcome_data(self.called.ask_untrusted(a, b))
 
     def _define(self, code: str) -> dict[str, Any]:
-        """Run the code, and keep its function `collide`, or its only function of two arguments."""
+        """Run the code and keep its `collide`, or its only function of two arguments; return {"why": fault or ""}."""
         names: dict[str, Any] = {"__name__": "reader"}
         try:
             exec(compile(code, FILE, "exec"), names)

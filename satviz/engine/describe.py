@@ -164,7 +164,7 @@ def outcome(t: AxisTest, numbers: Digits) -> str:
 
 
 def picture_outcome(t: AxisTest, numbers: Digits) -> str:
-    """Return what `outcome` says, but of ranges that overlap also the interval that they share."""
+    """Return what `outcome` says; for ranges that overlap, add the interval that they share."""
     shared = _shared_interval(t)
     if t.gap >= 0 or numbers.fine or numbers.origin or shared.lo >= shared.hi:
         return outcome(t, numbers)

@@ -197,7 +197,10 @@ def _parts_overlap(region: Region, move: Vec) -> bool:
 
 
 def _make_region(p: Shape, q: Shape, size: int, radius: float) -> Region:
-    """Return the moves for which convex q overlaps p, as a Region; `radius`: the sum of their radii."""
+    """Return the moves of q for which convex p and q overlap, as a Region in units of 2**size.
+
+    `radius`: the sum of both radii, in these units.
+    """
     core_p, core_q = ([complex(ldexp(x, -size), ldexp(y, -size)) for x, y in s.core] for s in (p, q))
     ring = _minkowski_sum(core_p, [-v for v in core_q])
     # a ring that float64 collapsed to fewer than 3 points at this size has no inside

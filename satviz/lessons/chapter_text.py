@@ -54,7 +54,7 @@ def choices_of(comment: str) -> list[tuple[str, str, str]]:
     found = [CHOICE.fullmatch(line.strip()) for line in lines]
     signs = [match[1] for match in found if match]
     if len(signs) < len(lines) or len(signs) < 2 or signs.count("+") != 1:
-        raise ValueError(f"expected lines such as '- choice | reason', one of them with +: {comment}")
+        raise ValueError(f"expected lines such as '- choice | reason', the right one with +: {comment}")
     return [(match[1], match[2], match[3]) for match in found if match]
 
 

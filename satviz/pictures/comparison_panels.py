@@ -82,7 +82,7 @@ def arrow_times(lengths: Sequence[float], layout: Layout) -> int:
 
 
 def draw_separating_directions(trace: Trace, layout: Layout) -> Sketch:
-    """Draw 5 arrows from the middle of the gap: the outermost separating directions, 3 between."""
+    """Draw both shapes, and 5 arrows from the middle of a gap: the outermost separating directions, 3 between."""
     sketch = draw_shapes(trace, layout)
     test = max(trace.truth.tests, key=lambda test: test.gap, default=None)
     if trace.truth.pairs or test is None or test.gap <= 0:

@@ -176,7 +176,10 @@ def _draw_missing_edges(sketch: Sketch, left_out: Sequence[Axis]) -> None:
 
 
 def claimed_tests(trace: Trace) -> list[AxisTest]:
-    """Return the tests behind a shortcut's answer: the deciding one; else both of two, or the shallowest."""
+    """Return the tests behind a shortcut's answer: the test that ended it; else both of two tests, or the shallowest.
+
+    For a push the test parallel to the true axis is added, if the shortcut measured it wrong.
+    """
     if trace.ended_by:
         return [trace.ended_by]
     if len(trace.tests) == 2 or not trace.shallowest:
@@ -196,7 +199,7 @@ def _are_parallel(p: Axis, q: Axis) -> bool:
 
 
 def draw_push(sketch: Sketch) -> None:
-    """Draw B where the shortcut pushes it, if its answer depends on that."""
+    """Draw B where the shortcut pushes it, if the shortcut's answer depends on this push."""
     trace = sketch.trace
     if not is_about_push(trace) or not trace.push:
         return

@@ -193,7 +193,10 @@ def _difference(sketch: Sketch, scene: _Scene) -> None:
 
 
 def _corner_name(run: Trace, corner: Vec, move: Vec) -> str:
-    """Return the name of a corner of B - A: that of a corner of B minus that of a corner of A; "" for circles."""
+    """Return the name of a corner of B - A: that of a corner of B minus that of a corner of A; "" for circles.
+
+    `move`: how far both shapes were moved; the corner may be off by the rounding of this move.
+    """
     a, b = run.a, run.b
     if not (isinstance(a, Polygon) and isinstance(b, Polygon)):
         return ""

@@ -139,7 +139,7 @@ def arrange_readable(
     one_frame: bool = True,
     tight: bool = False,
 ) -> list[Layout]:
-    """Return what `arrange` does; where the scene's shapes would be small on a narrow canvas, the groups are brief."""
+    """Return what `arrange` does; on a narrow canvas that makes the shapes small, the ranges have no numbers."""
     found = arrange(groups, largest=largest, one_frame=one_frame, tight=tight)
     x0, y0, x1, y1 = bounding_box(shapes)
     part = max(x1 - x0, y1 - y0) * found[0].scale / max(largest[0], found[0].size[0])

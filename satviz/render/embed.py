@@ -50,7 +50,7 @@ def embed(
     InvalidScene for an address or a value that cannot be opened, ValueError for a scene that cannot be drawn.
     """
     if not site:
-        raise InvalidScene("a frame needs the address of a site: pass site, such as https://example.org/satviz/")
+        raise InvalidScene("a frame needs the address of a site: give site=, such as https://example.org/satviz/")
     options = EmbedOptions(play, predict, steps, challenge, theme, tuple(show))
     folder, _, fragment = link(what, b, site=site, **more).partition(f"{PAGE}#")
     address = f"{folder}{PAGE}?{query(options)}#{fragment}"

@@ -49,7 +49,7 @@ class Scene:
             raise InvalidScene(f"the title {short_repr(self.title)} must be one line of printable text")
         if self.axes not in CHOICES:
             raise InvalidScene(
-                f"unknown axes {short_repr(self.axes)}: choose one of {', '.join(NAMED)}, or a shortcut by name"
+                f"unknown axes {short_repr(self.axes)}: choose one of {', '.join(NAMED)}, or the name of a shortcut"
             )
 
     def record(self) -> Trace:

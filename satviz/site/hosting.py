@@ -111,7 +111,7 @@ def archive(files: Mapping[str, bytes], chapters: Sequence[Chapter]) -> bytes:
 
 
 def _manifest(files: Mapping[str, bytes], shown: Sequence[str]) -> bytes:
-    """Return the manifest: an item for each page that is shown; the first one's resource lists every file."""
+    """Return the SCORM 1.2 manifest: an item for each page that is shown; the first one's resource lists every file."""
     items, resources = [], []
     for i, path in enumerate(shown):
         title = unescape(re.findall("<title>(.*?)</title>", files[path].decode())[0])

@@ -49,7 +49,7 @@ NO_BLOCK = np.empty((2, 1, 0))
 
 @compiled
 def _collide_block(block: Array) -> tuple[Pairs, bool]:
-    """Return what `_collide` returns, for the shapes of the block of a group."""
+    """Return what `_collide` returns, for the shapes of a group's block: (2, corners, n), or 3 rows with radii."""
     _, corners, n = block.shape
     if n > MAX_SHAPES:
         return np.empty((0, 2), np.intp), False

@@ -177,7 +177,11 @@ def _foot_signs(
 def _keep_inner_feet(
     least: Signs, cx: Array, cy: Array, cr: Array, px: Array, py: Array, qx: Array, qy: Array
 ) -> Signs:
-    """Return `least` where the foot lies strictly between the edge's ends, 1 elsewhere; UNKNOWN if unclear."""
+    """Return the signs `least` of edges on which the center's foot lies strictly between the ends; else 1 or UNKNOWN.
+
+    The foot is the point of the edge's line next to the center.  Sign 1 stands for an edge that decides nothing,
+    because one of its ends is nearer; UNKNOWN where rounding hides whether the foot is between the ends.
+    """
     (dx, f), (dy, g) = two_sum(qx, -px), two_sum(qy, -py)
     inner = []
     for way, ends in ((-1.0, (px, py)), (1.0, (qx, qy))):

@@ -226,7 +226,7 @@ def _closed_columns(shapes: Shapes) -> tuple[Array | None, Array | None]:
 
 
 def _closed_runs(runs: Sequence[Group]) -> tuple[Array | None, Array | None]:
-    """Return what `_closed_columns` returns, for the shapes of groups, which follow each other."""
+    """Return (corners, radii) in the form of `_closed_columns`, for the shapes of several groups, group after group."""
     most = max(run.block.shape[1] for run in runs)
     if most > MAX_CORNERS:
         return None, None

@@ -69,7 +69,10 @@ def why_no_cells(a: Shape, b: Shape) -> str:
 
 
 def overlaps(a: Shape, b: Shape, axis: Axis) -> Iterator[tuple[Linear, Vec]]:
-    """Yield (distance, direction), to either side, that B must move along an axis to leave A's range."""
+    """Yield (distance, direction) of both moves of B along an axis that part the ranges.
+
+    The distance is a linear function of the move that B made before.
+    """
     p, q, n = project(a, axis).interval, project(b, axis).interval, axis.direction
     yield Linear(p.hi - q.lo, n), n
     back = Vec(-n.x, -n.y)

@@ -72,7 +72,7 @@ def separating_angles(a: Shape, b: Shape) -> tuple[float, float]:
 
 
 def contact_times(a: Shape, b: Shape) -> tuple[swept.ExactNumber, swept.ExactNumber]:
-    """Return (first, last) time at which A, moving by FLIGHT in time 0 to 1, meets B; NaN if never.
+    """Return (first, last) time at which A, moving by FLIGHT in time 0 to 1, meets B; NaN if never or for a circle.
 
     The times are exact for the decimals in which the scene is written.
     """

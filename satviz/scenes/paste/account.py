@@ -138,7 +138,7 @@ class Account:
         return self.holds(token.start, token.end) if token.kind in (NUMBER, TEXT) else self.is_variable(token)
 
     def _aside(self, line: range) -> range:
-        """Return the places of a line that says nothing of a shape; none if it can."""
+        """Return the token numbers of a line that says nothing about a shape; an empty range if it may."""
         named = [self.tokens[i] for i in line if self.tokens[i].kind in (NAME, FIELD, TEXT)]
         numbers = sum(self.tokens[i].kind == NUMBER and self._is_listed(i) for i in line)
         changes = any(
@@ -239,7 +239,7 @@ class Account:
         return before if touches and before.kind in (NAME, FIELD) else None
 
     def frame(self, i: int) -> Frame:
-        """Return what the bracket at a place holds."""
+        """Return the frame of the bracket at token i: whether it holds data, statements, a drawing or an index."""
         word = self.callee(i)
         end = self.close[i]
         inner = self.at(i + 1), self.at(i + 2), self.at(i + 3)
@@ -504,7 +504,7 @@ class Account:
         return assigns and self.holds(self.at(i).start, self.statement_end(i))
 
     def statement_end(self, i: int) -> int:
-        """Return where the statement after a word ends."""
+        """Return the place in the text where the statement around token i ends."""
         while i + 1 < len(self.tokens) and self.at(i + 1).text != ";" and self.at(i + 1).kind != LINE:
             i += 1
         return self.at(i).end

@@ -79,10 +79,14 @@ def text_value(atom: Token) -> Num | Name:
     return Name(atom.start, atom.end, atom.text[1:-1])
 
 
+def holds_numbers(group: Group) -> bool:
+    """Return whether all items of a group are numbers; the group may have a name."""
+    return all(isinstance(v, Num) for v in group.items)
+
+
 def is_pair(value: Any) -> bool:
-    """Return whether a value is a bracket with two numbers and no name."""
-    plain = isinstance(value, Group) and value.bracket == "(" and not value.name and len(value.items) == 2
-    return plain and all(isinstance(v, Num) for v in value.items)
+    """Return whether a value is a group of two numbers, such as (1, 2) or Vec2(1, 2)."""
+    return isinstance(value, Group) and len(value.items) == 2 and holds_numbers(value)
 
 
 def is_long(value: Any) -> bool:

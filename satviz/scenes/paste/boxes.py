@@ -261,7 +261,7 @@ class Boxes(Points):
             return None
         sides = {origin_of(obj, "originx", "left"), origin_of(obj, "originy", "top")}
         if sides - {"left", "top", "center"} or (len(sides) == 2 and "center" in sides):
-            raise Unreadable("an origin that is neither the corner nor the center: write the corner")
+            raise Unreadable("the origin of the box is neither its corner nor its center: write the corner")
         if "center" in sides:
             return [*place, *size], CENTER_SIZE
         names = {n.lower().replace("_", "") for n in obj.fields if isinstance(n, str)}

@@ -48,7 +48,7 @@ class Calls(Keyed):
         raise NotImplementedError
 
     def _each(self, items: Sequence[Any], label: str) -> Iterator[Read]:
-        """Yield the shapes of several values."""
+        """Yield the shapes of several values, each by `label` if it has no name of its own."""
         raise NotImplementedError
 
     def _arguments(self, group: Group) -> tuple[list[Any], Obj]:
@@ -79,7 +79,7 @@ class Calls(Keyed):
         return kept, named
 
     def _options(self, arguments: Sequence[Any]) -> Obj | None:
-        """Return the only argument of a call as an object, if it is one with keys: new Circle({radius: 1})."""
+        """Return the only argument of a call as an object, if a key gives a size or a box: Circle({radius: 1})."""
         value = self.resolve(arguments[0]) if len(arguments) == 1 else None
         if not isinstance(value, Group) or value.name or not any(isinstance(v, Pair) for v in value.items):
             return None
@@ -144,7 +144,7 @@ class Calls(Keyed):
             given |= places(*(c for p in outline for c in p))
             outline = hull(outline) if len(hull(outline)) < len(set(outline)) else outline
         if any(not key(name) and self.point(value) is not None for name, value in named.fields.items()):
-            raise Unreadable("a list of corners has something else in it")
+            raise Unreadable("a list of corners holds something that is not a corner")
         beside = sum(self._is_number(a) for a in arguments)
         if beside and not (outline is not None and self.numbers(arguments)) and beside != count_of_position:
             self.remark("numbers beside a list of corners were left out")

@@ -159,7 +159,7 @@ class Keyed(Boxes):
                     "a circle by its left and top sides and a position",
                 )
             elif origins != ("center", "center"):
-                raise Unreadable("an origin that is neither the corner nor the center: write the center")
+                raise Unreadable("the origin of the circle is neither its corner nor its center: write the center")
         if given is None:
             said = said.replace("radius", "diameter")
         return Read((place or ZERO,), radius, said, obj.start, obj.end, label, used=used)

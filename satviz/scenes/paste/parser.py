@@ -304,7 +304,11 @@ class _Parser:
             only = values[0] if len(values) == 1 else None
             if isinstance(only, Num) and only.value is not None and operators == ["-"] and atoms[0].end <= only.start:
                 return Num(start, end, -only.value)
-            if operators == ["-"] and len(values) == 2 and all(is_pair(v) for v in values):
+            if (
+                operators == ["-"]
+                and len(values) == 2
+                and all(is_pair(v) and v.bracket == "(" and not v.name for v in values)
+            ):
                 return Group(start, end, values, " ")  # (0, 0)-(10, 10), as Go prints a box
             if (
                 set(operators) == {"<"}
@@ -430,4 +434,4 @@ def _are_words(group: Group) -> bool:
 
 def _are_points(values: Sequence[Any]) -> bool:
     """Return whether all values are brackets with two numbers."""
-    return all(isinstance(v, Group) and len(v.items) == 2 and all(isinstance(n, Num) for n in v.items) for v in values)
+    return all(map(is_pair, values))

@@ -195,7 +195,7 @@ class Pasted:
         return self.report()
 
     def report(self, *, sentence: bool = True) -> str:
-        """Return everything as text; without the `sentence` where it is said elsewhere."""
+        """Return everything as text; `sentence=False` leaves out the answer, for a caller that shows it already."""
         return "\n".join(self._lines(sentence))
 
     def _lines(self, sentence: bool) -> Iterator[str]:
@@ -300,7 +300,7 @@ def paste(what: Any, as_: str | Sequence[str] = ()) -> Pasted:
     notes = []
     if missed := [*reader.problems[:5], *missed]:
         if LEAVE_OUT in chosen:
-            notes = [Finding("left-out", (), f"Left out, as chosen: {_first(missed)}.")]
+            notes = [Finding("left-out", (), f"Left out, as chosen: {_shorten(missed)}.")]
         else:
             questions = (_about_the_rest(missed, tree.root, text, chosen, reader), *questions)
     notes += [Finding("note", (), f"{remark[0].upper()}{remark[1:]}.") for remark in (*reader.remarks, *tree.remarks)]
@@ -380,8 +380,8 @@ def _questions(reader: Reader, root: Group, text: str, chosen: tuple[str, ...]) 
             yield Question(what, ASKS[what], answers, matters)
 
 
-def _first(parts: Sequence[str]) -> str:
-    """Return parts that are not understood in one line, shortened."""
+def _shorten(parts: Sequence[str]) -> str:
+    """Return the first of the parts that were not understood, and how many more there are, in one line."""
     more = f"; and {len(parts) - MAX_NAMED} more" if len(parts) > MAX_NAMED else ""
     return "; ".join(parts[:MAX_NAMED]) + more
 
@@ -391,7 +391,7 @@ def _about_the_rest(missed: Sequence[str], root: Group, text: str, chosen: tuple
     keeps = reader.keeps or BOX_FORM in reader.asked
     gives = _gives(root, text, (*chosen, LEAVE_OUT), keeps=keeps)
     answer = Answer(LEAVE_OUT, CHOICE_WORDS[LEAVE_OUT], gives)
-    return Question("rest", f"{ASKS['rest']} {_first(missed)}.", (answer,), matters=True)
+    return Question("rest", f"{ASKS['rest']} {_shorten(missed)}.", (answer,), matters=True)
 
 
 def _gives(root: Group, text: str, chosen: tuple[str, ...], *, keeps: bool) -> str:

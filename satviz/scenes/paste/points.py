@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
+from .atoms import is_pair
 from .harmless import HARMLESS
 from .names import Obj, Unreadable, short
 from .notations import LIST_WORDS, POINT, RING, notation
@@ -210,7 +211,7 @@ class Points(Statements):
             raise Unreadable(f"the elements begin with [{first}]: those before it are missing")
         if missing is not None:
             raise Unreadable(f"v[{missing}] is missing between v[{first}] and v[{last}]")
-        if any(isinstance(v, Group) and any(_is_pair(n) for n in v.items) for v in obj.rest):
+        if any(isinstance(v, Group) and any(map(is_pair, v.items)) for v in obj.rest):
             raise Unreadable("a list is changed after it was made: write its last corners")
         return [numbered[k] for k in range(first, last + 1)]
 
@@ -240,8 +241,3 @@ class Points(Statements):
     def _is_number(self, item: Any) -> bool:
         """Return whether an item is a number, or a name that stands for one."""
         return isinstance(self.resolve(item), Num)
-
-
-def _is_pair(value: Any) -> bool:
-    """Return whether a value is a bracket with two numbers."""
-    return isinstance(value, Group) and len(value.items) == 2 and all(isinstance(v, Num) for v in value.items)

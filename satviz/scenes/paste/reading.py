@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
+from .atoms import holds_numbers
 from .axis_lists import joined, numbers_of, pairs_of_lists
 from .boxes import (
     BOX_FORM,
@@ -291,7 +292,7 @@ class Reader(Calls):
         items = [item for item in group.items if item is not None]
         if group.bracket == "[" and len(items) > 2 and all(isinstance(v, Bad) and not v.inside for v in items):
             self.number(items[0])  # a list of expressions: says that they are not evaluated
-        sizes = {len(v.items) if isinstance(v, Group) and _is_numeric(v) else 0 for v in items}
+        sizes = {len(v.items) if isinstance(v, Group) and not v.name and holds_numbers(v) else 0 for v in items}
         if len(items) > 2 and len(sizes) > 1 and min(sizes) > 2:
             raise Unreadable(f"lists of {' and '.join(map(str, sorted(sizes)))} numbers in one list are not corners")
         flat = self.numbers(items) if len(items) in (4, 5) and not _is_call(group) else None
@@ -317,7 +318,7 @@ class Reader(Calls):
         if not _is_call(group) and len(items) > 1:
             pairs = [self.point(item) is not None for item in items if isinstance(item, Group)]
             if any(pairs) and not all(pairs):
-                raise Unreadable("a list of corners has something else in it")
+                raise Unreadable("a list of corners holds something that is not a corner")
         return list(self._each(items, label))
 
     def _each(self, items: Sequence[Any], label: str) -> Iterator[Read]:
@@ -345,11 +346,6 @@ class Reader(Calls):
                 turned = self._turned(shape, angle, RADIANS, None) if angle is not None else shape
                 yield moved(turned, move) if move else turned
                 move, angle = None, None
-
-
-def _is_numeric(group: Group) -> bool:
-    """Return whether a group holds numbers alone."""
-    return not group.name and all(isinstance(v, Num) for v in group.items)
 
 
 def _is_call(group: Group) -> bool:

@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
+from .atoms import holds_numbers, is_pair
 from .names import Names, Obj, is_block, short
 from .notations import BOX, CIRCLE, MOVES, OTHER_SHAPE, POINT, RING, SETTERS, SHIFTS, TURNS, key, notation
 from .tree import Bad, Group, Name, Num, Pair
@@ -55,7 +56,7 @@ class Statements(Names):
         """Sort the lines of a text or block: what gets a name, and what stands alone."""
         column: list[Group] = []
         for item in (*self._gathered(items), None):
-            if isinstance(item, Group) and not item.name and item.bracket != '"' and self._is_row(item):
+            if isinstance(item, Group) and not item.name and item.bracket != '"' and is_pair(item):
                 column.append(item)
                 continue
             if len(column) > 2:
@@ -77,19 +78,15 @@ class Statements(Names):
         i = 0
         while i < len(items):
             item, i = items[i], i + 1
-            if isinstance(item, Pair) and _is_points(item.path[-1]) and _is_row_of_points(item.value):
+            if isinstance(item, Pair) and _is_points(item.path[-1]) and _is_nameless_point(item.value):
                 rows = [item.value]
-                while i < len(items) and _is_row_of_points(items[i]):
+                while i < len(items) and _is_nameless_point(items[i]):
                     rows.append(items[i])
                     i += 1
                 if len(rows) > 1:
                     made = Group(rows[0].start, rows[-1].end, rows, "[")
                     item = replace(item, value=made, end=made.end)
             yield item
-
-    def _is_row(self, item: Group) -> bool:
-        """Return whether a line consists of two numbers."""
-        return len(item.items) == 2 and _are_numbers(item)
 
     def _line(self, item: Any) -> None:
         """Take one line."""
@@ -126,7 +123,7 @@ class Statements(Names):
                 for inner in item.items:
                     self._line(inner)
             elif not self._statement(item):
-                if not item.name and item.bracket in (" ", ",") and len(item.items) == 5 and _are_numbers(item):
+                if not item.name and item.bracket in (" ", ",") and len(item.items) == 5 and holds_numbers(item):
                     part = short(self.text[item.start : item.end])
                     why = "five numbers can be a box and its angle, or a label and a box: write the four of the box"
                     self.problems.append(f"{part}: {why}")
@@ -271,8 +268,8 @@ def _is_points(name: str | int) -> bool:
     return key(name) == "points" or str(name).lower() in ("m_points", "m_paths")
 
 
-def _is_row_of_points(value: Any) -> bool:
-    """Return whether a value is a bracket with two numbers and no name."""
+def _is_nameless_point(value: Any) -> bool:
+    """Return whether a value is a point without a name before its bracket: (1, 2) or {x: 1, y: 2}."""
     return isinstance(value, Group) and not value.name and _is_point(value)
 
 
@@ -281,12 +278,7 @@ def _points_behind_words(row: Group) -> list[Group]:
     first, *rest = row.items
     inside = first.inside if isinstance(first, Bad) and first.why == "words" else []
     points = [replace(v, name="") if isinstance(v, Group) and key(v.name) == "points" else v for v in inside[:1]] + rest
-    return points if len(inside) == 1 and all(map(_is_row_of_points, points)) else []
-
-
-def _are_numbers(item: Group) -> bool:
-    """Return whether a group holds numbers alone."""
-    return all(isinstance(v, Num) for v in item.items)
+    return points if len(inside) == 1 and all(map(_is_nameless_point, points)) else []
 
 
 def _path(name: str) -> tuple[str, ...]:
@@ -301,14 +293,14 @@ def _point_of(call: Group) -> Group | None:
         row = notation(inner.name) if inner.name else None
         if inner.name and not (row and row.kind == POINT):
             return None
-        return inner if len(inner.items) in (2, 3) and _are_numbers(inner) else None
+        return inner if len(inner.items) in (2, 3) and holds_numbers(inner) else None
     pair = len(call.items) == 2 and all(not isinstance(v, (Group, Pair)) for v in call.items)
     return Group(call.start, call.end, call.items, "(") if pair else None
 
 
 def _is_point(value: Any) -> bool:
-    """Return whether a value is a point: two numbers, or x and y."""
+    """Return whether a value is a point, with a name or without: two numbers, or x and y."""
     if not isinstance(value, Group) or len(value.items) != 2:
         return False
     keys = {key(v.path[0]) for v in value.items if isinstance(v, Pair) and len(v.path) == 1}
-    return _are_numbers(value) or keys == {"x", "y"}
+    return holds_numbers(value) or keys == {"x", "y"}

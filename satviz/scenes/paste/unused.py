@@ -66,7 +66,7 @@ def rest(tree: Tree, reads: Sequence[Read], text: str, reader: Names) -> Rest:
     harmless: list[Left] = []
     missed = list(_said(parts, text))
     missed += [(len(text), remark) for remark in tree.remarks if account.is_cut()]
-    for _, group in groupby(left, key=_base):
+    for _, group in groupby(left, key=_key_of_point):
         row = list(group)
         if all(_is_harmless(each) or each.end in account.aside for each in row):
             harmless += row
@@ -141,15 +141,15 @@ def _is_harmless(left: Left) -> bool:
     return bool(said & OTHER_NUMBERS) or (same and bool(said & CHANGING_NUMBERS))
 
 
-def _base(left: Left) -> str:
-    """Return the key of a number without a last x or y."""
+def _key_of_point(left: Left) -> str:
+    """Return the key of a number without a last .x, .y or .z: center for center.x."""
     return re.sub(r"\.[xyzXYZ]$", "", left.key)
 
 
 def _named(lefts: Sequence[Left], text: str) -> str:
     """Return numbers with their keys, shortened: scaleX 2, offset 5, 0 and 3 more."""
     parts = []
-    for name, group in groupby(lefts, key=_base):
+    for name, group in groupby(lefts, key=_key_of_point):
         row = list(group)
         name = name if len(row) > 1 else row[0].key
         numbers = [text[left.start : left.end][:20] for left in row]

@@ -44,7 +44,7 @@ LINES = {  # by (method, column): (label, family, line style)
 
 
 def cells(settings: Settings) -> list[Cell]:
-    """Return a cell for each process, which times the methods at every share of touching pairs and every outlier."""
+    """Return a cell for each process, which times the methods at each share of touching pairs and each outlier size."""
     return timings.cells_by_process(
         "price", take_times, ((20_000, 3) if settings.quick else (100_000, 7)) + (settings,), settings
     )

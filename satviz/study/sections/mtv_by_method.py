@@ -138,7 +138,11 @@ def _parts(shape: Polygon) -> list[Polygon]:
 
 
 def least_push(kind: str, a: Polygon, b: Polygon) -> tuple[float, list[Vector]]:
-    """Return the length of the least push and its directions, exact but for the last rounding (concave: for some)."""
+    """Return the length of the least push, and its directions.
+
+    For convex polygons all directions are returned, exactly, and the length is rounded.  For concave ones shapely
+    computes in floats, and one direction is returned.
+    """
     if kind != CONCAVE:
         return math.sqrt(truth.squared_gap(a, b)), [(Fraction(x), Fraction(y)) for x, y in truth.least_pushes(a, b)]
     import shapely
