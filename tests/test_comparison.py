@@ -526,6 +526,18 @@ def test_an_overlap_is_struck_out_only_where_the_ranges_do_not_overlap_so_far():
     assert "overlap 1" in struck(sv.picture("circles-turned-round"))
 
 
+@pytest.mark.parametrize("b", [box(1, 1, 4, 3), box(2, 0, 4, 2), box(2, 2, 4, 4), box(0, 0, 2, 2)])
+def test_the_three_corners_that_gjk_needs_lie_round_the_origin_also_where_the_shapes_touch(b):
+    drawn = sv.picture(sv.record(box(0, 0, 2, 2), b, axes=NAMED["gjk-looks-less"].shortcut))
+    corners = [mark.points[0] for mark in drawn.marks if mark.part == "claimed-support"]
+    (origin,) = drawn.mark("claimed-origin").points
+    turns = [
+        (p.x - origin.x) * (q.y - origin.y) - (p.y - origin.y) * (q.x - origin.x)
+        for p, q in zip(corners, corners[1:] + corners[:1], strict=True)
+    ]
+    assert len(corners) == 3 and (min(turns) > -1e-6 or max(turns) < 1e-6)
+
+
 def test_a_single_crossing_is_counted_in_the_singular():
     drawn = sv.picture(sv.record(box(0, 0, 1, 1), box(1, 1, 2, 2), axes=NAMED["edges-cross"].shortcut))
     assert drawn.mark("claimed-crossings").text == "4 edges and 4 edges: 1 crossing"

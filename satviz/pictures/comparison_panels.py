@@ -233,9 +233,9 @@ def _support(points: Sequence[Vec], n: Vec) -> Vec:
 
 
 def _holds_origin(ring: Sequence[Vec]) -> bool:
-    """Return whether the origin lies strictly inside a convex ring of either winding order."""
+    """Return whether the origin lies in a convex ring of either winding order, or on its rim, as where shapes touch."""
     turns = [p.x * q.y - p.y * q.x for p, q in zip(ring, (*ring[1:], ring[0]), strict=True)]
-    return min(turns) > 0 or max(turns) < 0
+    return min(turns) >= 0 or max(turns) <= 0
 
 
 def axes_of_sat(run: Trace) -> Sequence[AxisTest]:
