@@ -455,7 +455,7 @@ def test_of_what_code_prints_the_beginning_is_kept_also_where_it_closes_the_outp
         ("1 / 0", "The code raises ZeroDivisionError in line 1: division by zero."),
         ("x = 1", "There is no function of two shapes"),
         ("raise KeyboardInterrupt", "The code raises KeyboardInterrupt in line 1."),
-        ("x = 1\0", "This is not Python: source code string cannot contain null bytes in line 1."),
+        ("x = 1\0", "This is not Python: the code has a null character."),
     ],
 )
 def test_code_without_a_function_is_said_in_one_line(code, why):
