@@ -168,20 +168,25 @@ def _places_along(ring: list[IntPt], other: list[IntPt]) -> list[int]:
                 if before * after <= 0 and before != after:
                     cuts.add(Fraction(before, before - after))
         inside = sorted(t for t in cuts if 0 <= t <= 1)
-        found += [_place((a[0] + t * dx, a[1] + t * dy), other) for t in inside if t < 1]
-        found += [_place((a[0] + (t + u) / 2 * dx, a[1] + (t + u) / 2 * dy), other) for t, u in pairwise(inside)]
+        for t in [t for t in inside if t < 1] + [(t + u) / 2 for t, u in pairwise(inside)]:
+            n, d = t.as_integer_ratio()
+            found.append(_place((a[0] * d + n * dx, a[1] * d + n * dy), other, d))
     return found
 
 
-def _place(point: tuple[Fraction | int, Fraction | int], ring: list[IntPt]) -> int:
-    """Return 1 for a point inside an outline, 0 on its border, -1 outside."""
+def _place(point: IntPt, ring: list[IntPt], unit: int = 1) -> int:
+    """Return 1 for the point x / unit, y / unit inside an outline, 0 on its border, -1 outside."""
     x, y = point
     inside = False
     for (px, py), (qx, qy) in cyclic_pairs(ring):
-        turn = (qx - px) * (y - py) - (qy - py) * (x - px)
-        if turn == 0 and min(px, qx) <= x <= max(px, qx) and min(py, qy) <= y <= max(py, qy):
+        below_p, below_q = py * unit - y, qy * unit - y
+        if below_p * below_q > 0:
+            continue  # the edge is wholly above the point or below it
+        right_p, right_q = px * unit - x, qx * unit - x
+        turn = right_p * below_q - right_q * below_p
+        if turn == 0 and right_p * right_q <= 0:
             return 0
-        if (py > y) != (qy > y) and (turn > 0) == (qy > py):
+        if (below_p > 0) != (below_q > 0) and (turn > 0) == (qy > py):
             inside = not inside
     return 1 if inside else -1
 
