@@ -229,7 +229,7 @@ def _output_html(output: dict[str, Any]) -> str:
 def _figure(svg: str, attributes: str = "") -> str:
     """Return a picture as HTML; a point of its canvas is a pixel, so that its letters have 11 px on a telephone."""
     sized = re.sub(r'(width|height)="([\d.]+)pt"', r'\1="\2"', themed_svg(svg), count=2)
-    return f"<figure{attributes}>{sized}</figure>"
+    return f'<figure tabindex="0"{attributes}>{sized}</figure>'  # on a telephone a wide picture scrolls, with keys too
 
 
 class _WidgetFinder:
