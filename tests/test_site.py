@@ -163,7 +163,7 @@ def test_a_slider_of_the_notebook_is_a_slider_of_the_page(pages):
         places = re.findall(r'<div class="frames">(.*?)</div>', pages[chapter.path], re.DOTALL)
         assert len(places) == shown, chapter.path
         for place in places:
-            frames = re.findall(r"<figure( hidden)?>(.*?)</figure>", place, re.DOTALL)
+            frames = re.findall(r"<figure tabindex=\"0\"( hidden)?>(.*?)</figure>", place, re.DOTALL)
             assert len({svg for _, svg in frames}) > 9 and [hidden for hidden, _ in frames].count("") == 1
     assert pages["5-doing-less.html"].count('class="frames"') == 2
 
