@@ -100,7 +100,6 @@ def test_a_sign_beside_the_data_is_never_dropped_without_a_question():
 
 
 @pytest.mark.slow
-@pytest.mark.xfail(reason='of some thousand, `(Rectangle).map(f){...}` and `y="64!"` are still answered')
 def test_two_thousand_signs_beside_the_data():
     attack(2000, seed=2)
 

@@ -104,8 +104,9 @@ def is_hyphen(atoms: Sequence[Any], i: int) -> bool:
 
 
 def is_cast(group: Group) -> bool:
-    """Return whether a group is a type in brackets."""
-    return group.bracket == "(" and not group.name and len(group.items) == 1 and isinstance(group.items[0], Name)
+    """Return whether a group is a type in brackets, with no call behind it."""
+    plain = group.bracket == "(" and not group.name and not group.methods
+    return plain and len(group.items) == 1 and isinstance(group.items[0], Name)
 
 
 def says_nothing(atom: Any) -> bool:

@@ -89,6 +89,8 @@ class Keyed(Boxes):
         radius = obj.get("radius", "diameter")
         sides = all(side in {str(k).lower() for k in obj.fields} for side in "ltrb")
         if radius is not None and isinstance(self.resolve(radius), (Num, Bad)) and not sides:
+            if place is None and isinstance(self.resolve(center), Group):
+                raise Unreadable("the center of a circle is not a point")
             made = self._circle_of_keys(obj, place, label, row)
             if angle is not None and place is not None and self._is_number(angle):
                 made = replace(made, used=made.used | places(self.number(angle)))  # a circle stays as it is

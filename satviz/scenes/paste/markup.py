@@ -127,9 +127,9 @@ def _element(match: re.Match[str], holder: dict[str, tuple[str, int]]) -> Iterat
     if "transform" in found:
         yield from _changes(*found["transform"])
     if {"x", "y"} <= set(holder) and not round_:
-        yield from _call("translate", [*_inner(*holder["x"]), *_inner(*holder["y"])])
+        yield from _call("translate", [*_number(*holder["x"]), *_number(*holder["y"])])
     if "rotation" in holder:
-        yield from _call("tiled-rotation", _inner(*holder["rotation"]))
+        yield from _call("tiled-rotation", _number(*holder["rotation"]))
     yield _mark(MARK, ";", match.end())
 
 
