@@ -93,6 +93,34 @@ def test_what_a_test_replaces_is_named_by_no_compiled_kernel(module, name, monke
     assert not [kernel for kernel in compiled_kernels() if names_any(kernel, set(map(id, python)))]
 
 
+def ways_to_make():
+    """Batches of polygons and circles by each way in, with what is first asked of some of them."""
+    outlines, centers = ngons(RNG(1), 40, 5), RNG(2).random((40, 2))
+    start = np.arange(0, 201, 5)
+    yield "array", batch.Polygons(outlines)
+    yield "clockwise", batch.Polygons(outlines[:, ::-1])
+    yield "by coordinate", batch.Polygons(np.asfortranarray(outlines))
+    yield "by offsets", batch.Polygons(outlines.reshape(-1, 2), offsets=start)
+    yield "concave", batch.Polygons(np.tile(ELL, (40, 1, 1)), concave="split")
+    yield "circles", batch.Circles(centers, np.ones(40))
+    yield "circles in a list", batch.Circles(centers.tolist(), [1] * 40)
+    both = batch.Polygons(outlines), batch.Circles(centers, np.ones(40))
+    yield "concat", batch.concat(both)
+    yield "concat of one kind", batch.concat([both[0], both[0]])
+    yield "padded", batch.from_padded(outlines, np.full(40, 5), np.zeros(40))
+    yield "padded circles", batch.from_padded(outlines, np.ones(40, int), np.ones(40))
+    for name, some in (("one kind", both[0]), ("circles", both[1]), ("mixed", batch.concat(both))):
+        yield f"slice of {name}", some[3:30]
+        yield f"every second of {name}", some[::2]
+        yield f"mask of {name}", some[np.arange(len(some)) % 3 == 0]
+
+
+@pytest.mark.parametrize("way, shapes", [pytest.param(*both, id=both[0]) for both in ways_to_make()])
+def test_a_group_lies_in_memory_row_by_row_whatever_it_was_made_of(way, shapes):
+    """Else NumPy copies the whole group for each selection: touching 256-gons took six times as long."""
+    assert shapes.groups and all(group.block.flags.c_contiguous for group in shapes.groups.values())
+
+
 @pytest.mark.parametrize("v", [1, 4])
 def test_the_columns_of_chosen_shapes_lie_row_by_row_without_gaps(v):
     """Kernels are compiled for that."""

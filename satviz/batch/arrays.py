@@ -22,7 +22,7 @@ class Group:
     """Hold shapes with the same number of corners: one row per corner, one column per shape.
 
     block: (2, V, n) x and y of the corners in scene units, counter-clockwise, no repeats, none straight on; of circles
-    (3, 1, n) x and y of the centers, and the radii.
+    (3, 1, n) x and y of the centers, and the radii.  Contiguous, since NumPy else copies all of it for each selection.
     maxima: the rows of `tile_maxima`, if they are known.
     """
 
@@ -204,7 +204,11 @@ class Shapes:
             else:
                 places = self.rings.start[:-1][mine] + np.arange(v)[:, None]
                 rows = [c[places] for c in self.rings[:2]]
-            found[v] = Group(np.stack([*rows, self.radius[mine][None]] if v == 1 else rows))
+            block = np.empty((3 if v == 1 else 2, v, rows[0].shape[1]))  # np.stack keeps the order of transposed rows
+            block[0], block[1] = rows
+            if v == 1:
+                block[2] = self.radius[mine]
+            found[v] = Group(block)
         return found
 
     @cached_property

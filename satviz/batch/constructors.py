@@ -173,7 +173,8 @@ def build_mixed(points: Array, start: Indices, radius: Array, concave: str | Non
     """Return a batch of circles, where the radius is positive, and polygons; other arguments as in build_shapes."""
     circles = radius > 0
     if len(radius) and circles.all():
-        return Shapes(runs=[Group(np.vstack([points.T + 0.0, radius])[:, None])])
+        block = np.array([*points.T, radius])[:, None] + 0.0
+        return Shapes(runs=[Group(block)])
     if not circles.any():
         return build_shapes(points, start, "polygon {}".format, concave)
     of = np.flatnonzero(~circles)
