@@ -87,10 +87,14 @@ def measured_sentences() -> list[str]:
         f"with up to {{{pays['triangles']:.0f}}} million pairs of triangles, or "
         f"{{{pays['mixed, 3 to 8 corners']:.0f}}} million pairs of polygons with 3 to 8 corners"
     )
-    slower = [
-        key[2] for key, time in times.items() if key[3] == numpy and time > times.get((*key[:3], "shapely"), time)
-    ]
-    found.append(f"slower than shapely only with the NumPy engine, for polygons from {{{min(slower)}}} corners on.")
+    ratios = {key: time / times[shapely] for key, time in times.items()
+              if key[3] in ENGINES and (shapely := (*key[:3], "shapely")) in times}  # fmt: skip
+    assert all(ratio < 1 for (*_, engine), ratio in ratios.items() if engine == numba)
+    _, _, corners, _ = most = max(ratios, key=ratios.__getitem__)
+    found.append(
+        "only the NumPy engine is slower than shapely for some work, at most "
+        f"{{{ratios[most]:.1f}}} times as slow, for polygons with {{{corners}}} corners."
+    )
     frames = {(r.work, r.size, r.method): r.time for r in bench_rows("frames") if r.section == "frames"}
     behind = [size for (work, size, method), time in frames.items() if method.endswith("STRtree")
               and frames[work, size, numpy] > time]  # fmt: skip
