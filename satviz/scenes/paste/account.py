@@ -86,18 +86,19 @@ class Account:
         self,
         text: str,
         found: Sequence[Token],
-        places: Collection[int],
+        shapes: Sequence[Collection[int]],
         variables: Mapping[str, int],
         known: Sequence[tuple[int, int]] = (),
         changed: Collection[str] = (),
         aliases: Mapping[str, str] = MappingProxyType({}),
     ) -> None:
-        """`places`: where numbers of shapes end; `variables`: names of data, with their sizes; `known`: parts of a
+        """`shapes`: where the numbers of each shape end; `variables`: names of data, with their sizes; `known`: parts of a
         known form; `changed`: names with a value of which a field is set afterwards; `aliases`: names of other things.
         """
         self.text = text
         removed = within(known, found)
-        self.places = sorted(places)
+        self.shapes = shapes
+        self.places = sorted(frozenset().union(*shapes))
         rows = [Token(NUMBER, "", start, end) for start, end in known if self.holds(start, end)]
         kept = [token for token in found if token not in removed]
         self.tokens = sorted([*kept, *rows], key=lambda token: token.start) if rows else kept
@@ -114,6 +115,7 @@ class Account:
         self.open: dict[int, int] = {}
         self._match()
         self._lines_aside = self._find_lines_aside()
+        self._amid = self._find_amid()
 
     def _find_lines_aside(self) -> set[int]:
         """Return the places of the tokens of lines that have a word, no shape, and nothing that could change one."""
@@ -131,6 +133,18 @@ class Account:
             for line, is_shaped in zip(lines, shaped, strict=True)
         )
         return {i for line in found for i in line}
+
+    def _find_amid(self) -> set[int]:
+        """Return the places of the tokens between two numbers of one shape in one statement, inside brackets or not."""
+        ends = [token.end for token in self.tokens]
+        found: set[int] = set()
+        for places in self.shapes:
+            for here, there in pairwise(sorted(places)):
+                first = bisect_right(ends, here)
+                inner = list(takewhile(lambda k: ends[k] < there, range(first, len(ends))))
+                if not any(self.tokens[k].kind == LINE or self.tokens[k].text == ";" for k in inner):
+                    found.update(inner)
+        return found
 
     def _is_of_shape(self, i: int) -> bool:
         """Return whether a token is a number or a name of a shape."""
@@ -262,6 +276,10 @@ class Account:
             index,
         )
 
+    def frame_of(self, i: int, frame: Frame) -> Frame:
+        """Return the frame around token i, which holds data between two numbers of one shape."""
+        return frame._replace(data=True) if i in self._amid else frame
+
     def between(self, i: int) -> str:
         """Return the text in a bracket."""
         return self.text[self.at(i).end : self.span(i)[1]]
@@ -286,13 +304,13 @@ class Account:
             elif token.kind == CLOSE and len(frames) > 1 and self.open.get(i) == frames[-1].begin:
                 frames.pop()
             elif token.kind == NAME:
-                self.check_name(i, frames[-1])
+                self.check_name(i, self.frame_of(i, frames[-1]))
             elif token.kind == FIELD:
                 self.check_field(i)
             elif token.kind == TEXT:
                 self.check_text(i, frames[-1])
             elif token.kind == OTHER:
-                self.check_sign(i, frames[-1])
+                self.check_sign(i, self.frame_of(i, frames[-1]))
             elif token.kind == NUMBER and self.is_count(i, frames[-1]):
                 self.counts.add(token.end)
             elif token.kind == NUMBER and self.nested and not self.holds(token.start, token.end):
@@ -542,7 +560,7 @@ class Account:
                 begin = token.start + 1
                 plain = inner.replace('\\"', ' "')
                 found = [t._replace(start=t.start + begin, end=t.end + begin) for t in tokens(plain)]
-                within_text = Account(self.text, found, self.places, self.variables)
+                within_text = Account(self.text, found, self.shapes, self.variables)
                 within_text.nested = True
                 self.parts += within_text.run()
             return

@@ -422,7 +422,8 @@ def _pairs(shapes: Sequence[PastedShape]) -> list[Pair]:
     for a, b in combinations(shapes, 2):
         p, q = a.usable, b.usable
         if p is not None and q is not None:
-            near.append((relate(p, q) is Relation.APART, _distance_of_boxes(p, q), len(convex_parts.parts(p)) * len(convex_parts.parts(q)), a, b))
+            size = len(convex_parts.parts(p)) * len(convex_parts.parts(q))
+            near.append((relate(p, q) is Relation.APART, _distance_of_boxes(p, q), size, a, b))
     near.sort(key=lambda each: each[:2])
     met = sum(not apart for apart, *_ in near)
     made: list[Pair] = []

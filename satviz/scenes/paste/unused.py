@@ -57,7 +57,8 @@ def rest(tree: Tree, reads: Sequence[Read], text: str, reader: Names) -> Rest:
         for name, value in names.items()
         if isinstance(said := getattr(value, "text", getattr(value, "name", "")), str)
     }
-    account = Account(text, tree.tokens, places, variables, [*tree.parts, *reader.parts], changed, aliases)
+    shapes = [read.used - tree.indices for read in reads]
+    account = Account(text, tree.tokens, shapes, variables, [*tree.parts, *reader.parts], changed, aliases)
     parts = account.run()
     quoted = within(reader.named, parts)
     parts = [part for part in parts if part not in quoted]
