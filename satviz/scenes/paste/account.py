@@ -166,7 +166,7 @@ class Account:
     def _is_listed(self, i: int) -> bool:
         """Return whether a number stands in a list or a call, and not among words."""
         among = (NAME, LINE, TEXT, OTHER)
-        return self.at(i - 1).kind not in among or self.at(i + 1).kind not in among
+        return any(each.kind not in among or each.text == "|" for each in (self.at(i - 1), self.at(i + 1)))
 
     def _says(self, line: range) -> bool:
         """Return whether a line of code compares or prints, and gives nothing a value: return a.x < b.x + b.w."""
@@ -211,6 +211,10 @@ class Account:
         """Return a token, or a line's end beyond the text."""
         return self.tokens[i] if 0 <= i < len(self.tokens) else NOTHING
 
+    def before(self, i: int) -> int:
+        """Return the place of the last token before another one that is no line's end."""
+        return next((k for k in range(i - 1, -1, -1) if self.tokens[k].kind != LINE), -1)
+
     def beyond(self, i: int) -> Token:
         """Return the token at a place or behind it that is no line's end."""
         while i < len(self.tokens) and self.tokens[i].kind == LINE:
@@ -228,8 +232,8 @@ class Account:
         if token.kind in (OPEN, CLOSE):
             begin = i if token.kind == OPEN else self.open.get(i, i)
             word, end = self.callee(begin), self.close.get(begin, i)
-            if token.kind == CLOSE and begin == i - 1 and word and word.kind == FIELD:
-                return self.is_data(begin - 2)  # a shape.clone()
+            if token.kind == CLOSE and word and word.kind == FIELD and self.is_data(self.before(begin - 1)):
+                return True  # a shape.clone()
             if token.kind == OPEN and end == i + 2 and self.at(end + 1).kind == OPEN:
                 return self.is_data(end + 1)  # (Rectangle){ 0, 0, 4, 4 }
             if token.kind == CLOSE and word and self.is_variable(word) and token.text == "]":
@@ -394,7 +398,8 @@ class Account:
             return
         inside = self.holds(*self.span(i)) or any(map(self.is_variable, self.arguments(i)))
         last = last_of(word.text)
-        defines = self.at(i - 2).text in ("new", "def", "function", "fn", "func", "fun", "void", "class", "struct")
+        makes_new = self.at(i - 2).text == "new" and not words(last) & CHANGING_CALLS
+        defines = makes_new or self.at(i - 2).text in ( "def", "function", "fn", "func", "fun", "void", "class", "struct")
         if not inside and last.lower() in MOVERS and self.close[i] > i + 1 and not defines and self.places:
             self.miss(i - 1, i)  # ctx.translate(cx, cy)
             return
@@ -413,6 +418,9 @@ class Account:
         if after.kind == OPEN and self.callee(i + 1) is token:
             return  # of the call
         last = last_of(token.text)
+        if self.joins_tail(i):
+            self.miss(i, i + 1)
+            return
         if token.text.startswith("is") and after.text in ASSIGNS and self.at(i + 2).text in ("true", "false"):
             return  # isBox2: true
         if self.is_variable(token):
@@ -448,6 +456,15 @@ class Account:
             return  # (def a [[0 0] [4 0] [4 3]])
         elif not (self.is_inside(token.text) or is_shape(token.text) or self.is_value(i)):
             self.miss(i, i)
+
+    def joins_tail(self, i: int) -> bool:
+        """Return whether a word touches the data before it, or joins it with one word at the end of a statement."""
+        token, before = self.at(i), self.at(i - 1)
+        if before.kind != CLOSE or not self.is_written(i - 1):
+            return False
+        ends = self.at(i + 2).kind in (LINE, CLOSE) or self.at(i + 2).text in (";", ",")
+        joins = token.text in ("and", "or", "if", "unless", "when") and self.at(i + 1).kind == NAME and ends
+        return joins or before.end == token.start
 
     def is_inside(self, name: str) -> bool:
         """Return whether a name among numbers is that of a color, a body, a type; also by what it stands for."""
@@ -486,6 +503,8 @@ class Account:
     def is_value(self, i: int) -> bool:
         """Return whether a word is the value of a known key: type: Polygon."""
         before = self.at(i - 2)
+        if self.at(i + 1).kind in (OPEN, NUMBER) and self.is_data(i + 1):
+            return False  # mins: not [0, 0]
         known = before.text.strip("\"'")
         known_key = key(known) or words(known) & KEYS
         return (
@@ -530,14 +549,11 @@ class Account:
     def check_field(self, i: int) -> None:
         """Name an unknown field or method behind a shape."""
         before, after = self.at(i - 1), self.at(i + 1)
-        before_line = next((self.tokens[k] for k in range(i - 1, -1, -1) if self.tokens[k].kind != LINE), NOTHING)
         name = self.at(i).text.lstrip(".->:")
         if (after.text in ASSIGNS and before.kind != CLOSE) or (before.kind == LINE and after.text == "{"):
             return  # {.x = 1}, or a rule of CSS
-        k = i - 1
-        while k > 0 and self.tokens[k].kind == LINE:
-            k -= 1
-        behind = before_line.kind in (NUMBER, TEXT) or (before_line.kind == CLOSE and self.is_data(k))
+        k = self.before(i)
+        behind = self.at(k).kind in (NUMBER, TEXT) or (self.at(k).kind == CLOSE and self.is_data(k))
         if not behind:
             return
         if after.kind == OPEN and self.callee(i + 1):
@@ -582,13 +598,20 @@ class Account:
         if token.text == "'" and self.transposes(i):
             self.miss(i - 1, i)  # [0 4 4; 0 0 3]' of MATLAB
             return
-        known = token.text in PUNCTUATION or token.text[0] == "\\" or self.is_of_code(i)
+        escapes = token.text[0] == "\\" and token.text != "\\ "
+        known = token.text in PUNCTUATION or escapes or self.is_of_code(i, frame)
         if known or (not frame.data and (self.is_of_text(i) or self.is_test(token))):
             return
-        if token.text in "<>!|&" and not frame.data and before.kind != NUMBER and not self.is_operator(i):
+        joins = self.is_written(i - 1) or self.is_written(i + 1) or self.is_operator(i)
+        if token.text in "<>!|&" and not frame.data and not joins:
             return  # a comparison, or a logical sign
         if frame.data or self.is_data(i - 1) or self.is_data(i + 1):
             self.miss(i - 1 if before.kind == NAME or (before.kind == NUMBER and before.text) else i, i + 1)
+
+    def is_written(self, i: int) -> bool:
+        """Return whether a token is a number of a shape, or a bracket with one that is no call of a test."""
+        kind, bracket = self.at(i).kind, self.at(i).kind in (OPEN, CLOSE)
+        return (kind == NUMBER or bracket) and self.holds(*self.span(i)) and not (bracket and self.is_tested(i))
 
     def transposes(self, i: int) -> bool:
         """Return whether a quote stands behind data; it can open or close a text of several lines as well."""
@@ -600,7 +623,7 @@ class Account:
         row = before.kind == NUMBER and self.holds(before.start, before.end)
         return self.is_variable(before) or row or (before.kind == CLOSE and self.is_data(i - 1))
 
-    def is_of_code(self, i: int) -> bool:
+    def is_of_code(self, i: int, frame: Frame) -> bool:
         """Return whether a sign is a reference, a bullet, or a mark of a language that changes no value."""
         token, before, after = self.at(i), self.at(i - 1), self.at(i + 1)
         tight = token.end == after.start
@@ -610,14 +633,14 @@ class Account:
             return named or (first and after.kind == OPEN)
         if token.text == "-" and first and after.kind == NUMBER and self.at(i + 2).text in (",", ")", "]", "}", ";"):
             return True  # - 4
-        if before.kind == LINE and token.text in "-*+>|\u2022":  # a bullet, or a quoted line
+        if before.kind == LINE and token.text in "-*+>|\u2022" and not frame.data:  # a bullet, or a quoted line
             return not self.is_variable(after) or self.at(i + 2).text in (":", "=")
         if token.text == "?":  # f(x)?; of Rust, and a.hit?(b) of Ruby
             ruby = tight and before.end == token.start and before.kind == NAME and is_call(before.text)
             return after.text in (";", ")", ",") or (ruby and after.text == "(")
         if token.text == "<" and tight and notation(after.text):
             return True  # <POLYGON ((0 0, 4 0, 0 3))>
-        closes = token.text == ">" and before.kind == CLOSE and before.end == token.start
+        closes = token.text == ">" and before.end == token.start and (before.kind == CLOSE or before.text == ">")
         return (closes and after.kind != NUMBER) or (token.text == "%" and tight and after.text == "{")  # of Elixir
 
     def is_of_text(self, i: int) -> bool:
@@ -627,6 +650,8 @@ class Account:
         if token.text == "|":
             return bool(notation(after.text)) or after.kind in (LINE, NUMBER)
         if token.text in ".!?":
+            if token.text != "." and before.end == token.start and before.kind == NUMBER and self.is_written(i - 1):
+                return False  # 6!
             chooses = token.text == "?" and (self.is_ternary(i) or after.kind == NUMBER)
             return not chooses and after.text not in (":", "[") and (after.kind == LINE or not tight)
         if token.text in "-\u2013\u2014":
@@ -653,7 +678,7 @@ class Account:
         return not self.holds(start, end) and bool(COMPARES.search(line)) and not SETS.search(line)
 
     def is_tested(self, i: int) -> bool:
-        """Return whether a bracket closes the call of a test."""
+        """Return whether a bracket is that of the call of a test."""
         word = self.callee(self.open.get(i, i))
         return word is not None and is_test(word.text)
 
