@@ -1471,4 +1471,333 @@ let b = [| (5., 0.); (9., 0.); (9., 4.) |]
 let () = Printf.printf "%b\\n" (intersects a b)""",
         ((0, 0, 4, 4), (5, 0, 9, 4)),
     ),
+    Paste(
+        "box2d testbed",
+        """b2Vec2 verts1[4];
+verts1[0].Set(-1.0f, -1.0f);
+verts1[1].Set(1.0f, -1.0f);
+verts1[2].Set(1.0f, 1.0f);
+verts1[3].Set(-1.0f, 1.0f);
+b2PolygonShape shapeA;
+shapeA.Set(verts1, 4);
+b2CircleShape shapeB;
+shapeB.m_p.Set(1.5f, 0.0f);
+shapeB.m_radius = 0.5f;
+// b2TestOverlap(&shapeA, 0, &shapeB, 0, xfA, xfB) returns true""",
+        ((-1, -1, 1, 1), (1, -0.5, 2, 0.5)),
+    ),
+    Paste(
+        "p5 sketch",
+        """function draw() {
+  background(220);
+  rect(50, 50, 100, 80);
+  circle(170, 90, 40);
+  let hit = collideRectCircle(50, 50, 100, 80, 170, 90, 40);
+  print(hit);
+}""",
+        ((50, 50, 150, 130), (150, 70, 190, 110), (50, 50, 150, 130), (150, 70, 190, 110)),
+    ),
+    Paste(
+        "phaser rectangles",
+        """var r1 = new Phaser.Geom.Rectangle(100, 100, 50, 50);
+var r2 = new Phaser.Geom.Rectangle(150, 120, 50, 50);
+console.log(Phaser.Geom.Intersects.RectangleToRectangle(r1, r2)); // false?""",
+        ((100, 100, 150, 150), (150, 120, 200, 170)),
+    ),
+    Paste(
+        "phaser circle triangle",
+        """const tri = new Phaser.Geom.Triangle(0, 0, 60, 0, 30, 50);
+const circ = new Phaser.Geom.Circle(80, 20, 25);
+expect(Phaser.Geom.Intersects.TriangleToCircle(tri, circ)).toBe(true);""",
+        ((0, 0, 60, 50), (55, -5, 105, 45)),
+    ),
+    Paste(
+        "unity polygon",
+        """var a = new Vector2[] { new Vector2(0f, 0f), new Vector2(2.5f, 0f), new Vector2(2.5f, 1.25f) };
+var b = new Vector2[] { new Vector2(2f, 1f), new Vector2(4f, 1f), new Vector2(3f, 3f) };
+Debug.Log(PolygonsOverlap(a, b));
+// Output: False""",
+        ((0, 0, 2.5, 1.25), (2, 1, 4, 3)),
+    ),
+    Paste(
+        "unity bounds ctor",
+        """Bounds a = new Bounds(new Vector3(0, 0, 0), new Vector3(2, 2, 0));
+Bounds b = new Bounds(new Vector3(2, 0, 0), new Vector3(2, 2, 0));
+Debug.Log(a.Intersects(b)); // True, but they only touch""",
+        ((-1, -1, 1, 1), (1, -1, 3, 1)),
+    ),
+    Paste(
+        "godot convex",
+        """var p1 := PackedVector2Array([Vector2(0, 0), Vector2(64, 0), Vector2(64, 64), Vector2(0, 64)])
+var p2 := PackedVector2Array([Vector2(64, 32), Vector2(128, 32), Vector2(96, 96)])
+print(Geometry2D.intersect_polygons(p1, p2))  # prints []""",
+        ((0, 0, 64, 64), (64, 32, 128, 96)),
+    ),
+    Paste(
+        "godot rect2 position",
+        """a = Rect2(Vector2(16, 16), Vector2(32, 32))
+b = Rect2(Vector2(48, 16), Vector2(32, 32))
+assert(a.intersects(b))""",
+        ((16, 16, 48, 48), (48, 16, 80, 48)),
+    ),
+    Paste(
+        "pygame rects",
+        """player = pygame.Rect(100, 100, 32, 32)
+wall = pygame.Rect((132, 90), (20, 60))
+if player.colliderect(wall):
+    print("hit")
+# never prints hit""",
+        ((100, 100, 132, 132), (132, 90, 152, 150)),
+    ),
+    Paste(
+        "pygame draw",
+        """pygame.draw.polygon(screen, (255, 0, 0), [(100, 100), (200, 100), (150, 180)])
+pygame.draw.circle(screen, (0, 255, 0), (150, 200), 25)
+pygame.display.flip()""",
+        ((100, 100, 200, 180), (125, 175, 175, 225)),
+    ),
+    Paste(
+        "pygame float rect",
+        """a = pygame.FRect(0.5, 0.5, 10, 10)
+b = pygame.FRect(10.4, 0, 5, 5)
+a.colliderect(b) -> False""",
+        ((0.5, 0.5, 10.5, 10.5), (10.4, 0, 15.4, 5)),
+    ),
+    Paste(
+        "matter vertices",
+        """const a = Bodies.fromVertices(0, 0, [[{ x: -10, y: -10 }, { x: 10, y: -10 }, { x: 10, y: 10 }, { x: -10, y: 10 }]]);
+const b = Bodies.circle(18, 0, 8);
+Matter.Collision.collides(a, b) // null""",
+        ((-10, -10, 10, 10), (10, -8, 26, 8)),
+    ),
+    Paste(
+        "matter bounds print",
+        """{ min: { x: 390, y: 190 }, max: { x: 410, y: 210 } }
+{ min: { x: 410, y: 150 }, max: { x: 470, y: 200 } }
+Bounds.overlaps gives true""",
+        ((390, 190, 410, 210), (410, 150, 470, 200)),
+    ),
+    Paste(
+        "shapely repl",
+        """>>> from shapely.geometry import Polygon
+>>> p = Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
+>>> q = Polygon([(0.5, 0.5), (1.5, 0.5), (1.5, 1.5), (0.5, 1.5)])
+>>> p.touches(q)
+False
+>>> p.intersection(q).area
+0.25""",
+        ((0, 0, 1, 1), (0.5, 0.5, 1.5, 1.5)),
+    ),
+    Paste(
+        "shapely wkt loads",
+        """g1 = wkt.loads('POLYGON ((30 10, 40 40, 20 40, 10 20, 30 10))')
+g2 = wkt.loads('POLYGON ((35 10, 45 45, 15 40, 10 20, 35 10))')
+g1.equals(g2), g1.overlaps(g2)
+(False, True)""",
+        ((10, 10, 40, 40), (10, 10, 45, 45)),
+    ),
+    Paste(
+        "cgal points",
+        """Polygon_2 P;
+P.push_back(Point_2(-1, 1));
+P.push_back(Point_2(0, -1));
+P.push_back(Point_2(1, 1));
+Polygon_2 Q;
+Q.push_back(Point_2(-1, -1));
+Q.push_back(Point_2(1, -1));
+Q.push_back(Point_2(0, 1));
+if (CGAL::do_intersect(P, Q)) std::cout << "The two polygons intersect." << std::endl;""",
+        ((-1, -1, 1, 1), (-1, -1, 1, 1)),
+    ),
+    Paste(
+        "cgal array init",
+        """Point points[] = { Point(0,0), Point(5.1,0), Point(1,1), Point(0.5,6) };
+Polygon_2 pgn(points, points+4);
+Point points2[] = { Point(5,0), Point(7,0), Point(6,2) };
+Polygon_2 pgn2(points2, points2+3);""",
+        ((0, 0, 5.1, 6), (5, 0, 7, 2)),
+    ),
+    Paste(
+        "parry shapes",
+        """let ball = Ball::new(1.0);
+let cuboid = Cuboid::new(vector![1.0, 1.0]);
+let ball_pos = Isometry::translation(2.0, 0.0);
+let cuboid_pos = Isometry::identity();
+assert!(query::intersection_test(&ball_pos, &ball, &cuboid_pos, &cuboid).unwrap());""",
+        ((1, -1, 3, 1), (-1, -1, 1, 1)),
+    ),
+    Paste(
+        "parry hull",
+        """let a = ConvexPolygon::from_convex_hull(&[point![0.0, 0.0], point![2.0, 0.0], point![2.0, 2.0], point![0.0, 2.0]]).unwrap();
+let b = ConvexPolygon::from_convex_hull(&[point![2.0, 1.0], point![4.0, 1.0], point![3.0, 3.0]]).unwrap();""",
+        ((0, 0, 2, 2), (2, 1, 4, 3)),
+    ),
+    Paste(
+        "love polygon",
+        """local t1 = {100, 100, 200, 100, 150, 200}
+local t2 = {150, 150, 250, 150, 200, 250}
+love.graphics.polygon("fill", t1)
+love.graphics.polygon("fill", t2)""",
+        ((100, 100, 200, 200), (150, 150, 250, 250)),
+    ),
+    Paste(
+        "love hc",
+        """local HC = require 'HC'
+rect = HC.rectangle(200, 400, 400, 20)
+mouse = HC.circle(400, 390, 20)
+for shape, delta in pairs(HC.collisions(mouse)) do print(delta.x, delta.y) end""",
+        ((200, 400, 600, 420), (380, 370, 420, 410)),
+    ),
+    Paste(
+        "defold",
+        """local a = {x = 0, y = 0, w = 16, h = 16}
+local b = {x = 15.9999, y = 0, w = 16, h = 16}
+print(a.x < b.x + b.w and b.x < a.x + a.w)""",
+        ((0, 0, 16, 16), (15.9999, 0, 31.9999, 16)),
+    ),
+    Paste(
+        "processing (report)",
+        """void setup() {
+  size(640, 360);
+}
+void draw() {
+  ellipse(100, 100, 50, 50);
+  rect(120, 90, 40, 40);
+  // I expect a hit here
+}""",
+        ((75, 75, 125, 125), (120, 90, 160, 130)),
+    ),
+    Paste(
+        "processing pshape",
+        """PShape s = createShape();
+s.beginShape();
+s.vertex(0, 0);
+s.vertex(80, 0);
+s.vertex(80, 40);
+s.endShape(CLOSE);
+ellipse(90, 40, 30, 30);""",
+        ((0, 0, 80, 40), (75, 25, 105, 55)),
+    ),
+    Paste(
+        "sfml rects",
+        """sf::FloatRect box1({10.f, 10.f}, {50.f, 50.f});
+sf::FloatRect box2({60.f, 10.f}, {20.f, 20.f});
+std::cout << box1.findIntersection(box2).has_value();""",
+        ((10, 10, 60, 60), (60, 10, 80, 30)),
+    ),
+    Paste(
+        "sfml convex",
+        """sf::ConvexShape convex;
+convex.setPointCount(3);
+convex.setPoint(0, sf::Vector2f(0.f, 0.f));
+convex.setPoint(1, sf::Vector2f(150.f, 10.f));
+convex.setPoint(2, sf::Vector2f(120.f, 90.f));
+sf::FloatRect r(100.f, 80.f, 40.f, 40.f);""",
+        ((0, 0, 150, 90), (100, 80, 140, 120)),
+    ),
+    Paste(
+        "monogame (report)",
+        """Rectangle a = new Rectangle(0, 0, 100, 100);
+Rectangle b = new Rectangle(100, 0, 50, 50);
+Console.WriteLine(a.Intersects(b)); // False
+Console.WriteLine(a.Contains(b)); // False""",
+        ((0, 0, 100, 100), (100, 0, 150, 50)),
+    ),
+    Paste(
+        "pandas geometry",
+        """       name                                           geometry
+0  building  POLYGON ((0.00000 0.00000, 10.00000 0.00000, 10.00000 10.00000, 0.00000 10.00000, 0.00000 0.00000))
+1      road  POLYGON ((10.00000 4.00000, 30.00000 4.00000, 30.00000 6.00000, 10.00000 6.00000, 10.00000 4.00000))""",
+        ((0, 0, 10, 10), (10, 4, 30, 6)),
+    ),
+    Paste(
+        "jest",
+        """expect(received).toBe(expected)
+Expected: true
+Received: false
+  const a = { pos: { x: 0, y: 0 }, r: 10 }
+  const b = { pos: { x: 12, y: 16 }, r: 10 }
+  expect(testCircleCircle(a, b)).toBe(true)""",
+        ((-10, -10, 10, 10), (2, 6, 22, 26)),
+    ),
+    Paste(
+        "sat.js (report)",
+        """var V = SAT.Vector; var P = SAT.Polygon; var B = SAT.Box;
+var box1 = new B(new V(0, 0), 20, 20).toPolygon();
+var box2 = new B(new V(20, 20), 20, 20).toPolygon();
+SAT.testPolygonPolygon(box1, box2); // true""",
+        ((0, 0, 20, 20), (20, 20, 40, 40)),
+    ),
+    Paste(
+        "sat.js rotated",
+        """var p = new SAT.Polygon(new SAT.Vector(0,0), [new SAT.Vector(0,0), new SAT.Vector(40,0), new SAT.Vector(40,40), new SAT.Vector(0,40)]);
+p.setAngle(Math.PI / 4);
+var c = new SAT.Circle(new SAT.Vector(60,0), 20);""",
+        ((-28.2843, 0, 28.2843, 56.5685), (40, -20, 80, 20)),
+        as_="y-up",
+        asks=True,
+    ),
+    Paste(
+        "collider2d",
+        """const circle = new Circle(new Vector(0, 0), 20);
+const circle2 = new Circle(new Vector(30, 0), 20);
+collider2D.testCircleCircle(circle, circle2, true); // true""",
+        ((-20, -20, 20, 20), (10, -20, 50, 20)),
+    ),
+    Paste(
+        "planck (report)",
+        """const shapeA = pl.Polygon([Vec2(-1, 0), Vec2(1, 0), Vec2(0, 2)]);
+const shapeB = pl.Circle(Vec2(0.0, 3.0), 1.0);
+testOverlap(shapeA, 0, shapeB, 0, xf, xf)""",
+        ((-1, 0, 1, 2), (-1, 2, 1, 4)),
+    ),
+    Paste(
+        "nape haxe",
+        """var poly = new Polygon([Vec2.get(0, 0), Vec2.get(20, 0), Vec2.get(20, 10)]);
+var circ = new Circle(5, Vec2.get(25, 5));""",
+        ((0, 0, 20, 10), (20, 0, 30, 10)),
+    ),
+    Paste(
+        "geojson feature text",
+        """{"type":"Feature","properties":{"id":7},"geometry":{"type":"Polygon","coordinates":[[[0,0],[3,0],[3,3],[0,3],[0,0]]]}}
+{"type":"Feature","properties":{"id":8},"geometry":{"type":"Polygon","coordinates":[[[3,1],[5,1],[5,2],[3,2],[3,1]]]}}""",
+        ((0, 0, 3, 3), (3, 1, 5, 2)),
+    ),
+    Paste(
+        "swift cgrect",
+        """let a = CGRect(x: 0, y: 0, width: 44, height: 44)
+let b = CGRect(origin: CGPoint(x: 44, y: 0), size: CGSize(width: 10, height: 10))
+a.intersects(b) // false""",
+        ((0, 0, 44, 44), (44, 0, 54, 10)),
+    ),
+    Paste(
+        "java jts code",
+        """GeometryFactory gf = new GeometryFactory();
+Polygon a = gf.createPolygon(new Coordinate[]{new Coordinate(0, 0), new Coordinate(10, 0), new Coordinate(10, 10), new Coordinate(0, 0)});
+Polygon b = gf.createPolygon(new Coordinate[]{new Coordinate(5, 0), new Coordinate(15, -5), new Coordinate(15, 0), new Coordinate(5, 0)});
+System.out.println(a.touches(b)); // expected true""",
+        ((0, 0, 10, 10), (5, -5, 15, 0)),
+    ),
+    Paste(
+        "turf (report)",
+        """const poly1 = turf.polygon([[[0, 0], [0, 4], [4, 4], [4, 0], [0, 0]]]);
+const poly2 = turf.polygon([[[4, 2], [6, 2], [6, 6], [4, 6], [4, 2]]]);
+turf.booleanOverlap(poly1, poly2); // false""",
+        ((0, 0, 4, 4), (4, 2, 6, 6)),
+    ),
+    Paste(
+        "gdb watch",
+        """(gdb) p a
+$1 = {min = {x = -1.5, y = -1.5}, max = {x = 1.5, y = 1.5}}
+(gdb) p b
+$2 = {min = {x = 1.5, y = 0}, max = {x = 3, y = 2}}""",
+        ((-1.5, -1.5, 1.5, 1.5), (1.5, 0, 3, 2)),
+    ),
+    Paste(
+        "unreal",
+        """FBox2D A(FVector2D(0.f, 0.f), FVector2D(100.f, 100.f));
+FBox2D B(FVector2D(100.f, 50.f), FVector2D(200.f, 150.f));
+UE_LOG(LogTemp, Warning, TEXT("%d"), A.Intersect(B));""",
+        ((0, 0, 100, 100), (100, 50, 200, 150)),
+    ),
 )

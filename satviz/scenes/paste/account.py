@@ -92,8 +92,9 @@ class Account:
         changed: Collection[str] = (),
         aliases: Mapping[str, str] = MappingProxyType({}),
     ) -> None:
-        """`shapes`: where the numbers of each shape end; `variables`: names of data, with their sizes; `known`: parts of a
-        known form; `changed`: names with a value of which a field is set afterwards; `aliases`: names of other things.
+        """`shapes`: where the numbers of each shape end; `variables`: names of data, with their sizes; `known`: parts
+        of a known form; `changed`: names with a value of which a field is set afterwards; `aliases`: names of other
+        things.
         """
         self.text = text
         removed = within(known, found)
@@ -140,8 +141,7 @@ class Account:
         found: set[int] = set()
         for places in self.shapes:
             for here, there in pairwise(sorted(places)):
-                first = bisect_right(ends, here)
-                inner = list(takewhile(lambda k: ends[k] < there, range(first, len(ends))))
+                inner = range(bisect_right(ends, here), bisect_left(ends, there))
                 if not any(self.tokens[k].kind == LINE or self.tokens[k].text == ";" for k in inner):
                     found.update(inner)
         return found
@@ -303,6 +303,8 @@ class Account:
                 self.aside.add(token.end)
             elif token.kind == OPEN:
                 self.check_call(i)
+                if self.is_color(i, frames[-1]):
+                    self.counts |= {each.end for each in self.tokens[i : self.close[i]]}
                 frame = self.frame(i)
                 frames.append(frame._replace(counts=frame.counts or frames[-1].counts))
             elif token.kind == CLOSE and len(frames) > 1 and self.open.get(i) == frames[-1].begin:
@@ -335,12 +337,14 @@ class Account:
         shifts = before.text in ("<", ">") and self.at(i - 2).text == before.text
         if before.text in ("<", ">", "<=", ">=", "==", "!=") and not shifts and not frame.data:
             return True
+        if self.session and before.kind == after.kind == LINE and not self.holds(self.at(i).start, self.at(i).end):
+            return True
         if not self.at(i).text.isdigit():
             return False
         if self.is_row(i):
             return True
         if before.kind == LINE:
-            return after.text in (":", "|") or (self.session and after.kind == LINE)
+            return after.text in (":", "|")
         if before.text == "{" and after.text == "}":
             return self.at(i).value == 0
         if before.text == "," and after.text == ")":  # ST_GeomFromText('POLYGON(...)', 4326), polygon.Set(points, 4)
@@ -353,13 +357,22 @@ class Account:
             return not self.holds(*self.span(i + 2)) if self.at(i + 2).kind == OPEN else True
         return before.text.lower() in LABELS and (after.kind == LINE or after.text in (":", ",", "at", "is", "of", ""))
 
+    def is_color(self, i: int, frame: Frame) -> bool:
+        """Return whether a bracket in a call that draws holds a color: draw.circle(screen, (255, 0, 0), (4, 4), 9)."""
+        word = self.callee(frame.begin)
+        if word is None or "draw" not in words(word.text) or self.callee(i) or self.holds(*self.span(i)):
+            return False
+        parts = [token for token in self.tokens[i + 1 : self.close[i]] if token.text != ","]
+        return len(parts) in (3, 4) and all(token.text.isdigit() and int(token.text) < 256 for token in parts)
+
     def is_row(self, i: int) -> bool:
         """Return whether a number is that of a row in a table whose shape is in WKT."""
         row = self.tokens[max(i - 3, 0) : i + 4]
         before = takewhile(lambda token: token.kind == NUMBER, reversed(row[: min(i, 3)]))
         first = i - len(list(before))
-        word = next((token.text for token in self.tokens[i : i + 4] if token.kind != NUMBER), "")
-        return self.at(first - 1).kind == LINE and word in ("POLYGON", "MULTIPOLYGON")
+        behind = takewhile(lambda token: token.kind != LINE, self.tokens[i : i + 5])
+        named = any(token.text in ("POLYGON", "MULTIPOLYGON") for token in behind)
+        return named and self.at(first - 1).kind == LINE
 
     def miss(self, first: int, last: int) -> None:
         """Note that the tokens from one place to another are not understood."""
@@ -399,7 +412,16 @@ class Account:
         inside = self.holds(*self.span(i)) or any(map(self.is_variable, self.arguments(i)))
         last = last_of(word.text)
         makes_new = self.at(i - 2).text == "new" and not words(last) & CHANGING_CALLS
-        defines = makes_new or self.at(i - 2).text in ( "def", "function", "fn", "func", "fun", "void", "class", "struct")
+        defines = makes_new or self.at(i - 2).text in (
+            "def",
+            "function",
+            "fn",
+            "func",
+            "fun",
+            "void",
+            "class",
+            "struct",
+        )
         if not inside and last.lower() in MOVERS and self.close[i] > i + 1 and not defines and self.places:
             self.miss(i - 1, i)  # ctx.translate(cx, cy)
             return
@@ -440,7 +462,9 @@ class Account:
             self.miss(i, i + 1)
         if not frame.data:
             scales = (
-                token.text.lower() in CHANGING_CALLS and (after.kind == OPEN or not after.text) and self.is_data(i + 1)
+                token.text.lower() in {*CHANGING_CALLS, "not"}
+                and (after.kind == OPEN or not after.text)
+                and self.is_data(i + 1)
             )
             start, end = self.line(token)
             told = self.holds(start, end) or NAMED_SHAPE.search(self.text, start, end)
@@ -460,11 +484,15 @@ class Account:
     def joins_tail(self, i: int) -> bool:
         """Return whether a word touches the data before it, or joins it with one word at the end of a statement."""
         token, before = self.at(i), self.at(i - 1)
-        if before.kind != CLOSE or not self.is_written(i - 1):
+        if token.text == "or" and self.at(i - 2).text in ASSIGNS and self.is_written(i + 1):
+            return True  # a = size or Rect(0, 0, 4, 4)
+        if before.kind not in (CLOSE, NUMBER) or not self.is_written(i - 1):
             return False
-        ends = self.at(i + 2).kind in (LINE, CLOSE) or self.at(i + 2).text in (";", ",")
-        joins = token.text in ("and", "or", "if", "unless", "when") and self.at(i + 1).kind == NAME and ends
-        return joins or before.end == token.start
+        if token.text not in ("and", "or", "if", "unless", "when"):
+            return before.end == token.start
+        end = next(k for k in range(i, len(self.tokens) + 1) if self.at(k).kind == LINE or self.at(k).text == ";")
+        ends = end == i + 2 or self.at(end).text == ";" or self.at(i + 2).kind == CLOSE or self.at(i + 2).text == ","
+        return ends and not self.holds(token.start, self.at(end - 1).end)
 
     def is_inside(self, name: str) -> bool:
         """Return whether a name among numbers is that of a color, a body, a type; also by what it stands for."""
@@ -598,6 +626,10 @@ class Account:
         if token.text == "'" and self.transposes(i):
             self.miss(i - 1, i)  # [0 4 4; 0 0 3]' of MATLAB
             return
+        after = self.at(i + 1)
+        if token.text == "+" and after.kind == NUMBER and after.value == self.variables.get(before.text, -1) > 2:
+            self.counts.add(after.end)  # a range of C++: Polygon p(points, points + 4)
+            return
         escapes = token.text[0] == "\\" and token.text != "\\ "
         known = token.text in PUNCTUATION or escapes or self.is_of_code(i, frame)
         if known or (not frame.data and (self.is_of_text(i) or self.is_test(token))):
@@ -605,11 +637,13 @@ class Account:
         joins = self.is_written(i - 1) or self.is_written(i + 1) or self.is_operator(i)
         if token.text in "<>!|&" and not frame.data and not joins:
             return  # a comparison, or a logical sign
-        if frame.data or self.is_data(i - 1) or self.is_data(i + 1):
+        if frame.data or self.is_data(i - 1) or self.is_data(i + 1) or self.is_written(i + 1):
             self.miss(i - 1 if before.kind == NAME or (before.kind == NUMBER and before.text) else i, i + 1)
 
     def is_written(self, i: int) -> bool:
-        """Return whether a token is a number of a shape, or a bracket with one that is no call of a test."""
+        """Return whether a number of a shape, or a bracket or call with one that is no test, stands here."""
+        while self.at(i).text == "new" or (self.at(i).kind == NAME and self.callee(i + 1) is self.at(i)):
+            i += 1
         kind, bracket = self.at(i).kind, self.at(i).kind in (OPEN, CLOSE)
         return (kind == NUMBER or bracket) and self.holds(*self.span(i)) and not (bracket and self.is_tested(i))
 
@@ -635,6 +669,8 @@ class Account:
             return True  # - 4
         if before.kind == LINE and token.text in "-*+>|\u2022" and not frame.data:  # a bullet, or a quoted line
             return not self.is_variable(after) or self.at(i + 2).text in (":", "=")
+        if token.text == "!" and self.at(i + 2).text == "(" and is_test(after.text):
+            return True  # if (!overlaps(a, b))
         if token.text == "?":  # f(x)?; of Rust, and a.hit?(b) of Ruby
             ruby = tight and before.end == token.start and before.kind == NAME and is_call(before.text)
             return after.text in (";", ")", ",") or (ruby and after.text == "(")
@@ -650,8 +686,9 @@ class Account:
         if token.text == "|":
             return bool(notation(after.text)) or after.kind in (LINE, NUMBER)
         if token.text in ".!?":
-            if token.text != "." and before.end == token.start and before.kind == NUMBER and self.is_written(i - 1):
-                return False  # 6!
+            factorial = token.text == "!" and before.kind == NUMBER and before.end == token.start
+            if (factorial and self.is_written(i - 1)) or before.text == "?":  # 6!, size ?? box
+                return False
             chooses = token.text == "?" and (self.is_ternary(i) or after.kind == NUMBER)
             return not chooses and after.text not in (":", "[") and (after.kind == LINE or not tight)
         if token.text in "-\u2013\u2014":

@@ -44,7 +44,8 @@ ARROWS = frozenset(["->", "-->", "<->", "\u2192", "\u2194", "\u21d2"])
 
 class Tree(NamedTuple):
     """A text as one group of lines; sentences about brackets; where indices and lengths end; all its numbers;
-    its tokens as they stand; the parts that rows of tables, of markup and of sentences have, and signs with a meaning."""
+    its tokens as they stand; the parts that rows of tables, of markup and of sentences have, and signs that mean
+    something."""
 
     root: Group
     remarks: list[str]
@@ -175,6 +176,8 @@ class _Parser:
         arrow = token.kind == MARK and token.text in ARROWS
         if not arrow and not (token.kind == NAME and token.text.lower() in SEPARATORS):
             return False
+        if token.text == "and" and self.next_is(NUMBER) and atoms and isinstance(atoms[-1], Token):
+            return False  # 1, 2, 3 and 4
         near = atoms[-MAX_WORDS_BETWEEN:]
         said = any(isinstance(a, Group) or (isinstance(a, Token) and a.kind in (NUMBER, TEXT)) for a in near)
         if said and self.at < len(self.tokens) and self.tokens[self.at].text == ".":

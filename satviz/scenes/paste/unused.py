@@ -137,7 +137,7 @@ def _is_harmless(left: Left) -> bool:
     if "moment" in said or left.key == "pymunk.Body" or not {"bounds", "properties"}.isdisjoint(left.key.split(".")):
         return True
     if any(word.startswith(SHAPE_STEMS) for word in last) and not last & CHANGING_NUMBERS:
-        return False
+        return "count" in last
     same = left.value == (1 if any("scal" in word or word == "zoom" for word in said) else 0)
     return bool(said & OTHER_NUMBERS) or (same and bool(said & CHANGING_NUMBERS))
 
