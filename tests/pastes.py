@@ -2879,7 +2879,7 @@ paddle: x=5, y=0, w=10, h=2""",
         """ frame  player_x  player_y  enemy_x  enemy_y  r
     10       0.0       0.0      3.0      0.0  1""",
         (),
-        says="a table whose columns",
+        says="the names of the columns fit no shape",
     ),
     Paste(
         "Offset of a box",

@@ -320,7 +320,7 @@ def test_a_table_with_sizes_is_none_of_corners():
     boxes = sv.paste("x,y,half_width,half_height\n0,0,2,1\n9,9,1,1")
     assert [each.bounds for each in boxes.shapes] == [(-2, -1, 2, 1), (8, 8, 10, 10)]
     for names in ("x,y,rx,ry", "x,y,size,id"):
-        with pytest.raises(sv.InvalidScene, match="columns are of no one shape"):
+        with pytest.raises(sv.InvalidScene, match="names of the columns fit no shape"):
             sv.paste(names + "\n0,0,2,1\n9,0,1,1\n9,9,1,1")
 
 
