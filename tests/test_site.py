@@ -889,7 +889,7 @@ def test_the_first_minute_ends_at_the_largest_gap(pages):
 def test_no_picture_of_a_card_is_wider_than_a_telephones_page():
     """A page of 390 px has 362 px for it, and a canvas of as many points letters of 11 px."""
     drawn = [term.draw() for term in TERMS] + [
-        build.pages._scene_picture(name, narrow=True) for name in (s.name for s in ALL_SCENES)
+        build.pages._scene_picture(name) for name in (s.name for s in ALL_SCENES)
     ]
     assert max(picture.size[0] for picture in drawn) <= 362
 
