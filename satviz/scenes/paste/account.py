@@ -310,7 +310,7 @@ class Account:
             elif token.kind == NAME:
                 self.check_name(i, self.frame_of(i, frames[-1]))
             elif token.kind == FIELD:
-                self.check_field(i)
+                self.check_field(i, frames[-1])
             elif token.kind == TEXT:
                 self.check_text(i, frames[-1])
             elif token.kind == OTHER:
@@ -377,8 +377,6 @@ class Account:
         begin, end = self.at(first), self.at(last)
         start = begin.start if begin is not NOTHING else self.at(first + 1).start
         end_at = self.span(last)[1] if end.kind == OPEN else end.end if end is not NOTHING else self.at(last - 1).end
-        if self.at(first).kind == CLOSE:
-            start = self.at(first).start
         if not self.parts or self.parts[-1].end < end_at:
             self.parts.append(Part(start, end_at))
 
@@ -572,14 +570,14 @@ class Account:
             i += 1
         return self.at(i).end
 
-    def check_field(self, i: int) -> None:
+    def check_field(self, i: int, frame: Frame) -> None:
         """Name an unknown field or method behind a shape."""
         before, after = self.at(i - 1), self.at(i + 1)
         name = self.at(i).text.lstrip(".->:")
         if (after.text in ASSIGNS and before.kind != CLOSE) or (before.kind == LINE and after.text == "{"):
             return  # {.x = 1}, or a rule of CSS
         k = self.before(i)
-        behind = self.at(k).kind in (NUMBER, TEXT) or (self.at(k).kind == CLOSE and self.is_data(k))
+        behind = self.at(k).kind in (NUMBER, TEXT) or (self.at(k).kind == CLOSE and (frame.data or self.is_data(k)))
         if not behind:
             return
         if after.kind == OPEN and self.callee(i + 1):
