@@ -184,16 +184,21 @@ def gallery_page(frame: Frame) -> bytes:
     )
     body = f"""
 <h1>Gallery</h1>
-<p class="lead">Each picture is a scene of two shapes. <b>Choose one.</b> It opens in the explorer, where you can drag
-it and see the answer change.</p>
-<section><h2>Scenes of the chapters</h2><div class="cards">{"".join(_card(s.name) for s in SCENES)}</div></section>
+<p class="lead">Each picture shows two shapes, whether they collide, and what proves it. A test that proves less is
+sometimes wrong: {len(FAILURE_CASES)} pictures show how. If you write collision tests, you have probably written one of
+these. <b>Choose a picture and drag its shapes.</b> The answer changes as you drag.</p>
+<p class="action"><a href="{PAGE}#{SCENES[0].name}">Begin with two boxes</a>
+<a class="other" href="#failing">See where shortcuts fail</a></p>
+<section><h2>Scenes of the chapters</h2>
+<p>Each chapter explains one kind of shape.</p>
+<div class="cards">{"".join(_card(s.name) for s in SCENES)}</div></section>
 <section id="failing"><h2>Where shortcuts fail</h2>
-<p>The left panel shows what a shortcut claims, and the right panel shows what is true. If you write collision tests,
-you have probably written one of these.</p>
+<p>A shortcut leaves out a part of the test. Each picture shows first what the shortcut claims, and then what is
+true.</p>
 <ul class="jumps">{jumps}</ul>
 {failing}</section>
 """
-    description = "All scenes, and where shortcuts fail."
+    description = "Pairs of shapes to drag: what proves that they collide or not, and where shortcuts fail."
     return html_page(frame, "gallery.html", "Gallery: every scene of satviz", body, description=description)
 
 
