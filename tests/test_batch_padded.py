@@ -177,6 +177,9 @@ def test_corners_and_forms_of_padded_arrays_are_checked(made_by):
     corners, counts, radii = padded([dart + 9, ((1, 1), 1.0)], RNG(1))
     with pytest.raises(sv.InvalidShape, match=r"^polygon 0 is not convex: split it with satviz.parts first$"):
         batch.from_padded(corners, counts, radii)
+    turns = 4 * np.pi / 5 * np.arange(5)  # a star turns to one side at all corners, and goes round twice
+    with pytest.raises(sv.InvalidShape, match=r"^polygon 0: edges . and . cross"):
+        batch.from_padded(*padded([np.stack([np.cos(turns), np.sin(turns)], axis=1), ((1, 1), 1.0)], RNG(1)))
     corners, counts, radii = padded([TRIANGLE, ((1, 1), 1.0)], RNG(1))
     for at, said in ((0, 2, 1), "polygon 0: vertex 2.y is nan"), ((1, 0, 0), "circle 1: center.x is nan"):
         wrong = corners.copy()

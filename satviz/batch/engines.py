@@ -107,6 +107,7 @@ def load_engine(name: str | None) -> Engine:
         few.colliding_pairs,
         outlines.certified_group,
         outlines.certified_circles,
+        certified_padded=outlines.certified_padded,
     )
 
 

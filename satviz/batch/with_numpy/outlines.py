@@ -3,11 +3,13 @@
 import numpy as np
 
 from ...engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
-from ..array_types import Array, Mask
+from ..array_types import Array, Indices, Mask
 from ..arrays import Group
 from ..exact_signs import ERRBOUND_A
+from ..ragged import Rings
 
 BLOCK_CORNERS = 1 << 15  # corners at a time: they and the scratch arrays stay in the second-level cache
+MAX_PADDED_CORNERS = 1 << 15  # of padded arrays, which are checked all at once: few shapes
 
 
 def certified_group(vertices: Array) -> Group | None:
@@ -37,6 +39,35 @@ def certified_circles(centers: Array, radii: Array) -> Group | None:
     np.add(centers.T, 0.0, out=block[:2, 0])  # -0.0 becomes 0.0
     block[2, 0] = radii
     return Group(block) if np.isfinite(block).all() and (radii > 0).all() else None
+
+
+def certified_padded(corners: Array, counts: Indices, radii: Array) -> Rings | None:
+    """Return few shapes in padded arrays, as `from_padded` takes them, as Rings.
+
+    None for many, or if one is not certified: a circle, or counter-clockwise, convex and without repeats.
+    """
+    n, most, _ = corners.shape
+    if not (0 < n * most <= MAX_PADDED_CORNERS and np.minimum.reduce(counts) > 0 and np.maximum.reduce(counts) <= most):
+        return None
+    row = np.arange(most + 2)[:, None]
+    own = row[:most] < counts
+    # each outline goes on with its own first corners: what follows its last one is not read
+    z = corners.reshape(-1).view(np.complex128).take(row % counts + np.arange(0, n * most, most))
+    with np.errstate(all="ignore"):
+        edges = z[1:] - z[:-1]
+        turns = edges[:-1].conj() * edges[1:]
+        size = np.abs(turns)
+        left = (turns.imag > size * ERRBOUND_A) & (size > MIN_SAFE_PRODUCT) & (size < MAX_SAFE_PRODUCT)
+        rises = (edges.real > 0) | ((edges.real == 0) & (edges.imag > 0))
+    once = np.add.reduce((rises[1:] != rises[:-1]) & own, axis=0) == 2
+    are_polygons = np.logical_and.reduce(left, axis=0) & once & (radii == 0)
+    are_circles = (counts == 1) & (radii > 0) & (radii < np.inf) & np.isfinite(z[0])
+    if not (are_polygons | are_circles).all():
+        return None
+    start = np.zeros(n + 1, np.intp)
+    np.cumsum(counts, out=start[1:])
+    kept = z[:most].T[own.T] + 0.0  # -0.0 becomes 0.0
+    return Rings(kept.real.copy(), kept.imag.copy(), start)
 
 
 def _turns_one_way(xy: Array) -> tuple[Mask, Mask] | None:

@@ -62,9 +62,8 @@ def batch_of(sides: Sequence[Side]) -> batch.Shapes:
 
 
 def _satviz_pairs(frame: Frame, engine: str) -> NDArray[np.intp]:
-    """Return the pairs that satviz finds; numba reads shapes of several kinds from the rivals' padded arrays."""
-    padded = engine == "numba" and len(frame.sides) > 1
-    made = batch.from_padded(*frame.padded) if padded else batch_of(frame.sides)
+    """Return the pairs that satviz finds; shapes of several kinds are read from the rivals' padded arrays."""
+    made = batch.from_padded(*frame.padded) if len(frame.sides) > 1 else batch_of(frame.sides)
     return batch.colliding_pairs(made, engine=engine)
 
 
