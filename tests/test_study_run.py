@@ -269,9 +269,9 @@ def test_the_guide_is_right_about_who_is_the_fastest():
     times = {(r["section"], r["work"], r["size"], r["method"]): r["time"] for r in BENCH["rows"] + FRAMES["rows"]}
     numpy, numba = ENGINES
     for (section, work, size, method), time in times.items():
-        if method == "shapely":  # with numba nowhere slower, with NumPy only for many corners
+        if method == "shapely":  # with numba nowhere slower; with NumPy for many corners, and for few boxes
             assert times.get((section, work, size, numba), 0) <= time
-            assert times.get((section, work, size, numpy), 0) <= time or section == "corners"
+            assert times.get((section, work, size, numpy), 0) <= time or section == "corners" or size == 1000
         if section == "frames" and method.endswith("STRtree"):
             assert times[section, work, size, numba] <= time
     frames = {key[1:]: time for key, time in times.items() if key[0] == "frames"}
