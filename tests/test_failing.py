@@ -84,6 +84,11 @@ KNOWN = {
     "slipped-normal": (FALSE_HIT, -1, 0.949),
     "touch-as-apart": (MISSED_HIT, 0, 0),
     "tile-seam": (WRONG_NUMBER, 0.4, 0),
+    "integer-halves": (MISSED_HIT, 1, 0),
+    "rounded-normals": (FALSE_HIT, -1, 0.447),
+    "degrees-for-radians": (FALSE_HIT, -0.446, 1),
+    "largest-overlap": (WRONG_NUMBER, 3, 1),
+    "half-the-way": (WRONG_NUMBER, 0.5, 0),
 }
 each_case = pytest.mark.parametrize("case", FAILURE_CASES, ids=lambda case: case.name)
 SCENE_CASES = [case for case in FAILURE_CASES if case.how != REFUSED]
@@ -670,6 +675,7 @@ NO_AREA = {
     "one-maximum": "rounding",
     "touch-on-paper": "rounding",
     "many-pairs": "does not depend on where B is",
+    "integer-halves": "the ranges jump as B moves",
 }
 
 

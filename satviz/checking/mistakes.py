@@ -49,6 +49,8 @@ SYMPTOMS: dict[str, tuple[str, ...]] = {
         "dart",
         "box-in-u",
         "faces-in-3d",
+        "rounded-normals",
+        "degrees-for-radians",
     ),
     "falls through: no hit where the shapes overlap": (
         "corner-inside",
@@ -66,6 +68,7 @@ SYMPTOMS: dict[str, tuple[str, ...]] = {
         "far-centers",
         "mixed-signs",
         "circles-turned-round",
+        "integer-halves",
     ),
     "is pushed too far": (
         "raw-depth",
@@ -75,6 +78,8 @@ SYMPTOMS: dict[str, tuple[str, ...]] = {
         "one-overlap",
         "line-for-axis",
         "bounding-circles",
+        "degrees-for-radians",
+        "largest-overlap",
     ),
     "is pushed the wrong way": (
         "push-along-normal",
@@ -83,6 +88,7 @@ SYMPTOMS: dict[str, tuple[str, ...]] = {
         "repeated-vertex",
         "raw-depth",
         "corner-inside",
+        "largest-overlap",
     ),
     "sticks, or is not pushed out all the way": (
         "range-inside",
@@ -91,6 +97,8 @@ SYMPTOMS: dict[str, tuple[str, ...]] = {
         "sum-of-parts",
         "repeated-vertex",
         "corner-inside",
+        "half-the-way",
+        "integer-halves",
     ),
 }
 
@@ -199,7 +207,8 @@ def likenesses(results: Sequence[Result], rules: Rules) -> list[Likeness]:
     found: dict[str, Likeness] = {}
     with_circles = any(result.pair.kind in (CIRCLES, ROUND) for result in readable)
     for hypothesis in HYPOTHESES:
-        if not hypothesis.is_about(rules) or (not with_circles and _own_kind(hypothesis.name) in (CIRCLES, ROUND)):
+        is_of_circles = not hypothesis.words and _own_kind(hypothesis.name) in (CIRCLES, ROUND)
+        if not hypothesis.is_about(rules) or (is_of_circles and not with_circles):
             continue
         likeness = _likeness(hypothesis, compared, rules)
         best = found.get(hypothesis.name)

@@ -1,25 +1,30 @@
 """Other ways in which people write a known mistake: (the name of its failing case, what it claims, in which way)."""
 
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
 from functools import partial
-from math import dist, hypot, inf
+from math import atan2, cos, degrees, dist, floor, hypot, sin
 from operator import itemgetter
+from typing import NamedTuple
 
-from ..engine.axes import Axis, Choice, Chooser, directions, edge_normals, edge_normals_of_a, edge_normals_of_b, world
-from ..engine.geometry import Relation, Vec
+from ..engine.axes import Axis, edge_normals
+from ..engine.geometry import Interval, Relation, Vec
 from ..engine.relate import relate
-from ..engine.sat import AxisTest, Projection, axis_tests, project
+from ..engine.sat import AxisTest, Projection, project
 from ..engine.shapes import Shape
-from ..engine.shortcut import Shortcut, move_along_axis
+from ..engine.shortcut import Shortcut
 from ..engine.trace import record
 from ..scenes.failing import NAMED
 from ..scenes.failing.saved_work import corner_tests
-from ..scenes.failing.wrong_steps import is_closing_edge, measured_test, only_x, raw_normals, vertex_count
+from ..scenes.failing.wrong_projections import whole_halves
+from ..scenes.failing.wrong_steps import measured_test
 from ..scenes.shape_tools import vertex_mean
 
 Predict = Callable[[Shape, Shape], tuple[Relation, Vec | None]]  # the claimed relation, and the push of B
-Reach = Callable[[Shape], float]
-Landings = Sequence[float]
+Variant = tuple[str, Predict, str]
+Ring = Sequence[Vec]
+Middle = Callable[[Ring], Vec]
+Radius = Callable[[Ring], float]
 APART, TOUCHING, OVERLAPPING = Relation
 
 
@@ -29,93 +34,246 @@ def by_shortcut(shortcut: Shortcut, a: Shape, b: Shape) -> tuple[Relation, Vec |
     return trace.claim, trace.push
 
 
-def any_overlap(a: Shape, b: Shape) -> tuple[Relation, Vec | None]:
-    """Return OVERLAPPING if the ranges meet on any edge normal: `any` written for `all`."""
-    return _by_largest([min((test.gap for test in axis_tests(a, b, edge_normals(a, b).axes)), default=1.0)]), None
+# -- SAT as people write it, in plain floats
 
 
-def _by_largest(gaps: Sequence[float]) -> Relation:
-    """Return the relation that the largest gap claims."""
-    return APART if max(gaps) > 0 else TOUCHING if max(gaps) == 0 else OVERLAPPING
+class Overlap(NamedTuple):
+    """The overlap of the ranges of A and B on an axis along `n`, in units of n's length; negative for a gap."""
+
+    n: Vec
+    a: Interval
+    b: Interval
+    size: float
 
 
-def raw_push(a: Shape, b: Shape, tests: Sequence[AxisTest]) -> Vec:
-    """Return the push of a raw normal times a raw depth: neither was divided by the normal's length."""
-    test = max(tests, key=lambda test: test.gap)
-    return move_along_axis(test, -test.gap * test.axis.length)
+def normal(dx: float, dy: float) -> Vec:
+    """Return the normal of an edge (dx, dy) to the right, as long as the edge."""
+    return Vec(dy, -dx)
 
 
-def along_edges(a: Shape, b: Shape) -> Choice:
-    """Return the directions of all edges as axes, without the quarter turn that makes a normal."""
-    return directions(*(Vec(-axis.normal.y, axis.normal.x) for axis in edge_normals(a, b).axes))(a, b)
+def listed(
+    a: Ring,
+    b: Ring,
+    turn: Callable[[float, float], Vec] = normal,
+    sign: int = 1,
+    cut_a: slice = slice(None),
+    cut_b: slice = slice(None),
+) -> list[Vec]:
+    """Return what `turn` makes of each edge of A and of B, in the order in which the vertices are listed.
 
-
-def without_minus(a: Shape, b: Shape) -> Choice:
-    """Return for each edge (dx, dy) the axis along (dy, dx)."""
-    return directions(*(Vec(axis.normal.x, -axis.normal.y) for axis in edge_normals(a, b).axes))(a, b)
-
-
-def edge_landings(sign: int, a: Shape, b: Shape) -> Iterator[tuple[Vec, Landings, Landings]]:
-    """Yield each edge's normal, as long as the edge, turned left (`sign` 1) or right (-1), and the landings of A and B.
-
-    The edges go by the vertices as they are listed, so the normals of a clockwise outline are turned, too.
+    `sign`: -1 for the opposites; `cut_a`, `cut_b`: the edges that are taken.
     """
-    if not (a.vertices and b.vertices):
-        raise ValueError("a circle has no edges")
-    for ring in a.vertices, b.vertices:
-        for p, q in zip(ring, (*ring[1:], *ring[:1])):
-            n = Vec(sign * (p.y - q.y), sign * (q.x - p.x))
-            on_a, on_b = ([n.x * v.x + n.y * v.y for v in shape.vertices] for shape in (a, b))
-            yield n, on_a, on_b
+    found = []
+    for ring, cut in (a, cut_a), (b, cut_b):
+        for p, q in list(zip(ring, (*ring[1:], *ring[:1])))[cut]:
+            if p != q:  # a vertex that is listed twice is another mistake
+                x, y = turn(q.x - p.x, q.y - p.y)
+                found.append(Vec(sign * x, sign * y))
+    return found
 
 
-def by_gaps(gap_of: Callable[[Landings, Landings], float], sign: int, a: Shape, b: Shape) -> tuple[Relation, None]:
-    """Return what the largest gap on the normals of all edges claims, with `gap_of` in place of the true gap."""
-    return _by_largest([gap_of(on_a, on_b) for _, on_a, on_b in edge_landings(sign, a, b)]), None
+def ends(ring: Ring, n: Vec) -> Interval:
+    """Return the range of a ring of vertices on an axis along n."""
+    landings = [n.x * p.x + n.y * p.y for p in ring]
+    return Interval(min(landings), max(landings))
 
 
-def on_one_side(on_a: Landings, on_b: Landings) -> float:
-    """Return the gap from A's end to B's start alone."""
-    return min(on_b) - max(on_a)
+def nearer_end(a: Interval, b: Interval) -> float:
+    """Return the overlap of two ranges: how far one of them has to move at least."""
+    return min(a.hi - b.lo, b.hi - a.lo)
 
 
-def from_zero(on_a: Landings, on_b: Landings) -> float:
-    """Return the gap of ranges whose larger ends were searched for from 0 upward."""
-    return max(min(on_a) - max(0.0, *on_b), min(on_b) - max(0.0, *on_a))
+def shorter_way(a: Ring, b: Ring, found: Overlap) -> int:
+    """Return 1 where B leaves A sooner along n, else -1."""
+    return 1 if found.a.hi - found.b.lo < found.b.hi - found.a.lo else -1
 
 
-def about_the_middle(on_a: Landings, on_b: Landings) -> float:
-    """Return the gap of ranges that reach equally far to both sides of the vertex mean."""
-    p, q = (sum(on) / len(on) for on in (on_a, on_b))
-    return abs(p - q) - max(abs(t - p) for t in on_a) - max(abs(t - q) for t in on_b)
+@dataclass(frozen=True, slots=True)
+class Written:
+    """SAT as people write it; a mistake replaces one step.
 
-
-def by_an_end_of_a(on_a: Landings, on_b: Landings) -> float:
-    """Return how far the nearer end of A's range lies outside B's range; else 0 or less."""
-    return min(max(min(on_b) - t, t - max(on_b)) for t in (min(on_a), max(on_a)))
-
-
-def by_an_end_of_b(on_a: Landings, on_b: Landings) -> float:
-    """Return how far the nearer end of B's range lies outside A's range; else 0 or less."""
-    return by_an_end_of_a(on_b, on_a)
-
-
-def push_by_edges(sign: int, one_sided: bool, a: Shape, b: Shape) -> tuple[Relation, Vec | None]:
-    """Return the right relation, and the push along an edge's normal as it comes, turned left or right of the edge.
-
-    `one_sided`: the depth on a normal is how far A's end lies beyond B's start, also where B's end is nearer.
+    `axes`: the axes of two rings, of any length; `ends`: the range of a ring on an axis; `overlap`: of two ranges;
+    `powers`: of the normal's length, by which overlaps are divided where they are compared, and the normal times the
+    overlap where it becomes the push; `pick`: the place of the axis of the push, where the least overlap comes first,
+    or, with `in_order`, in the order of the axes; `way`: 1 for a push along the normal, else -1; `share`: of
+    the push; `any_axis`: whether one overlap is enough for a hit.
     """
-    best, push = inf, None
-    for n, on_a, on_b in edge_landings(sign, a, b):
-        length = hypot(*n)
-        if not length:
-            continue  # a vertex that is listed twice is another mistake
-        depth = max(on_a) - min(on_b)
-        depth = (depth if one_sided else min(depth, max(on_b) - min(on_a))) / length
-        if depth < best:
-            best, push = depth, Vec(n.x / length * depth, n.y / length * depth)
-    relation = relate(a, b)
-    return relation, push if relation is OVERLAPPING else None
+
+    axes: Callable[[Ring, Ring], Sequence[Vec]] = listed
+    ends: Callable[[Ring, Vec], Interval] = ends
+    overlap: Callable[[Interval, Interval], float] = nearer_end
+    powers: tuple[int, int] = (1, 2)
+    pick: int = 0
+    in_order: bool = False
+    way: Callable[[Ring, Ring, Overlap], int] = shorter_way
+    share: float = 1.0
+    any_axis: bool = False
+
+    def __call__(self, a: Shape, b: Shape) -> tuple[Relation, Vec | None]:
+        """Return the claimed relation and the push of B; ValueError for a circle, which has no edges."""
+        p, q = a.vertices, b.vertices
+        if not (p and q):
+            raise ValueError("a circle has no edges")
+        found = []
+        for n in self.axes(p, q):
+            on_a, on_b = self.ends(p, n), self.ends(q, n)
+            found.append(Overlap(n, on_a, on_b, self.overlap(on_a, on_b)))
+        sizes = [each.size for each in found]
+        least = (max if self.any_axis else min)(sizes, default=0.0)
+        if least < 0:
+            return APART, None
+        if self.any_axis:
+            found = [each for each in found if each.size >= 0]
+        if not self.in_order:
+            found.sort(key=lambda each: each.size / _length(each.n) ** self.powers[0])
+        if not found:
+            return TOUCHING, None
+        picked = found[self.pick]
+        size = self.share * self.way(p, q, picked) * picked.size / _length(picked.n) ** self.powers[1]
+        return OVERLAPPING if least else TOUCHING, Vec(picked.n.x * size, picked.n.y * size)
+
+
+def _length(n: Vec) -> float:
+    """Return the length of a vector, 1 for (0, 0), to which a normal may be rounded."""
+    return hypot(*n) or 1.0
+
+
+# -- axes
+
+
+def of_world(a: Ring, b: Ring) -> list[Vec]:
+    """Return x and y."""
+    return [Vec(1.0, 0.0), Vec(0.0, 1.0)]
+
+
+def between(middle: Middle, a: Ring, b: Ring) -> list[Vec]:
+    """Return the line between the middles as the only axis; x where both are one point."""
+    (ax, ay), (bx, by) = middle(a), middle(b)
+    return [Vec(bx - ax, by - ay) if (ax, ay) != (bx, by) else Vec(1.0, 0.0)]
+
+
+def one_edge(index: int, a: Ring, b: Ring) -> list[Vec]:
+    """Return the normal of one of all edges."""
+    return [listed(a, b)[index]]
+
+
+def of_each(cut: Callable[[int], slice], a: Ring, b: Ring) -> list[Vec]:
+    """Return the normals of some edges of each ring, by its number of vertices."""
+    return listed(a, b, cut_a=cut(len(a)), cut_b=cut(len(b)))
+
+
+def one_for_equal_counts(a: Ring, b: Ring) -> list[Vec]:
+    """Return the normals of A alone where both rings have as many vertices, else of both."""
+    return listed(a, b if len(a) != len(b) else ())
+
+
+def turned_by_90(dx: float, dy: float) -> Vec:
+    """Return the direction of an edge, turned by 90 radians."""
+    return Vec(cos(atan2(dy, dx) + 90), sin(atan2(dy, dx) + 90))
+
+
+def angle_in_degrees(dx: float, dy: float) -> Vec:
+    """Return the direction of the angle in radians that an edge's normal has in degrees."""
+    angle = degrees(atan2(dy, dx)) + 90
+    return Vec(cos(angle), sin(angle))
+
+
+def rounded_to(round_to: Callable[[float], float], dx: float, dy: float) -> Vec:
+    """Return the normal of an edge, brought to length 1, with both of its numbers rounded."""
+    length = hypot(dx, dy)
+    return Vec(round_to(dy / length), round_to(-dx / length))
+
+
+# -- ranges
+
+
+def from_zero(ring: Ring, n: Vec) -> Interval:
+    """Return a range whose larger end was searched for from 0 upward."""
+    lo, hi = ends(ring, n)
+    return Interval(lo, max(0.0, hi))
+
+
+def without_signs(ring: Ring, n: Vec) -> Interval:
+    """Return the absolute values of both ends of a range."""
+    lo, hi = ends(ring, n)
+    return Interval(abs(lo), abs(hi))
+
+
+def about_the_mean(ring: Ring, n: Vec) -> Interval:
+    """Return a range that reaches equally far to both sides of the vertex mean."""
+    (at, _), (lo, hi) = ends([mean(ring)], n), ends(ring, n)
+    reach = max(hi - at, at - lo)
+    return Interval(at - reach, at + reach)
+
+
+def circle_about(middle: Middle, radius: Radius, ring: Ring, n: Vec) -> Interval:
+    """Return the range of the circle of this middle and radius."""
+    (at, _), reach = ends([middle(ring)], n), radius(ring) * hypot(*n)
+    return Interval(at - reach, at + reach)
+
+
+def one_extreme_each(step: int, ring: Ring, n: Vec) -> Interval:
+    """Return the range of one vertex on each side of the bounding box; -1 for `step` takes the last of several."""
+    return ends([pick(ring[::step], key=itemgetter(k)) for pick in (min, max) for k in (0, 1)], n)
+
+
+def some_vertices(cut: slice, ring: Ring, n: Vec) -> Interval:
+    """Return the range of some vertices."""
+    return ends(ring[cut], n)
+
+
+def rounded_landings(round_to: Callable[[float], float], ring: Ring, n: Vec) -> Interval:
+    """Return a range on the normal of length 1 with both ends rounded, in units of n's length."""
+    length = hypot(*n)
+    lo, hi = (length * round_to(end / length) for end in ends(ring, n))
+    return Interval(lo, hi)
+
+
+def half_is_whole(whole_middle: bool, ring: Ring, n: Vec) -> Interval:
+    """Return a range that is kept as its middle and half of its length, rounded down to a whole number."""
+    return whole_halves(ends(ring, n), whole_middle)
+
+
+# -- overlaps
+
+
+def a_before_b(a: Interval, b: Interval) -> float:
+    """Return how far A's end lies beyond B's start, also where B's end is nearer."""
+    return a.hi - b.lo
+
+
+def by_an_end_of_a(a: Interval, b: Interval) -> float:
+    """Return how deep an end of A's range lies within B's range, at most."""
+    return max(min(b.hi - end, end - b.lo) for end in a)
+
+
+def by_an_end_of_b(a: Interval, b: Interval) -> float:
+    """Return how deep an end of B's range lies within A's range, at most."""
+    return by_an_end_of_a(b, a)
+
+
+# -- pushes
+
+
+def along_normal(sign: int, a: Ring, b: Ring, found: Overlap) -> int:
+    """Return the sign: the normal as it comes, or its opposite."""
+    return sign
+
+
+def from_middle(middle: Middle, a: Ring, b: Ring, found: Overlap) -> int:
+    """Return 1 where the way from the middle of A to that of B leads along n, else -1."""
+    (ax, ay), (bx, by) = middle(a), middle(b)
+    return 1 if (bx - ax) * found.n.x + (by - ay) * found.n.y >= 0 else -1
+
+
+def push_along_centers(a: Shape, b: Shape, tests: Sequence[AxisTest]) -> Vec:
+    """Return a push of B by the depth along the line from A's vertex mean to B's; along x where both are one point."""
+    depth, (px, py), (qx, qy) = -max(test.gap for test in tests), vertex_mean(a), vertex_mean(b)
+    length = hypot(qx - px, qy - py)
+    return Vec((qx - px) / length * depth, (qy - py) / length * depth) if length else Vec(depth, 0.0)
+
+
+# -- no axes
 
 
 def middle_inside(a: Shape, b: Shape) -> tuple[Relation, Vec | None]:
@@ -163,45 +321,14 @@ def squared_distance(a: Shape, b: Shape) -> tuple[Relation, None]:
     if not (a.core_is_point and b.core_is_point):
         raise ValueError("no two circles")
     (ax, ay), (bx, by) = a.core[0], b.core[0]
-    return _by_largest([(bx - ax) ** 2 + (by - ay) ** 2 - a.radius - b.radius]), None
-
-
-def line_of_middles(a: Shape, b: Shape) -> Choice:
-    """Return the line between the vertex means as the only axis; x where both are one point."""
-    (ax, ay), (bx, by) = vertex_mean(a), vertex_mean(b)
-    along = Vec(bx - ax, by - ay)
-    return directions(along if any(along) else Vec(1.0, 0.0))(a, b)
-
-
-def one_edge(index: int, a: Shape, b: Shape) -> Choice:
-    """Return the normal of one edge of both shapes' edges in order as the only axis."""
-    return Choice(edge_normals(a, b).axes[index:][:1])
-
-
-def without_first_edges(a: Shape, b: Shape) -> Choice:
-    """Return all edge normals but that of the first edge of each shape."""
-    return Choice(tuple(axis for axis in edge_normals(a, b).axes if axis.source.ids != (0, 1)))
+    gap = (bx - ax) ** 2 + (by - ay) ** 2 - a.radius - b.radius
+    return APART if gap > 0 else TOUCHING if gap == 0 else OVERLAPPING, None
 
 
 def _beyond(axis: Axis, spot: Vec, shape: Shape) -> float:
     """Return how far a point lies outside the range of a shape on an axis, in units of the normal; else 0 or less."""
     at, ends = (spot.x * axis.normal.x + spot.y * axis.normal.y) / axis.length, project(shape, axis).interval
     return max(at - ends.hi, ends.lo - at)
-
-
-def first_half_rounded_up(a: Shape, b: Shape) -> Choice:
-    """Return the normals of the first half of the edges; of an odd number of edges the one in the middle, too."""
-    kept = (
-        axis
-        for axis in edge_normals(a, b).axes
-        if not is_closing_edge(axis, a, b) and axis.source.ids[0] < (vertex_count(axis, a, b) + 1) // 2
-    )
-    return Choice(tuple(kept))
-
-
-def one_for_equal_counts(a: Shape, b: Shape) -> Choice:
-    """Return the edge normals of A alone where both shapes have as many vertices, else of both."""
-    return (edge_normals_of_a if len(a.vertices) == len(b.vertices) else edge_normals)(a, b)
 
 
 def outward_from_each_middle(a: Shape, b: Shape, axis: Axis) -> AxisTest:
@@ -217,102 +344,183 @@ def outward_from_each_middle(a: Shape, b: Shape, axis: Axis) -> AxisTest:
     return measured_test(axis, project_outward(a), project_outward(b))
 
 
-def one_extreme_each(step: int, a: Shape, b: Shape, axis: Axis) -> AxisTest:
-    """Return the test of an axis that projects one vertex on each side of the bounding box.
-
-    `step`: where several vertices lie on a side, 1 takes the first, -1 the last.
-    """
-
-    def project_extremes(shape: Shape) -> Projection:
-        """Return the projection of these four vertices."""
-        listed = shape.vertices[::step]
-        if not listed:
-            return project(shape, axis)
-        few = [pick(listed, key=itemgetter(k)) for pick in (min, max) for k in (0, 1)]
-        return Projection(tuple(few), tuple(p.x * axis.direction.x + p.y * axis.direction.y for p in few))
-
-    return measured_test(axis, project_extremes(a), project_extremes(b))
+def reversed_verdict(a: Shape, b: Shape) -> tuple[Relation, None]:
+    """Return APART for shapes that meet, and OVERLAPPING for those that are apart."""
+    return (OVERLAPPING if relate(a, b) is APART else APART), None
 
 
-def push_along_centers(a: Shape, b: Shape, tests: Sequence[AxisTest]) -> Vec:
-    """Return a push of B by the depth along the line from A's vertex mean to B's; along x where both are one point."""
-    depth, (px, py), (qx, qy) = -max(test.gap for test in tests), vertex_mean(a), vertex_mean(b)
-    length = hypot(qx - px, qy - py)
-    return Vec((qx - px) / length * depth, (qy - py) / length * depth) if length else Vec(depth, 0.0)
-
-
-def beyond_reach(reach: Reach, a: Shape, b: Shape) -> tuple[Relation, Vec | None]:
-    """Return APART where the vertex means are further apart than the sum of both reaches, else the right answer."""
-    if dist(vertex_mean(a), vertex_mean(b)) > reach(a) + reach(b):
+def beyond_reach(
+    middle: Middle, reach: Callable[[Ring, Ring], float], a: Shape, b: Shape
+) -> tuple[Relation, Vec | None]:
+    """Return APART where the middles are further apart than a reach, else the right answer."""
+    p, q = a.vertices or a.core, b.vertices or b.core
+    if dist(middle(p), middle(q)) > reach(p, q):
         return APART, None
+    if a.is_convex and b.is_convex and a.vertices and b.vertices:
+        return Written()(a, b)
     trace = record(a, b)
     return trace.relation, trace.mtv
 
 
-def _distances(shape: Shape) -> list[float]:
-    """Return how far each vertex is from the vertex mean; of a circle its radius."""
-    middle = vertex_mean(shape)
-    return [dist(middle, vertex) for vertex in shape.vertices] or [shape.radius]
+# -- middles and radii
 
 
-def _half_sides(shape: Shape) -> list[float]:
-    """Return half the width and half the height of the bounding box."""
-    (x0, y0), (x1, y1) = (tuple(f(axis) for axis in zip(*shape.core)) for f in (min, max))
-    return [(x1 - x0) / 2 + shape.radius, (y1 - y0) / 2 + shape.radius]
+def mean(ring: Ring) -> Vec:
+    """Return the mean of the vertices."""
+    return Vec(sum(p.x for p in ring) / len(ring), sum(p.y for p in ring) / len(ring))
 
 
-REACHES: tuple[Reach, ...] = (
-    lambda shape: sum(_distances(shape)) / len(_distances(shape)),
-    lambda shape: min(_distances(shape)),
-    lambda shape: min(_half_sides(shape)),
-    lambda shape: sum(_half_sides(shape)) / 2,
+def sides(ring: Ring) -> tuple[float, float]:
+    """Return the width and the height of the bounding box."""
+    width, height = (max(axis) - min(axis) for axis in zip(*ring))
+    return width, height
+
+
+def middle_of_box(ring: Ring) -> Vec:
+    """Return the middle of the bounding box."""
+    return Vec(*((max(axis) + min(axis)) / 2 for axis in zip(*ring)))
+
+
+def distances(ring: Ring) -> list[float]:
+    """Return how far each vertex is from the vertex mean."""
+    return [dist(mean(ring), vertex) for vertex in ring]
+
+
+RADII: tuple[tuple[Middle, Radius], ...] = (
+    (mean, lambda ring: max(distances(ring))),
+    (mean, lambda ring: min(distances(ring))),
+    (mean, lambda ring: sum(distances(ring)) / len(ring)),
+    (middle_of_box, lambda ring: hypot(*sides(ring)) / 2),
+    (middle_of_box, lambda ring: sides(ring)[0] / 2),
+    (middle_of_box, lambda ring: max(sides(ring)) / 2),
+    (middle_of_box, lambda ring: min(sides(ring)) / 2),
+    (middle_of_box, lambda ring: sum(sides(ring)) / 4),
 )
+FIXED_REACHES = 1, 2, 3, 4, 5, 6, 8, 10, 15, 20, 50, 100
 
 
-def _variants() -> Iterator[tuple[str, Predict, str]]:
-    """Yield the name of each mistake with another way to write it, and what is different there, in words."""
+def _chosen_edges() -> Iterator[Variant]:
+    """Yield the mistakes that leave out axes, or take others."""
+    half, one, opened = "half-the-normals", "one-overlap", "open-outline"
+    cuts: tuple[tuple[str, Callable[[int], slice], str], ...] = (
+        (half, lambda count: slice((count + 1) // 2), "here half of them, rounded up"),
+        (half, lambda count: slice(None, None, 2), "here every second one"),
+        (half, lambda count: slice(2), "here the first two of each shape"),
+        (half, lambda count: slice(1), "here the first of each shape"),
+        (opened, lambda count: slice(1, count), "here without the first edge"),
+    )
+    for name, cut, words in cuts:
+        yield name, Written(partial(of_each, cut)), words
+    yield opened, Written(partial(listed, cut_a=slice(-1))), "here for A alone"
+    yield opened, Written(partial(listed, cut_b=slice(-1))), "here for B alone"
+    yield "one-shapes-normals", Written(partial(listed, cut_a=slice(0))), "here those of B"
+    yield "same-shape", Written(one_for_equal_counts), "here for shapes with equally many corners"
+    yield one, Written(lambda a, b: of_world(a, b)[:1]), "here on the x axis"
+    yield one, Written(partial(one_edge, 0)), "here on the normal of the first edge"
+    yield one, Written(partial(one_edge, -1)), "here on the normal of the last edge"
+    for in_order in False, True:
+        yield one, Written(any_axis=True, in_order=in_order), "here on any one of them"
+    for middle in mean, middle_of_box:
+        yield one, Written(partial(between, middle)), "here on the line between the middles"
+    along = "here an edge is taken as an axis, without the quarter turn"
+    yield "line-for-axis", Written(partial(listed, turn=Vec)), along
+    yield "slipped-normal", Written(partial(listed, turn=lambda x, y: Vec(y, x))), "here (dy, dx), without the minus"
+    yield "degrees-for-radians", Written(partial(listed, turn=angle_in_degrees)), "here the whole angle in degrees"
+    roundings: tuple[tuple[Callable[[float], float], str], ...] = (
+        (round, ""),
+        (partial(round, ndigits=1), "here to 1 digit"),
+        (partial(round, ndigits=2), "here to 2 digits"),
+        (int, "here the digits are cut off"),
+        (floor, "here down"),
+    )
+    for rounding, words in roundings:
+        for power in 0, 1:
+            rounded = Written(partial(listed, turn=partial(rounded_to, rounding)), powers=(0, power))
+            yield "rounded-normals", rounded, words
 
-    def chosen(name: str, choose: Chooser, words: str) -> tuple[str, Predict, str]:
-        """Return the mistake with another choice of axes."""
-        return name, partial(by_shortcut, NAMED[name].shortcut._replace(choose=choose)), words
 
-    yield chosen("one-shapes-normals", edge_normals_of_b, "here those of B")
-    yield chosen("one-overlap", only_x, "here on the x axis")
-    yield "one-overlap", any_overlap, "here on any one of them"
-    yield chosen("one-overlap", partial(one_edge, 0), "here on the normal of the first edge")
-    yield chosen("one-overlap", partial(one_edge, -1), "here on the normal of the last edge")
-    yield chosen("one-overlap", line_of_middles, "here on the line between the middles")
-    yield chosen("open-outline", without_first_edges, "here without the first edge")
-    yield "bounding-circles", partial(by_gaps, about_the_middle, 1), "here on each axis, about the middle of each range"
-    yield "corner-inside", partial(by_gaps, by_an_end_of_a, 1), "here an end of A's range in B's, on each axis"
-    yield "corner-inside", partial(by_gaps, by_an_end_of_b, 1), "here an end of B's range in A's, on each axis"
-    for sign in (1, -1):
-        yield "start-at-zero", partial(by_gaps, from_zero, sign), "here on the normal of each edge"
-        yield "one-sided-gap", partial(by_gaps, on_one_side, sign), "here on the normal of each edge"
-        yield "one-sided-gap", partial(push_by_edges, sign, True), "here for the depth"
-        yield "push-along-normal", partial(push_by_edges, sign, False), ""
-    yield chosen("one-sided-gap", world, "here on x and y")
+def _measured() -> Iterator[Variant]:
+    """Yield the mistakes in a range on an axis, or in the overlap of two ranges."""
+    for axes, words in (
+        (partial(listed, sign=1), "here on the normal of each edge"),
+        (partial(listed, sign=-1), "here on the normal of each edge"),
+        (of_world, "here on x and y"),
+    ):
+        yield "start-at-zero", Written(axes, from_zero), words
+        yield "one-sided-gap", Written(axes, overlap=a_before_b), words
+    yield "lengths", Written(ends=without_signs), "here of each end of a range"
+    yield "bounding-circles", Written(ends=about_the_mean), "here on each axis, about the middle of each range"
+    yield "corner-inside", Written(overlap=by_an_end_of_a), "here an end of A's range in B's, on each axis"
+    yield "corner-inside", Written(overlap=by_an_end_of_b), "here an end of B's range in A's, on each axis"
+    for middle, radius in RADII:
+        yield "bounding-circles", Written(partial(between, middle), partial(circle_about, middle, radius)), ""
+    for step in (1, -1):
+        yield "extremes-once", Written(ends=partial(one_extreme_each, step)), ""
+    yield "extremes-once", Written(ends=partial(some_vertices, slice(-1))), "here without the last vertex"
+    yield "extremes-once", Written(ends=partial(some_vertices, slice(1, None))), "here without the first vertex"
+    for round_to in round, int, floor:
+        yield "rounded-normals", Written(ends=partial(rounded_landings, round_to)), "here the landing places"
+    yield "integer-halves", Written(of_world, partial(half_is_whole, False)), "here beside an exact middle"
+
+
+def _pushed() -> Iterator[Variant]:
+    """Yield the mistakes in the choice of the push."""
+    late = "here divided only after the axis was chosen"
+    yield "raw-depth", Written(powers=(0, 2)), late
+    yield "raw-depth", Written(powers=(0, 0)), "here the normal of the move is as long as its edge, too"
+    yield "raw-depth", Written(powers=(1, 1)), "here the normal of the move is as long as its edge"
+    for power in 3, 4:
+        yield "raw-depth", Written(powers=(2, power)), "here divided by the square of the length"
+    yield "largest-overlap", Written(pick=-1), ""
+    for axes in listed, lambda a, b: listed(b, a):
+        yield "largest-overlap", Written(axes, pick=-1, in_order=True), "here along the last axis"
+        yield "largest-overlap", Written(axes, pick=0, in_order=True), "here along the first axis"
+    for sign in 1, -1:
+        yield "push-along-normal", Written(way=partial(along_normal, sign)), ""
+    for middle, words in (
+        (middle_of_box, "here from the middle of the bounding box"),
+        (itemgetter(0), "here from the first vertex"),
+    ):
+        yield "push-from-center", Written(way=partial(from_middle, middle)), words
+
+
+def _other_ways() -> Iterator[Variant]:
+    """Yield the mistakes of other methods than SAT."""
     yield "corner-inside", middle_inside, "here the middle of one"
     yield "corner-inside", partial(corners_in, "B"), "here a corner of A in B alone"
     yield "corner-inside", partial(corners_in, "A"), "here a corner of B in A alone"
     yield "corner-inside", corners_or_center, "here the center of the circle, too"
     yield "edges-cross", edges_turn, "here by the signs of their turns"
     yield "circles-turned-round", squared_distance, "here the squared distance is compared"
-    yield chosen("line-for-axis", along_edges, "here an edge is taken as an axis, without the quarter turn")
-    yield chosen("slipped-normal", without_minus, "here (dy, dx), without the minus")
-    yield chosen("half-the-normals", first_half_rounded_up, "here half of them, rounded up")
-    yield chosen("same-shape", one_for_equal_counts, "here for shapes with equally many corners")
+    yield "circles-turned-round", reversed_verdict, "here the whole verdict, for shapes of any kind"
     outward = NAMED["mixed-signs"].shortcut._replace(choose=edge_normals, measure=outward_from_each_middle)
     yield "mixed-signs", partial(by_shortcut, outward), "here away from the middle of each shape"
-    for step in (1, -1):
-        few = NAMED["extremes-once"].shortcut._replace(measure=partial(one_extreme_each, step))
-        yield "extremes-once", partial(by_shortcut, few), ""
-    raw = NAMED["raw-depth"].shortcut._replace(measure=raw_normals, push=raw_push)
-    yield "raw-depth", partial(by_shortcut, raw), "here the normal of the move is as long as its edge, too"
     along_line = NAMED["push-from-center"].shortcut._replace(push=push_along_centers)
     yield "push-from-center", partial(by_shortcut, along_line), "here along the line between the middles"
-    for reach in REACHES:
-        yield "far-centers", partial(beyond_reach, reach), "here further than the reach of both shapes"
+    for middle, radius in RADII:
+        sum_of = partial(_sum_of, radius)
+        yield "far-centers", partial(beyond_reach, middle, sum_of), "here further than the reach of both shapes"
+        largest = partial(_largest, radius)
+        yield "far-centers", partial(beyond_reach, middle, largest), "here further than the larger reach"
+    for middle in mean, middle_of_box:
+        for reach in FIXED_REACHES:
+            fixed = partial(_fixed, float(reach))
+            yield "far-centers", partial(beyond_reach, middle, fixed), f"here further than {reach}"
 
 
-VARIANTS = tuple(_variants())
+def _sum_of(radius: Radius, a: Ring, b: Ring) -> float:
+    """Return the sum of both radii."""
+    return radius(a) + radius(b)
+
+
+def _largest(radius: Radius, a: Ring, b: Ring) -> float:
+    """Return the larger radius."""
+    return max(radius(a), radius(b))
+
+
+def _fixed(reach: float, a: Ring, b: Ring) -> float:
+    """Return the reach, whatever the shapes."""
+    return reach
+
+
+VARIANTS: tuple[Variant, ...] = (*_chosen_edges(), *_measured(), *_pushed(), *_other_ways())
