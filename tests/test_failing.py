@@ -156,7 +156,15 @@ def test_a_verdict_is_wrong_in_the_way_the_case_says(case):
 @each_scene
 def test_the_wrong_number_comes_from_the_run_and_follows_the_shapes(case):
     """Twice as large, and the run says twice as much: no number is written in the case."""
-    fixed = "only-one-axis", "one-maximum", "many-pairs", "gjk-looks-less", "tunnelling", "far-centers"
+    fixed = (
+        "only-one-axis",
+        "one-maximum",
+        "many-pairs",
+        "gjk-looks-less",
+        "tunnelling",
+        "far-centers",
+        "integer-halves",
+    )
     if case.name in fixed:
         return
     a, b = (

@@ -7,7 +7,7 @@ from math import atan2, cos, degrees, dist, floor, hypot, sin
 from operator import itemgetter
 from typing import NamedTuple
 
-from ..engine.axes import Axis, edge_normals
+from ..engine.axes import Axis, Choice, centers, edge_normals
 from ..engine.geometry import Interval, Relation, Vec
 from ..engine.relate import relate
 from ..engine.sat import AxisTest, Projection, project
@@ -162,14 +162,19 @@ def of_each(cut: Callable[[int], slice], a: Ring, b: Ring) -> list[Vec]:
     return listed(a, b, cut_a=cut(len(a)), cut_b=cut(len(b)))
 
 
+def of_vertices(turn: Callable[[float, float], Vec], a: Ring, b: Ring) -> list[Vec]:
+    """Return what `turn` makes of each vertex, as if it were the vector of an edge."""
+    return [turn(*p) for ring in (a, b) for p in ring]
+
+
 def one_for_equal_counts(a: Ring, b: Ring) -> list[Vec]:
     """Return the normals of A alone where both rings have as many vertices, else of both."""
     return listed(a, b if len(a) != len(b) else ())
 
 
-def turned_by_90(dx: float, dy: float) -> Vec:
-    """Return the direction of an edge, turned by 90 radians."""
-    return Vec(cos(atan2(dy, dx) + 90), sin(atan2(dy, dx) + 90))
+def outward(sign: int, a: Ring, b: Ring) -> list[Vec]:
+    """Return normals that lead from A to B if both rings are counter-clockwise; -1 for `sign` if clockwise."""
+    return [*listed(a, (), sign=sign), *listed((), b, sign=-sign)]
 
 
 def angle_in_degrees(dx: float, dy: float) -> Vec:
@@ -191,6 +196,12 @@ def from_zero(ring: Ring, n: Vec) -> Interval:
     """Return a range whose larger end was searched for from 0 upward."""
     lo, hi = ends(ring, n)
     return Interval(lo, max(0.0, hi))
+
+
+def both_from_zero(ring: Ring, n: Vec) -> Interval:
+    """Return a range both of whose ends were searched for from 0."""
+    lo, hi = ends(ring, n)
+    return Interval(min(0.0, lo), max(0.0, hi))
 
 
 def without_signs(ring: Ring, n: Vec) -> Interval:
@@ -232,6 +243,12 @@ def rounded_landings(round_to: Callable[[float], float], ring: Ring, n: Vec) -> 
 def half_is_whole(whole_middle: bool, ring: Ring, n: Vec) -> Interval:
     """Return a range that is kept as its middle and half of its length, rounded down to a whole number."""
     return whole_halves(ends(ring, n), whole_middle)
+
+
+def twice_as_wide(ring: Ring, n: Vec) -> Interval:
+    """Return a range that reaches as far as it is long to both sides of its middle."""
+    lo, hi = ends(ring, n)
+    return Interval((lo + hi) / 2 - (hi - lo), (lo + hi) / 2 + (hi - lo))
 
 
 # -- overlaps
@@ -279,11 +296,7 @@ def push_along_centers(a: Shape, b: Shape, tests: Sequence[AxisTest]) -> Vec:
 def middle_inside(a: Shape, b: Shape) -> tuple[Relation, Vec | None]:
     """Return OVERLAPPING if the middle of one convex polygon lies in the other."""
     spots = (vertex_mean(a), b), (vertex_mean(b), a)
-    inside = any(
-        all(test <= 0 for test in (_beyond(axis, spot, shape) for axis in edge_normals(shape, shape).axes))
-        for spot, shape in spots
-    )
-    return (OVERLAPPING if inside else APART), None
+    return (OVERLAPPING if min(_outside(*each) for each in spots) <= 0 else APART), None
 
 
 def corners_in(owner: str, a: Shape, b: Shape) -> tuple[Relation, None]:
@@ -292,24 +305,70 @@ def corners_in(owner: str, a: Shape, b: Shape) -> tuple[Relation, None]:
     return (OVERLAPPING if min(gaps) <= 0 else APART), None
 
 
-def corners_or_center(a: Shape, b: Shape) -> tuple[Relation, None]:
-    """Return OVERLAPPING if a corner of a polygon lies in a circle, or the circle's center in the polygon."""
+def first_corner_in(a: Shape, b: Shape) -> tuple[Relation, None]:
+    """Return OVERLAPPING if the first corner of one convex polygon lies in the other."""
+    spots = ((a.vertices or a.core)[0], b), ((b.vertices or b.core)[0], a)
+    return (OVERLAPPING if min(_outside(*each) for each in spots) <= 0 else APART), None
+
+
+def with_circle(gap_of: Callable[[Shape, Vec, float], float], a: Shape, b: Shape) -> tuple[Relation, None]:
+    """Return what a gap between a convex polygon and a circle claims; ValueError for other pairs."""
+    if a.core_is_point == b.core_is_point:
+        raise ValueError("no circle and polygon")
     shape, circle = (a, b) if b.core_is_point else (b, a)
-    gaps = [dist(vertex, circle.core[0]) - circle.radius for vertex in shape.vertices]
-    gaps.append(max(_beyond(axis, circle.core[0], shape) for axis in edge_normals(shape, shape).axes))
-    return (OVERLAPPING if min(gaps) <= 0 else APART), None
+    gap = gap_of(shape, circle.core[0], circle.radius)
+    return (APART if gap > 0 else TOUCHING if gap == 0 else OVERLAPPING), None
 
 
-def edges_turn(a: Shape, b: Shape) -> tuple[Relation, None]:
-    """Return OVERLAPPING if two edges cross by the test of turns, which counts a turn of 0 as clockwise."""
+def nearest_corner(shape: Shape, center: Vec, radius: float) -> float:
+    """Return how far the nearest corner of a polygon is from a circle, less than 0 inside."""
+    return min(dist(vertex, center) for vertex in shape.vertices) - radius
 
-    def turns(p: Vec, q: Vec, r: Vec) -> bool:
-        """Return whether p, q, r turn counter-clockwise."""
-        return (q.x - p.x) * (r.y - p.y) > (q.y - p.y) * (r.x - p.x)
 
+def center_outside(shape: Shape, center: Vec, radius: float) -> float:
+    """Return how far the center lies outside the polygon, else 0 or less."""
+    return _outside(center, shape)
+
+
+def corner_or_center(shape: Shape, center: Vec, radius: float) -> float:
+    """Return the smaller of both, since a corner in the circle or the center in the polygon is a hit."""
+    return min(nearest_corner(shape, center, radius), _outside(center, shape))
+
+
+def box_and_circle(shape: Shape, center: Vec, radius: float) -> float:
+    """Return the gap between the polygon's bounding box and the circle."""
+    x0, y0, x1, y1 = shape.bounds
+    return hypot(max(x0 - center.x, 0.0, center.x - x1), max(y0 - center.y, 0.0, center.y - y1)) - radius
+
+
+def raw_radius(shape: Shape, center: Vec, radius: float) -> float:
+    """Return the largest gap on the edge normals as they come, with a radius that is not as long as they are."""
+    ranges = [(ends(shape.vertices, n), ends([center], n).lo) for n in listed(shape.vertices, ())]
+    return max(max(at - radius - on.hi, on.lo - at - radius) for on, at in ranges)
+
+
+def rims_meet(a: Shape, b: Shape) -> tuple[Relation, None]:
+    """Return OVERLAPPING if the rims of two circles meet; ValueError for other shapes."""
+    away = dist(*_centers(a, b))
+    return (OVERLAPPING if abs(a.radius - b.radius) <= away <= a.radius + b.radius else APART), None
+
+
+def edges_turn(strict: bool, a: Shape, b: Shape) -> tuple[Relation, None]:
+    """Return OVERLAPPING if two edges cross by the signs of their turns, one of which may be 0 if not `strict`.
+
+    A turn of 0 counts as clockwise then.
+    """
+
+    def turn(p: Vec, q: Vec, r: Vec) -> int:
+        """Return 1 where p, q, r turn counter-clockwise, -1 where they turn clockwise, and else 0 or -1."""
+        size = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x)
+        return (size > 0) - (size < 0 if strict else size <= 0)
+
+    if not (a.vertices and b.vertices):
+        raise ValueError("a circle has no edges")
     edges_of_a, edges_of_b = (tuple(zip(ring, (*ring[1:], *ring[:1]))) for ring in (a.vertices, b.vertices))
     crossed = any(
-        turns(p, r, s) != turns(q, r, s) and turns(p, q, r) != turns(p, q, s)
+        turn(p, r, s) * turn(q, r, s) < 0 and turn(p, q, r) * turn(p, q, s) < 0
         for p, q in edges_of_a
         for r, s in edges_of_b
     )
@@ -318,17 +377,27 @@ def edges_turn(a: Shape, b: Shape) -> tuple[Relation, None]:
 
 def squared_distance(a: Shape, b: Shape) -> tuple[Relation, None]:
     """Return what follows for two circles if the squared distance is compared with the sum of the radii."""
-    if not (a.core_is_point and b.core_is_point):
-        raise ValueError("no two circles")
-    (ax, ay), (bx, by) = a.core[0], b.core[0]
+    (ax, ay), (bx, by) = _centers(a, b)
     gap = (bx - ax) ** 2 + (by - ay) ** 2 - a.radius - b.radius
     return APART if gap > 0 else TOUCHING if gap == 0 else OVERLAPPING, None
 
 
-def _beyond(axis: Axis, spot: Vec, shape: Shape) -> float:
-    """Return how far a point lies outside the range of a shape on an axis, in units of the normal; else 0 or less."""
-    at, ends = (spot.x * axis.normal.x + spot.y * axis.normal.y) / axis.length, project(shape, axis).interval
-    return max(at - ends.hi, ends.lo - at)
+def normals_and_centers(a: Shape, b: Shape) -> Choice:
+    """Return the edge normals and the line between the centers."""
+    return Choice((*edge_normals(a, b).axes, *centers(a, b).axes))
+
+
+def _centers(a: Shape, b: Shape) -> tuple[Vec, Vec]:
+    """Return the centers of two circles; ValueError for other shapes."""
+    if not (a.core_is_point and b.core_is_point):
+        raise ValueError("no two circles")
+    return a.core[0], b.core[0]
+
+
+def _outside(spot: Vec, shape: Shape) -> float:
+    """Return how far a point lies outside a convex polygon, in units of the edges' lengths; 0 or less inside."""
+    landings = [(ends(shape.vertices, n), ends([spot], n).lo) for n in listed(shape.vertices, ())]
+    return max(max(at - on.hi, on.lo - at) for on, at in landings)
 
 
 def outward_from_each_middle(a: Shape, b: Shape, axis: Axis) -> AxisTest:
@@ -347,6 +416,12 @@ def outward_from_each_middle(a: Shape, b: Shape, axis: Axis) -> AxisTest:
 def reversed_verdict(a: Shape, b: Shape) -> tuple[Relation, None]:
     """Return APART for shapes that meet, and OVERLAPPING for those that are apart."""
     return (OVERLAPPING if relate(a, b) is APART else APART), None
+
+
+def within_reach(middle: Middle, reach: Callable[[Ring, Ring], float], a: Shape, b: Shape) -> tuple[Relation, None]:
+    """Return what follows if nothing but the distance of the middles counts."""
+    p, q = a.vertices or a.core, b.vertices or b.core
+    return (OVERLAPPING if dist(middle(p), middle(q)) <= reach(p, q) else APART), None
 
 
 def beyond_reach(
@@ -424,6 +499,8 @@ def _chosen_edges() -> Iterator[Variant]:
         yield one, Written(partial(between, middle)), "here on the line between the middles"
     along = "here an edge is taken as an axis, without the quarter turn"
     yield "line-for-axis", Written(partial(listed, turn=Vec)), along
+    yield "line-for-axis", Written(partial(of_vertices, Vec)), "here the way to each vertex"
+    yield "slipped-normal", Written(partial(of_vertices, normal)), "here of each vertex instead of each edge"
     yield "slipped-normal", Written(partial(listed, turn=lambda x, y: Vec(y, x))), "here (dy, dx), without the minus"
     yield "degrees-for-radians", Written(partial(listed, turn=angle_in_degrees)), "here the whole angle in degrees"
     roundings: tuple[tuple[Callable[[float], float], str], ...] = (
@@ -448,6 +525,7 @@ def _measured() -> Iterator[Variant]:
     ):
         yield "start-at-zero", Written(axes, from_zero), words
         yield "one-sided-gap", Written(axes, overlap=a_before_b), words
+    yield "start-at-zero", Written(ends=both_from_zero), "here the search for the smallest, too"
     yield "lengths", Written(ends=without_signs), "here of each end of a range"
     yield "bounding-circles", Written(ends=about_the_mean), "here on each axis, about the middle of each range"
     yield "corner-inside", Written(overlap=by_an_end_of_a), "here an end of A's range in B's, on each axis"
@@ -461,6 +539,9 @@ def _measured() -> Iterator[Variant]:
     for round_to in round, int, floor:
         yield "rounded-normals", Written(ends=partial(rounded_landings, round_to)), "here the landing places"
     yield "integer-halves", Written(of_world, partial(half_is_whole, False)), "here beside an exact middle"
+    for whole_middle in True, False:
+        yield "integer-halves", Written(ends=partial(half_is_whole, whole_middle)), "here on each axis"
+    yield "aabb-not-upright", Written(of_world, twice_as_wide), "here with the whole widths for half of them"
 
 
 def _pushed() -> Iterator[Variant]:
@@ -477,6 +558,10 @@ def _pushed() -> Iterator[Variant]:
         yield "largest-overlap", Written(axes, pick=0, in_order=True), "here along the first axis"
     for sign in 1, -1:
         yield "push-along-normal", Written(way=partial(along_normal, sign)), ""
+        as_listed = Written(partial(outward, sign), way=partial(along_normal, 1))
+        yield "push-along-normal", as_listed, "here away from the shape with the edge, in one order of the vertices"
+        as_listed = Written(partial(outward, sign), overlap=a_before_b, way=partial(along_normal, 1))
+        yield "one-sided-gap", as_listed, "here away from the shape with the edge, in one order of the vertices"
     for middle, words in (
         (middle_of_box, "here from the middle of the bounding box"),
         (itemgetter(0), "here from the first vertex"),
@@ -489,8 +574,24 @@ def _other_ways() -> Iterator[Variant]:
     yield "corner-inside", middle_inside, "here the middle of one"
     yield "corner-inside", partial(corners_in, "B"), "here a corner of A in B alone"
     yield "corner-inside", partial(corners_in, "A"), "here a corner of B in A alone"
-    yield "corner-inside", corners_or_center, "here the center of the circle, too"
-    yield "edges-cross", edges_turn, "here by the signs of their turns"
+    yield "corner-inside", first_corner_in, "here the first corner of one"
+    for gap_of, words in (
+        (nearest_corner, "here a corner in the circle"),
+        (center_outside, "here the center in the polygon"),
+        (corner_or_center, "here the center of the circle, too"),
+    ):
+        yield "corner-inside", partial(with_circle, gap_of), words
+    yield "aabb-not-upright", partial(with_circle, box_and_circle), "here beside a circle"
+    yield (
+        "no-nearest-vertex",
+        partial(with_circle, raw_radius),
+        "here with a radius that is not scaled like the normals",
+    )
+    to_center = NAMED["no-nearest-vertex"].shortcut._replace(choose=normals_and_centers)
+    yield "no-nearest-vertex", partial(by_shortcut, to_center), "here the line of the centers, too"
+    yield "edges-cross", rims_meet, "here the rims of circles"
+    for strict, words in ((False, "here by the signs of their turns"), (True, "here at a point inside both edges")):
+        yield "edges-cross", partial(edges_turn, strict), words
     yield "circles-turned-round", squared_distance, "here the squared distance is compared"
     yield "circles-turned-round", reversed_verdict, "here the whole verdict, for shapes of any kind"
     outward = NAMED["mixed-signs"].shortcut._replace(choose=edge_normals, measure=outward_from_each_middle)
@@ -506,6 +607,7 @@ def _other_ways() -> Iterator[Variant]:
         for reach in FIXED_REACHES:
             fixed = partial(_fixed, float(reach))
             yield "far-centers", partial(beyond_reach, middle, fixed), f"here further than {reach}"
+            yield "bounding-circles", partial(within_reach, middle, fixed), "here of one size for all shapes"
 
 
 def _sum_of(radius: Radius, a: Ring, b: Ring) -> float:
