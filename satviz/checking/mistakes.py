@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from functools import partial
+from itertools import product
 from math import hypot
 from typing import NamedTuple
 
@@ -205,13 +206,13 @@ def likenesses(results: Sequence[Result], rules: Rules) -> list[Likeness]:
     step = max(1, len(others) // (MAX_COMPARED - len(compared)))
     compared += others[::step][: MAX_COMPARED - len(compared)]
     found: dict[str, Likeness] = {}
-    asked = rules._replace(touching="miss") if _misses_touching(readable, rules) else rules
+    asked = [rules, rules._replace(touching="miss")][: 1 + _misses_touching(readable, rules)]
     with_circles = any(result.pair.kind in (CIRCLES, ROUND) for result in readable)
-    for hypothesis in HYPOTHESES:
+    for hypothesis, each in product(HYPOTHESES, asked):
         is_of_circles = not hypothesis.words and _own_kind(hypothesis.name) in (CIRCLES, ROUND)
         if not hypothesis.is_about(rules) or (is_of_circles and not with_circles):
             continue
-        likeness = _likeness(hypothesis, compared, rules, asked)
+        likeness = _likeness(hypothesis, compared, rules, each)
         best = found.get(hypothesis.name)
         if likeness and (best is None or _rank(likeness) < _rank(best)):
             found[hypothesis.name] = likeness
@@ -252,8 +253,8 @@ def _likeness(hypothesis: Hypothesis, results: Sequence[Result], rules: Rules, a
         either += not (fits and result.right)
         alike += equal and not result.right
         missed += not result.right and not equal
-        if i == 11 and missed == 12:
-            return None  # none of the first wrong answers is explained
+        if i >= 11 and missed > 9 * alike:
+            return None  # too few of the wrong answers, which come first, are explained
     return Likeness(hypothesis.name, agrees, len(results), alike, either, hypothesis.words) if alike else None
 
 

@@ -461,17 +461,19 @@ def distances(ring: Ring) -> list[float]:
     return [dist(mean(ring), vertex) for vertex in ring]
 
 
-RADII: tuple[tuple[Middle, Radius], ...] = (
+LARGE_RADII: tuple[tuple[Middle, Radius], ...] = (  # of circles that hold the whole shape
     (mean, lambda ring: max(distances(ring))),
+    (middle_of_box, lambda ring: hypot(*sides(ring)) / 2),
+)
+SMALL_RADII: tuple[tuple[Middle, Radius], ...] = (
     (mean, lambda ring: min(distances(ring))),
     (mean, lambda ring: sum(distances(ring)) / len(ring)),
-    (middle_of_box, lambda ring: hypot(*sides(ring)) / 2),
     (middle_of_box, lambda ring: sides(ring)[0] / 2),
     (middle_of_box, lambda ring: max(sides(ring)) / 2),
     (middle_of_box, lambda ring: min(sides(ring)) / 2),
     (middle_of_box, lambda ring: sum(sides(ring)) / 4),
 )
-FIXED_REACHES = 1, 2, 3, 4, 5, 6, 8, 10, 15, 20, 50, 100
+FIXED_REACHES = 1, 2, 3, 5, 8, 12, 20, 50
 
 
 def _chosen_edges() -> Iterator[Variant]:
@@ -530,7 +532,7 @@ def _measured() -> Iterator[Variant]:
     yield "bounding-circles", Written(ends=about_the_mean), "here on each axis, about the middle of each range"
     yield "corner-inside", Written(overlap=by_an_end_of_a), "here an end of A's range in B's, on each axis"
     yield "corner-inside", Written(overlap=by_an_end_of_b), "here an end of B's range in A's, on each axis"
-    for middle, radius in RADII:
+    for middle, radius in (*LARGE_RADII, *SMALL_RADII):
         yield "bounding-circles", Written(partial(between, middle), partial(circle_about, middle, radius)), ""
     for step in (1, -1):
         yield "extremes-once", Written(ends=partial(one_extreme_each, step)), ""
@@ -598,16 +600,16 @@ def _other_ways() -> Iterator[Variant]:
     yield "mixed-signs", partial(by_shortcut, outward), "here away from the middle of each shape"
     along_line = NAMED["push-from-center"].shortcut._replace(push=push_along_centers)
     yield "push-from-center", partial(by_shortcut, along_line), "here along the line between the middles"
-    for middle, radius in RADII:
+    for middle, radius in SMALL_RADII:
         sum_of = partial(_sum_of, radius)
         yield "far-centers", partial(beyond_reach, middle, sum_of), "here further than the reach of both shapes"
+    for middle, radius in LARGE_RADII:
         largest = partial(_largest, radius)
         yield "far-centers", partial(beyond_reach, middle, largest), "here further than the larger reach"
-    for middle in mean, middle_of_box:
-        for reach in FIXED_REACHES:
-            fixed = partial(_fixed, float(reach))
-            yield "far-centers", partial(beyond_reach, middle, fixed), f"here further than {reach}"
-            yield "bounding-circles", partial(within_reach, middle, fixed), "here of one size for all shapes"
+    for reach in FIXED_REACHES:
+        fixed = partial(_fixed, float(reach))
+        yield "far-centers", partial(beyond_reach, mean, fixed), f"here further than {reach}"
+        yield "bounding-circles", partial(within_reach, mean, fixed), "here of one size for all shapes"
 
 
 def _sum_of(radius: Radius, a: Ring, b: Ring) -> float:
