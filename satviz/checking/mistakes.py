@@ -23,9 +23,10 @@ from .answers import (
     same_answer,
     size_of,
 )
+from .other_methods import by_shortcut
 from .pairs import BOXES, CIRCLES, CONVEX, KNOWN_SCENES, ROUND, kind_of
 from .results import Result
-from .variants import VARIANTS, Predict, by_shortcut
+from .variants import VARIANTS, Predict
 
 APART, TOUCHING, OVERLAPPING = Relation
 
