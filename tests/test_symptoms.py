@@ -14,7 +14,7 @@ from satviz.scenes.shape_tools import translated
 
 NOTHING, THROUGH, JITTERS, TOO_FAR, WRONG_WAY, STICKS = SYMPTOMS
 OF_OVERLAPS = THROUGH, TOO_FAR, WRONG_WAY, STICKS
-PAIRS = whole_number_pairs(tuple(KINDS), 1)[::3]
+PAIRS = whole_number_pairs(tuple(KINDS), 1)[::2]
 SEEN_OTHERWISE = {
     "tunnelling": {THROUGH},
     "touch-on-paper": {JITTERS},

@@ -67,7 +67,6 @@ SYMPTOMS: dict[str, tuple[str, ...]] = {
         "touch-as-apart",
         "unit-normals",
         "touch-on-paper",
-        "far-centers",
         "mixed-signs",
         "circles-turned-round",
         "integer-halves",
@@ -242,7 +241,7 @@ def _misses_touching(results: Sequence[Result], rules: Rules) -> bool:
 
 def _likeness(hypothesis: Hypothesis, results: Sequence[Result], rules: Rules, asked: Rules) -> Likeness | None:
     """Return how like the answers are to the hypothesis's by the rules `asked`; None if no wrong answer is shared."""
-    agrees = alike = either = missed = 0
+    agrees = alike = either = missed = not_touching = 0
     for i, result in enumerate(results):
         predicted = predicted_answer(hypothesis, result.a, result.b, asked)
         fits = predicted is not None and is_right(predicted[0], result.a, result.b, result.truth, rules)
@@ -253,10 +252,13 @@ def _likeness(hypothesis: Hypothesis, results: Sequence[Result], rules: Rules, a
         agrees += equal or (fits and result.right)
         either += not (fits and result.right)
         alike += equal and not result.right
+        not_touching += equal and not result.right and result.truth.relation is not TOUCHING
         missed += not result.right and not equal
         if i >= 11 and missed > 9 * alike:
             return None  # too few of the wrong answers, which come first, are explained
-    return Likeness(hypothesis.name, agrees, len(results), alike, either, hypothesis.words) if alike else None
+    if not alike or (asked != rules and not not_touching):
+        return None  # what is wrong about touching shapes alone is the mistake touch-as-apart
+    return Likeness(hypothesis.name, agrees, len(results), alike, either, hypothesis.words)
 
 
 def _alike(one: Answer, other: Answer, kind: str, margin: float, one_is_right: bool) -> bool:

@@ -45,6 +45,7 @@ from .written import (
     both_from_zero,
     by_an_end_of_a,
     by_an_end_of_b,
+    by_direction,
     circle_about,
     from_middle,
     from_zero,
@@ -152,7 +153,8 @@ def _pushed() -> Iterator[Variant]:
         yield "largest-overlap", Written(axes, pick=-1, in_order=True), "here along the last axis"
         yield "largest-overlap", Written(axes, pick=0, in_order=True), "here along the first axis"
     for sign in 1, -1:
-        yield "push-along-normal", Written(way=partial(along_normal, sign)), ""
+        for axes in listed, by_direction:
+            yield "push-along-normal", Written(axes, way=partial(along_normal, sign)), ""
         as_listed = Written(partial(outward, sign), way=partial(along_normal, 1))
         yield "push-along-normal", as_listed, "here away from the shape with the edge, in one order of the vertices"
         as_listed = Written(partial(outward, sign), overlap=a_before_b, way=partial(along_normal, 1))

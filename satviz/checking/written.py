@@ -135,6 +135,11 @@ def one_edge(index: int, a: Ring, b: Ring) -> list[Vec]:
     return [listed(a, b)[index]]
 
 
+def by_direction(a: Ring, b: Ring) -> list[Vec]:
+    """Return all normals in the order of their directions, by which Python's min() of tuples chooses among equals."""
+    return sorted(listed(a, b), key=lambda n: (n.x / hypot(*n), n.y / hypot(*n)))
+
+
 def of_each(cut: Callable[[int], slice], a: Ring, b: Ring) -> list[Vec]:
     """Return the normals of some edges of each ring, by its number of vertices."""
     return listed(a, b, cut_a=cut(len(a)), cut_b=cut(len(b)))
