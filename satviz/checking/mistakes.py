@@ -67,6 +67,7 @@ SYMPTOMS: dict[str, tuple[str, ...]] = {
         "touch-as-apart",
         "unit-normals",
         "touch-on-paper",
+        "far-centers",
         "mixed-signs",
         "circles-turned-round",
         "integer-halves",

@@ -29,7 +29,7 @@ KINDS = {
     ROUND: "a circle and a convex polygon",
     REPEATED: "a vertex that is listed twice",
 }
-KNOWN_SCENES = "scenes of known mistakes"
+KNOWN_SCENES, PAST_ONE_EDGE = "scenes of known mistakes", "just past one edge"
 DEFAULT_KINDS = BOXES, CONVEX
 SIZES = (3, 4, 6, 8, 12, 20, 60, 400)  # of the grids that later pairs lie on, in whole numbers
 PAIRS_PER_SIZE = 24  # where there are many ways to lie beside each other; of the other kinds a third
@@ -147,7 +147,7 @@ def _past_one_edge(random: Random) -> Iterator[Pair]:
         s = middle if of_a else _support(a, n, random)
         t = _support(b, Vec(-n.x, -n.y), random) if of_a else middle
         beside = translated(b, Vec(s.x - t.x + step.x, s.y - t.y + step.y))
-        yield Pair(a, beside, kind_of(a, beside), "just past one edge")
+        yield Pair(a, beside, kind_of(a, beside), PAST_ONE_EDGE)
 
 
 def _placed(a: Shape, b: Shape, random: Random, size: int, how: int) -> Shape:
