@@ -47,7 +47,7 @@ def seen(case, a, b):
 
 
 def seen_of(case):
-    """What the case's own scene shows or most pairs show in which it can be seen, and what at least many of them show."""
+    """What the case's own scene shows or most pairs in which it can be seen, and what at least many of them show."""
     found, of = Counter(), Counter()
     kind = kind_of(*case.shapes)
     for pair in PAIRS:
