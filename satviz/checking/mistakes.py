@@ -245,7 +245,8 @@ def _likeness(hypothesis: Hypothesis, results: Sequence[Result], rules: Rules, a
     agrees = alike = either = missed = not_touching = 0
     for i, result in enumerate(results):
         predicted = predicted_answer(hypothesis, result.a, result.b, asked)
-        fits = predicted is not None and is_right(predicted[0], result.a, result.b, result.truth, rules)
+        # where a mistake has no answer, as one about circles for polygons, it changes nothing
+        fits = predicted is None or is_right(predicted[0], result.a, result.b, result.truth, rules)
         margin = 1e3 * NUMBER_TOLERANCE * size_of(result.a, result.b)
         equal = predicted is not None and _alike(
             predicted[0], result.answer, rules.returns, margin, fits or result.right
