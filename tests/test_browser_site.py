@@ -493,7 +493,7 @@ def test_nothing_gives_a_question_away_until_it_is_answered(visit, chapter, more
         page.wait_for_function(
             "n => document.querySelectorAll('article > ul.choices').length === n", arg=min(i + 2, asked.count())
         )
-    page.wait_for_function("!document.querySelector('.rest, .waits')")  # the last answer opens what follows it
+    page.wait_for_function("() => !document.querySelector('.rest, .waits')")  # the last answer opens what follows it
 
 
 def test_a_chapter_goes_on_where_its_reader_has_stopped(visit):

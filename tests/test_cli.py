@@ -152,14 +152,14 @@ BAD = {
     "radius": ({**GOOD, "b": {"circle": [0, 0], "radius": 0}}, "b: radius is 0"),
     "bool": ({**GOOD, "b": {"circle": [True, 0], "radius": 1}}, "center.x is True"),
     "text": ({**GOOD, "b": {"circle": ["1", 0], "radius": 1}}, "center.x is '1'"),
-    "no shape": ({**GOOD, "b": 7}, "b must be an object"),
+    "no shape": ({**GOOD, "b": 7}, "b must be a JSON object"),
     "too many vertices": ({**GOOD, "a": {"polygon": [[i, i * i] for i in range(1001)]}}, "the limit is 1000"),
     "too long": (" " * 1_100_000, "limit is 1,048,576"),
     "axes": ({**GOOD, "axes": "all"}, "unknown axes 'all'"),
     "name": ({**GOOD, "name": "../../etc/passwd"}, "the name '../../etc/passwd'"),
     "title": ({**GOOD, "title": "two\nlines"}, "title"),
     "label": ({**GOOD, "a": {**GOOD["a"], "labels": ["x", "y", 3]}}, "label 2 is 3"),
-    "list": ([], "the scene must be an object"),
+    "list": ([], "the scene must be a JSON object"),
 }
 
 

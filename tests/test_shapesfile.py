@@ -75,8 +75,8 @@ BAD_NUMBERS = [
     ("radii", np.array([1, -1, 1]), "radii: circle 1: radius is -1"),
     ("radii", np.array([1, 1, np.nan]), "radii: circle 2: radius is nan"),
     ("radii", np.ones(2), "radii has the shape (2,): expected (3,), a radius for each of centers"),
-    ("pairs", np.array([(0, 5)]), "pairs name shapes outside"),
-    ("pairs", np.array([(-1, 0)]), "pairs name shapes outside"),
+    ("pairs", np.array([(0, 5)]), "pairs[0] is (0, 5): expected numbers below 5 and 5, and none below 0"),
+    ("pairs", np.array([(-1, 0)]), "pairs[0] is (-1, 0): expected numbers below 5 and 5"),
 ]
 
 

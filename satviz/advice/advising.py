@@ -89,8 +89,8 @@ class Recommendation:
         """
         if self.given.tests > most:
             raise InvalidScene(
-                f"check() would make {self.given.tests:,} tests of an edge against a corner with fractions: the limit "
-                f"is {most:,}; advise on some of the pairs, or pass a larger limit (most=)"
+                f"check() would make {self.given.tests:,} exact tests of an edge against a corner: the limit "
+                f"is {most:,}; call advise with fewer pairs (pairs=), or check(most=...)"
             )
         models = _candidates(self.given)
         if tuple(j.model for j in self.results) != models:

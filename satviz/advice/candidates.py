@@ -121,8 +121,8 @@ def candidates(
 def shared_directions(shapes: Iterable[AnyShape]) -> tuple[Vec, ...]:
     """Return the distinct directions of all edge normals; () for more than MAX_DIRECTIONS or with circles.
 
-    The larger component of each is scaled to between a half and 1.  The least direction is always taken next, so the
-    result does not depend on the order of shapes and corners.
+    The larger component of each is scaled to between a half and 1.  Directions within PARALLEL_ANGLE of each other
+    count as one.  They are taken in order of x and then y, so the order of shapes and corners changes nothing.
     """
     left = set()
     for ring in (part.core for shape in shapes for part in convex_parts(shape)):

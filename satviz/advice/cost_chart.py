@@ -68,7 +68,9 @@ def chart(
     ValueError where there is nothing to draw: no pairs, or a recommended model that is not timed.
     """
     if not found:
-        raise ValueError("there are no pairs, so there is nothing to time: give shapes of which some boxes meet")
+        raise ValueError(
+            "no two bounding boxes meet, so there is no pair to time: give shapes that lie nearer together"
+        )
     mine = found[model.name]
     if mine is None:
         raise ValueError(f"{model.name} was not timed, since one pair takes too long: give shapes with fewer corners")

@@ -189,7 +189,7 @@ def relations_of_gaps(gap: NDArray[Any]) -> Relations:
 
 
 def compare_boxes(a: Array, b: Array) -> Relations:
-    """Return the relations of bounding boxes given as rows (x0, y0, x1, y1)."""
+    """Return the relation of row i of a with row i of b, which are boxes (x0, y0, x1, y1)."""
     apart = (a[:, 0] > b[:, 2]) | (b[:, 0] > a[:, 2]) | (a[:, 1] > b[:, 3]) | (b[:, 1] > a[:, 3])
     over = (a[:, 0] < b[:, 2]) & (b[:, 0] < a[:, 2]) & (a[:, 1] < b[:, 3]) & (b[:, 1] < a[:, 3])
     return relations_of(apart, over)

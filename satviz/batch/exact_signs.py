@@ -103,7 +103,7 @@ def sum_with_error(pairs: Products, more: Array) -> tuple[Array, Array, Array]:
 
     With products of size R in all, u = 2**-53 and `more` at most 3uR: the errors of the products
     and of their sums are 3uR in all, and adding all this up rounds five times, by 30uuR.
-    Granted are 256uuR: the difference is for how far `more` itself may be off.
+    The bound is 256uuR, so it also covers an error of 226uuR in `more` itself.
     """
     terms, size = _expand_products(pairs)
     _vec_sum(terms[len(pairs) :])

@@ -101,7 +101,9 @@ def check_pairs(pairs: ArrayLike, na: int, nb: int) -> tuple[Indices, Indices]:
         raise ValueError(f"pairs has the shape {pairs.shape} and holds {pairs.dtype}: expected (K, 2) integers")
     pairs = pairs.astype(np.intp, copy=False)
     if pairs.size and (pairs.min() < 0 or pairs[:, 0].max() >= na or pairs[:, 1].max() >= nb):
-        raise IndexError(f"pairs name shapes outside 0 to {na - 1} and 0 to {nb - 1}")
+        k = int(np.argmax((pairs < 0).any(axis=1) | (pairs >= (na, nb)).any(axis=1)))
+        i, j = pairs[k].tolist()
+        raise IndexError(f"pairs[{k}] is ({i}, {j}): expected numbers below {na} and {nb}, and none below 0")
     return pairs[:, 0], pairs[:, 1]
 
 

@@ -154,8 +154,8 @@ class Checked:
     def picture(self) -> Picture:
         """Return the counterexample as two panels: what the function claims, and what is true.
 
-        The known mistake draws the left panel where it gives the same answer.  ValueError if there is no
-        counterexample.
+        If a known mistake gives the same answer, its picture is the left panel.  For a function that returns an MTV,
+        the left panel shows the shapes after this move.  ValueError if there is no counterexample.
         """
         scene = self.counterexample
         if scene is None or self.smallest is None:

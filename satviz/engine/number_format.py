@@ -125,12 +125,12 @@ def _scientific(value: float) -> str:
 
 
 def number(value: float) -> str:
-    """Return a number as text with up to three decimals, where no scene decides the format."""
+    """Return a number as text with three decimals, or more where three would show 0; no scene decides the format."""
     return USUAL_DIGITS.number(value)
 
 
 def signed(value: float) -> str:
-    """Return a number as text with its sign and up to three decimals; "0" only for exactly 0."""
+    """Return a number as text with its sign and three decimals, or more where three would show 0."""
     return USUAL_DIGITS.signed(value)
 
 

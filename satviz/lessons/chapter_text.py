@@ -38,7 +38,11 @@ def chapters() -> list[Chapter]:
 
 
 def page_words(source: str) -> str:
-    """Return a notebook's Markdown in the words of a page: without links to neighbours, and with other paragraphs."""
+    """Return a notebook's Markdown for a page of the site.
+
+    The links to the chapters before and after are left out.  The text of a comment `<!-- page: ... -->` replaces its
+    paragraph.
+    """
     paragraphs = (PAGE_WORDS.sub(r"\1", p) for p in source.split("\n\n") if not NEIGHBOUR_LINK.match(p))
     return "\n\n".join(filter(None, paragraphs))
 

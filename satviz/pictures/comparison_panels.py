@@ -395,7 +395,7 @@ def draw_way_out(trace: Trace, layout: Layout) -> Sketch:
 
 
 def needs_fold(trace: Trace) -> Group:
-    """Return both shapes, and the exact tests of the shortcut's axes."""
+    """Return what a frame of `draw_fold` must hold: both shapes, and the exact test of the last axis."""
     return Group([trace.a, trace.b], list(axis_tests(trace.a, trace.b, [test.axis for test in trace.tests[-1:]])))
 
 

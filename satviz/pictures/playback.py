@@ -72,8 +72,9 @@ def narrow_playbacks(trace: Trace) -> list[dict[str, Any]]:
 def playback(trace: Trace, largest: tuple[float, float] = LARGEST_PT) -> dict[str, Any]:
     """Return marks, steps, table and pseudo-code of a trace as JSON values; equal marks are stored once.
 
-    "steps": for each its marks by number, the limits, the sentence, the milliseconds to read it, its row of the
-    table (None for a step of no test), its lines of the code.  "rows": those of `table_rows`.
+    largest: width and height in points that a picture may have.
+    "steps": for each its marks by number, the limits of the view, the sentence, the milliseconds to read it, its row of
+    the table (None for a step of no test), its lines of the code.  "rows": those of `table_rows`.
     ValueError for a scene that cannot be drawn, or a trace of more than 600 tests.
     """
     every = playback_steps(trace)

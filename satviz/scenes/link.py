@@ -142,8 +142,11 @@ def parse_fragment(text: str) -> tuple[Scene, ViewOptions]:
     values: dict[str, Any] = {}
     for word in rest:
         key, _, value = word.partition("=")
-        if key.replace("-", "_") not in ViewOptions._fields or key.replace("-", "_") in values:
-            raise InvalidScene(f"the link has the option {key[:40]!r}, which is unknown or given twice")
+        if key.replace("-", "_") not in ViewOptions._fields:
+            known = ", ".join(ViewOptions._fields).replace("_", "-")
+            raise InvalidScene(f"the link has the unknown option {key[:40]!r}; known: {known}")
+        if key.replace("-", "_") in values:
+            raise InvalidScene(f"the link has the option {key[:40]!r} twice")
         values[key.replace("-", "_")] = _parse_value(key, value)
     found = _scene_of_name(first) if NAME.fullmatch(first) else _decode_scene(first)
     return found, ViewOptions(**values)

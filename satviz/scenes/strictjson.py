@@ -35,7 +35,7 @@ def parse(text: str, max_chars: int) -> Any:
     for bracket in re.finditer(r"[\[\]{}]", STRING.sub("", text)):
         depth += 1 if bracket[0] in "[{" else -1
         if depth > MAX_DEPTH:
-            raise InvalidScene(f"nested deeper than {MAX_DEPTH} levels")
+            raise InvalidScene(f"the text has brackets nested deeper than {MAX_DEPTH} levels")
         if depth < 0:
             break  # no JSON, as the parser will say
     try:
@@ -56,7 +56,7 @@ def require_keys(data: Any, where: str, required: Set[str], optional: Set[str] =
     `where` names the object in the error line.
     """
     if not isinstance(data, dict):
-        raise InvalidScene(f"{where} must be an object, not {json_type_name(data)}")
+        raise InvalidScene(f"{where} must be a JSON object, not {json_type_name(data)}")
     if missing := sorted(required - data.keys()):
         raise InvalidScene(f"{where} lacks {_quoted(missing)}")
     if unknown := sorted(data.keys() - required - optional):

@@ -128,7 +128,9 @@ def _core_from_npm() -> dict[str, bytes]:
     if not (kept.is_file() and _has_expected_hash(kept.read_bytes())):
         data = _fetch_from_npm()
         if not _has_expected_hash(data):
-            raise PythonMissing(f"npm's pyodide {VERSION} has another hash than expected: give a folder with Pyodide")
+            raise PythonMissing(
+                f"npm's pyodide {VERSION} has not the expected hash and is not used; give a folder with your own copy"
+            )
         safe_write.write(kept, data, force=True)
     with tarfile.open(kept) as archive:
         return {name: found.read() for name in CORE if (found := archive.extractfile(f"package/{name}"))}

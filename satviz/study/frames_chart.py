@@ -116,7 +116,7 @@ def headline_of(works: Mapping[str, Times]) -> tuple[str, str]:
 
 
 def times_of(rows: Sequence[TimingRow], work: str) -> Times:
-    """Return the times of one work of the frames, in ns."""
+    """Return the times {method: {number of shapes: ns}} of one kind of work in the section of frames."""
     found: dict[str, dict[int, float]] = {}
     for row in rows:
         if (row.section, row.work) == ("frames", work):

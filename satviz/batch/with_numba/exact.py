@@ -38,6 +38,7 @@ def relate_many_corners(
 ) -> int:
     """Return the exact relation as `relate_few_corners` does, for many corners: by GJK, then edge by edge.
 
+    A has the corners x, y from i0 on up to i1, and B has p, q from j0 on up to j1.  max_coordinate: of both.
     terms: scratch.
     """
     found, i, j = _gjk(x, y, i0, i1, p, q, j0, j1, max_coordinate)

@@ -120,17 +120,17 @@ def is_operator(atom: Any) -> bool:
 
 
 def is_open(atom: Any) -> bool:
-    """Return whether an atom is a bracket with its items."""
+    """Return whether an atom is a group in (), [] or {} without a name before it."""
     return isinstance(atom, Group) and atom.bracket in ("(", "[", "{") and not atom.name
 
 
 def start_of(atom: Any) -> int:
-    """Return where an atom begins."""
+    """Return the place in the text where an atom begins."""
     found: int = atom.start
     return found
 
 
 def end_of(atom: Any) -> int:
-    """Return where an atom ends."""
+    """Return the place in the text behind an atom."""
     found: int = atom.end
     return found

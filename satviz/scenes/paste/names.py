@@ -84,7 +84,10 @@ class Names:
         node.fields[last] = value
 
     def resolve(self, value: Any) -> Any:
-        """Return what a name stands for, if it was assigned; an object for a group of pairs; else the value itself."""
+        """Return what an assigned name stands for, the value of `key: value`, (0, 0) for names such as Vec2.ZERO.
+
+        Anything else is returned as it is.
+        """
         for _ in range(8):
             if not isinstance(value, Name):
                 break

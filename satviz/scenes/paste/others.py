@@ -68,7 +68,10 @@ def _with_numbers(shape: Shape, change: Callable[[float], float]) -> Shape:
 
 
 def views(a: Shape, b: Shape, lies: Where, gap: float) -> list[View]:
-    """Return what other definitions say of a pair; `gap`: the largest gap of its axes, negative for an overlap."""
+    """Return what a pair is by other definitions: open boundaries, OGC, float32, whole numbers, tolerances.
+
+    gap: the largest gap of its axes, negative for an overlap.
+    """
     relation = lies.relation
     found = [
         View("closed boundary, as satviz has it", _hit(relation is not APART), "a shared border counts"),

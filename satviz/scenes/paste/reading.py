@@ -145,7 +145,7 @@ class Reader(Calls):
         if kind == ON_THE_GLOBE:
             raise Unreadable(f"{group.name}: its center is in degrees and its radius is not: write both in one unit")
         if kind == TABLE:
-            raise Unreadable("a table whose columns are of no one shape: call them x, y, width, height or x, y, radius")
+            raise Unreadable("the names of the columns fit no shape: call them x, y, width, height or x, y, radius")
         if kind in (POINT, MOVE):
             self._refuse_methods(group)  # Point(0, 0).buffer(1)
             return []

@@ -50,6 +50,8 @@ def time_jobs(jobs: Mapping[str, Callable[[], Any]], rounds: int, items: Mapping
 def over_processes(found: Mapping[str, Any], name: str, columns: Sequence[str] = ("ns",)) -> list[JsonRow]:
     """Return the rows of one process with the times of all: `ns` is the median over processes, `ns_low` and `ns_high`
     the least and the largest, `ns_runs` all of them.
+
+    found: the rows of all cells by the cell's name; name: of the cells, which are called name-0-times and so on.
     """
     runs = [rows for cell, rows in found.items() if cell.startswith(f"{name}-") and cell.endswith("-times")]
     merged = []

@@ -42,7 +42,7 @@ def cells(settings: Settings) -> list[Cell]:
 
 
 def recommend(n: int, settings: Settings) -> list[JsonRow]:
-    """Return for each scene of about n shapes the model that is proven right, and why a smaller one is not."""
+    """Return a row for each scene of about n shapes, and one for moving shapes, with the least model proven right."""
     rng = settings.rng("decision")
     upright = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
     wide = 6 * n**0.5

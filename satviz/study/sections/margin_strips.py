@@ -41,7 +41,7 @@ from ..methods import (
     true_relations,
     wrong_answers,
 )
-from ..workloads.adversary import far_boxes, worst_pair
+from ..workloads.adversary import boxes_within_one, worst_pair
 from ..workloads.generators import Circles
 from ..workloads.hard_pairs import (
     HARD_KINDS,
@@ -89,7 +89,7 @@ def _methods() -> list[Method]:
 
 
 def count_by_margin(kind: int, per_octave: int, settings: Settings) -> list[JsonRow]:
-    """Return each method's wrong answers on pairs of one kind of hardness, by octave of the relative margin."""
+    """Return each method's wrong answers on pairs of HARD_KINDS[kind], by octave of the relative margin."""
     a, b, margin = hard_pairs(HARD_KINDS[kind], settings.rng("hard", HARD_KINDS[kind].name), per_octave)
     right = true_relations(a, b)
     return [_counted(SHAPES, m, wrong_answers(answers, right), margin)
@@ -133,7 +133,7 @@ def _counted(what: str, method: Method, wrong: Any, margin: Any) -> JsonRow:
 def search(name: str, n: int, generations: int, settings: Settings) -> JsonRow:
     """Return the largest relative margin at which a search finds a method wrong, confirmed by both oracles."""
     (method,) = (m for m in all_methods() if (m.language, m.name) == (COMPILED, name))
-    found = worst_pair(method, far_boxes, settings.rng("search", name), n, generations, metres=False)
+    found = worst_pair(method, boxes_within_one, settings.rng("search", name), n, generations, metres=False)
     row: JsonRow = {"method": name, "margin": found.margin, "tried": found.tried}
     if found.margin:
         a, b = Polygon(found.a[0]), Polygon(found.b[0])

@@ -49,8 +49,12 @@ def _quadrilaterals(rng: Rng, n: int) -> Rings:
     return found
 
 
-def far_boxes(rng: Rng, n: int) -> tuple[Rings, Rings]:
-    """Return pairs of boxes of many sizes near (1, 1), half of them with edges at about 45 degrees."""
+def boxes_within_one(rng: Rng, n: int) -> tuple[Rings, Rings]:
+    """Return pairs of turned boxes of sizes from 1 down to a thousandth, with coordinates up to about 1.
+
+    Both boxes of a pair have one place: the smaller they are, the further from the origin, half of them on the
+    diagonal and the others in any direction.  In every second pair the edges of A lie at 45 degrees.
+    """
     sizes = np.ldexp(rng.uniform(0.5, 1, (n, 1, 1)), rng.integers(-10, 0, (n, 1, 1)))
     a, b = (turned_boxes(rng, n, 0.0) * sizes * 0.5 for _ in "AB")
     a[::2] = _diagonal(a[::2])
