@@ -191,8 +191,8 @@ def _other_ways() -> Iterator[Variant]:
         yield "edges-cross", partial(edges_turn, strict), words
     yield "circles-turned-round", squared_distance, "here the squared distance is compared"
     yield "circles-turned-round", reversed_verdict, "here the whole verdict, for shapes of any kind"
-    outward = NAMED["mixed-signs"].shortcut._replace(choose=edge_normals, measure=outward_from_each_middle)
-    yield "mixed-signs", partial(by_shortcut, outward), "here away from the middle of each shape"
+    from_each_middle = NAMED["mixed-signs"].shortcut._replace(choose=edge_normals, measure=outward_from_each_middle)
+    yield "mixed-signs", partial(by_shortcut, from_each_middle), "here away from the middle of each shape"
     along_line = NAMED["push-from-center"].shortcut._replace(push=push_along_centers)
     yield "push-from-center", partial(by_shortcut, along_line), "here along the line between the middles"
     for middle, radius in SMALL_RADII:
