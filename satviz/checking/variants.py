@@ -63,6 +63,7 @@ from .written import (
     outward,
     rounded_landings,
     rounded_to,
+    shortened,
     some_vertices,
     twice_as_wide,
 )
@@ -134,6 +135,8 @@ def _measured() -> Iterator[Variant]:
     yield "extremes-once", Written(ends=partial(some_vertices, slice(1, None))), "here without the first vertex"
     for round_to in round, int, floor:
         yield "rounded-normals", Written(ends=partial(rounded_landings, round_to)), "here the landing places"
+    for slop in 0.1, 0.25, 0.5, 1.0:
+        yield "touch-as-apart", Written(ends=partial(shortened, slop)), f"here with a tolerance of about {slop:g}"
     yield "integer-halves", Written(of_world, partial(half_is_whole, False)), "here beside an exact middle"
     for whole_middle in True, False:
         yield "integer-halves", Written(ends=partial(half_is_whole, whole_middle)), "here on each axis"

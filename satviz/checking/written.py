@@ -217,6 +217,12 @@ def rounded_landings(round_to: Callable[[float], float], ring: Ring, n: Vec) -> 
     return Interval(lo, hi)
 
 
+def shortened(slop: float, ring: Ring, n: Vec) -> Interval:
+    """Return a range that is shorter by half of a tolerance at each end, so that small overlaps do not count."""
+    (lo, hi), less = ends(ring, n), slop / 2 * hypot(*n)
+    return Interval(lo + less, hi - less)
+
+
 def half_is_whole(whole_middle: bool, ring: Ring, n: Vec) -> Interval:
     """Return a range that is kept as its middle and half of its length, rounded down to a whole number."""
     return whole_halves(ends(ring, n), whole_middle)
