@@ -396,11 +396,14 @@ def test_every_hypothesis_names_a_failing_case():
 def test_each_way_to_make_a_mistake_is_named_for_it(i):
     """A function that answers as one hypothesis does, and rightly where this one knows no answer."""
     hypothesis, case = HYPOTHESES[i], NAMED[HYPOTHESES[i].name]
-    rules = Rules("mtv" if case.is_about_push else "hit")
+    in_moves = case.is_about_push or "digit" in hypothesis.words or "the smallest, too" in hypothesis.words
+    rules = Rules("mtv" if in_moves else "hit")  # those two are seen in hardly any verdict
+    if not hypothesis.is_about(rules):
+        pytest.skip("no answer for two shapes shows it")
 
     def fn(a, b):
         predicted = predicted_answer(hypothesis, a, b, rules)
-        return predicted[0] if predicted else sv.record(a, b).mtv if case.is_about_push else bool(sv.relate(a, b))
+        return predicted[0] if predicted else sv.record(a, b).mtv if in_moves else bool(sv.relate(a, b))
 
     kinds = {"boxes", "convex", kind_of(*case.shapes)} | (
         {"circles", "circle and polygon"} if "circle" in hypothesis.words else set()

@@ -193,7 +193,7 @@ def _hypotheses() -> Iterator[Hypothesis]:
 
 
 HYPOTHESES = tuple(_hypotheses())
-CLOSE = 0.9  # share of equal wrong answers from which a mistake is named: other ways to write it have more, others less
+CLOSE = 0.8  # share of equal wrong answers from which a mistake is named: other ways to write it have more, others less
 MAX_COMPARED = 160  # pairs on which each hypothesis is run, those first about which the function is wrong
 
 

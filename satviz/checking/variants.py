@@ -91,6 +91,8 @@ def _chosen_edges() -> Iterator[Variant]:
     yield one, Written(lambda a, b: of_world(a, b)[:1]), "here on the x axis"
     yield one, Written(partial(one_edge, 0)), "here on the normal of the first edge"
     yield one, Written(partial(one_edge, -1)), "here on the normal of the last edge"
+    yield one, Written(lambda a, b: listed(a, ())[-1:]), "here on the normal of the edge to A's first vertex"
+    yield one, Written(lambda a, b: listed((), b)[-2:-1]), "here on the normal of the edge to B's last vertex"
     for in_order in False, True:
         yield one, Written(any_axis=True, in_order=in_order), "here on any one of them"
     for middle in mean, middle_of_box:
@@ -177,7 +179,7 @@ def _other_ways() -> Iterator[Variant]:
     yield "corner-inside", first_corner_in, "here the first corner of one"
     for gap_of, words in (
         (nearest_corner, "here a corner in the circle"),
-        (center_outside, "here the center in the polygon"),
+        (center_outside, "here the center of the circle in the polygon"),
         (corner_or_center, "here the center of the circle, too"),
     ):
         yield "corner-inside", partial(with_circle, gap_of), words

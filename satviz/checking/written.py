@@ -302,4 +302,4 @@ SMALL_RADII: tuple[tuple[Middle, Radius], ...] = (
     (middle_of_box, lambda ring: min(sides(ring)) / 2),
     (middle_of_box, lambda ring: sum(sides(ring)) / 4),
 )
-FIXED_REACHES = 2, 3, 5, 8, 12, 20, 50
+FIXED_REACHES = 2, 3, 5, 8, 12, 20
