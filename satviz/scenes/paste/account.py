@@ -441,6 +441,10 @@ class Account:
             return
         if token.text.startswith("is") and after.text in ASSIGNS and self.at(i + 2).text in ("true", "false"):
             return  # isBox2: true
+        changes = token.text.lower() in {*CHANGING_CALLS, "not"} and (after.kind == OPEN or not after.text)
+        if changes and self.is_data(i + 1):
+            self.miss(i, i)  # POLYGON mirror ((0 0, 4 0, 0 3))
+            return
         if self.is_variable(token):
             again = "." in token.text and after.text == "=" and root(token.text) in self.changed
             if again and self.at(i + 2).kind == NAME and self.at(i + 3).kind != OPEN:
@@ -457,14 +461,9 @@ class Account:
         elif token.text in ("if", "else", "elif") and (self.gives_value(i) or self.is_choice(i)):
             self.miss(i, i + 1)
         if not frame.data:
-            scales = (
-                token.text.lower() in {*CHANGING_CALLS, "not"}
-                and (after.kind == OPEN or not after.text)
-                and self.is_data(i + 1)
-            )
             start, end = self.line(token)
             told = self.holds(start, end) or NAMED_SHAPE.search(self.text, start, end)
-            if scales or (token.text.lower() in CHANGING_WORDS and told):
+            if token.text.lower() in CHANGING_WORDS and told:
                 self.miss(i, i)  # A: rect(0, 0, 4, 4), twice as large
             if after.text in ASSIGNS and words(token.text) & CHANGING_KEYS and not self.takes_value(i + 1):
                 self.miss(i, i + 2)
