@@ -165,6 +165,7 @@ def test_what_stands_around_a_shape_is_never_dropped_without_a_question(plain, c
         "a = size or Rectangle(0, 0, 4, 4)\nb = Circle(6, 6, 1)",
         "`POLYGON mirror ((0 0, 4 0, 0 3, 0 0))`\n`POLYGON ((0 0, 4 0, 0 3, 0 0))`",
         "a.bounds: Center: (2, 2, 0)[1:], Extents: (1, 1, 0)\nb.bounds: Center: (0, 2, 0), Extents: (1, 1, 0)",
+        "p = Polygon()\np.addPoint(0, 0) % d\np.addPoint(4, 0)\np.addPoint(4, 4)\nr = Rectangle(9, 0, 5, 5)",
         "<POLYGON not ((0 0, 4 0, 0 3, 0 0))>\n<POLYGON ((0 0, 4 0, 0 3, 0 0))>",
         "| x | y | w | h |\n|---|---|---|---|\n| 0 | 0 | 9 | 9 |\n| 9 | 0 | 9 | 9 | 1 |\nbox(0, 0, 1, 1)",
         "<coordinates>0,0 4,0 0,3 and 2 0,0</coordinates>\n<coordinates>1,0 4,0 1,3 1,0</coordinates>",

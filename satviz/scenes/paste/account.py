@@ -160,8 +160,9 @@ class Account:
             for token in named
         )
         makes = numbers and any(SHAPE_WORDS.search(token.text) and not is_test(token.text) for token in named)
+        adds = numbers > 1 and any(last_of(token.text).lower() in ADDERS | PENS for token in named)
         lists = any(self.tokens[i].kind == OPEN and self.tokens[i + 1].kind == NUMBER for i in self._top(line))
-        return range(0) if not named or changes or makes or lists or numbers > MAX_ASIDE else line
+        return range(0) if not named or changes or makes or adds or lists or numbers > MAX_ASIDE else line
 
     def _is_listed(self, i: int) -> bool:
         """Return whether a number stands in a list or a call, and not among words."""
