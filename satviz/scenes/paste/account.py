@@ -216,12 +216,6 @@ class Account:
         """Return the place of the last token before another one that is no line's end."""
         return next((k for k in range(i - 1, -1, -1) if self.tokens[k].kind != LINE), -1)
 
-    def beyond(self, i: int) -> Token:
-        """Return the token at a place or behind it that is no line's end."""
-        while i < len(self.tokens) and self.tokens[i].kind == LINE:
-            i += 1
-        return self.at(i)
-
     def span(self, i: int) -> tuple[int, int]:
         """Return where the bracket that a token opens or closes begins and ends."""
         begin, end = (i, self.close.get(i, i)) if self.at(i).kind == OPEN else (self.open.get(i, i), i)
