@@ -458,22 +458,21 @@ def outlines_of_many_corner_counts(rng, across):
 
 
 @pytest.mark.parametrize("engine", ENGINES)
-@pytest.mark.parametrize("lanes", one_in(2, [3, 1, 128]))
-def test_picked_outlines_of_many_corner_counts_have_their_scalar_relation(lanes, engine, monkeypatch):
-    if engine == "numba":
-        indexed_numba = kernels_of("indexed")
-        as_python(monkeypatch, indexed_numba, "LANES")
-        monkeypatch.setattr(indexed_numba, "LANES", lanes)
-    monkeypatch.setattr(indexed, "pairs_per_block", lambda *_: lanes)
-    rng = RNG(lanes)
+def test_picked_outlines_of_many_corner_counts_have_their_scalar_relation(engine):
+    """There are more pairs of few, of up to eight and of more corners than an engine evaluates at a time."""
+    rng = RNG(3)
     shapes = batch.concat(outlines_of_many_corner_counts(rng, 5) + outlines_of_many_corner_counts(rng, 8))
     known, every = scalar(shapes), np.argwhere(np.ones((len(shapes), len(shapes))))
-    every = every[:: 3 if engine == "numba" else 1]  # kernels are slow as Python
-    found = batch.relate(shapes, shapes, every, engine=engine)
-    assert found.tolist() == [int(sv.relate(known[i], known[j])) for i, j in every]
+    exact = np.array([int(sv.relate(known[i], known[j])) for i, j in every])
+    low, high = np.split(shapes.bounds[every], 2, axis=2)
+    boxes_meet = ((low[:, 0] <= high[:, 1]) & (low[:, 1] <= high[:, 0])).all(axis=1)
     most = shapes.count[every].max(axis=1)
     for these in most <= 4, (most > 4) & (most <= 8), most > 8:
-        assert set(found[these].tolist()) >= {0, 2}
+        chosen = rng.choice(np.flatnonzero(these & boxes_meet), 300 if engine == "numba" else 60_000)
+        assert set(exact[chosen].tolist()) >= {0, 2}
+        assert np.array_equal(batch.relate(shapes, shapes, every[chosen], engine=engine), exact[chosen])
+    for k in range(0, len(every), 5):
+        assert batch.relate(shapes, shapes, every[k : k + 1], engine=engine) == exact[k], every[k]
 
 
 @pytest.mark.parametrize("lanes", [7, 128])
