@@ -956,11 +956,7 @@ def test_of_many_corners_only_edges_near_the_other_shape_are_evaluated(v, monkey
 
 
 @pytest.mark.parametrize("turn", [[[1, 0], [0, 1]], [[0, 1], [-1, 0]], [[-1, 0], [0, -1]], [[3, 4], [-4, 3]]], ids=str)
-def test_edges_on_one_line_touch_where_their_ranges_overlap(turn, monkeypatch):
-    rng = RNG(10)
-    monkeypatch.setattr(
-        exact_numpy, "_facing_corner", lambda own, other: rng.integers(0, own.edge_count, own.x.shape[1])
-    )
+def test_edges_on_one_line_touch_where_their_ranges_overlap(turn):
     octagon = np.array([(0, 0), (4, 0), (6, 2), (6, 4), (4, 6), (0, 6), (-2, 4), (-2, 2)])
     moves = np.repeat([-20, -1, 0, 1, 4, 8, 9, 20], 10)
     below = np.stack([[t, 0] - octagon for t in moves]) @ turn

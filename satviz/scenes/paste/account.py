@@ -417,8 +417,8 @@ class Account:
                 token.text.lower() in CHANGING_CALLS and (after.kind == OPEN or not after.text) and self.is_data(i + 1)
             )
             start, end = self.line(token)
-            holds_shape = self.holds(start, end) or NAMED_SHAPE.search(self.text, start, end)
-            if scales or (token.text.lower() in CHANGING_WORDS and holds_shape):
+            told = self.holds(start, end) or NAMED_SHAPE.search(self.text, start, end)
+            if scales or (token.text.lower() in CHANGING_WORDS and told):
                 self.miss(i, i)  # A: rect(0, 0, 4, 4), twice as large
             if after.text in ASSIGNS and words(token.text) & CHANGING_KEYS and not self.takes_value(i + 1):
                 self.miss(i, i + 2)
@@ -547,8 +547,8 @@ class Account:
                 self.parts += within_text.run()
             return
         word = self.callee(frame.begin) if frame.begin >= 0 else None
-        holds_shape = DATA.search(inner) and not COLOR.search(inner)
-        if len(NUMERALS.findall(inner)) > MAX_ASIDE and (holds_shape or (word is not None and is_shape(word.text))):
+        told = DATA.search(inner) and not COLOR.search(inner)
+        if len(NUMERALS.findall(inner)) > MAX_ASIDE and (told or (word is not None and is_shape(word.text))):
             self.miss(i, i)  # the data of a path that cannot be read
         if not frame.data or not inner.strip():
             return
