@@ -346,19 +346,19 @@ class Field:
         pid, status = os.wait()
         line, key = self.running.pop(pid)
         note = self.folder / str(pid)
-        told = json.loads(note.read_text()) if note.exists() else {"at": "", "times": {}}
+        report = json.loads(note.read_text()) if note.exists() else {"at": "", "times": {}}
         code = os.waitstatus_to_exitcode(status)
         fate = "timed out" if code < 0 else "killed" if code else "equivalent" if key in self.known else "survived"
-        assert line or not code, f"{told['at'] or self.tests} fails without any mutant"
+        assert line or not code, f"{report['at'] or self.tests} fails without any mutant"
         if line:
-            self.kills[told["at"]] += bool(code)
-            self.kills_in[key.partition(":")[0]][told["at"]] += bool(code)
+            self.kills[report["at"]] += bool(code)
+            self.kills_in[key.partition(":")[0]][report["at"]] += bool(code)
             self.score[fate] += 1
             if fate == "survived":
                 print(f"line {line}: {key}", flush=True)
             elif code and key in self.known:
                 print(f"line {line}: {key} is listed as equivalent, but {fate}", flush=True)
-        return told
+        return report
 
     def sow(self, functions: list[str], most: int) -> None:
         """Judge every mutant, or a sample of so many, of some functions only if any are named, after none at all."""

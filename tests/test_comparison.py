@@ -104,8 +104,8 @@ def test_the_shortcuts_number_stands_on_the_left_struck_out_and_the_right_one_on
         "corner-inside": ("apart", "overlap 1, way out 2"),
     }.get(case.name, ("", ""))
     if not left:
-        told = [case.in_words(answer) for answer in (case.claimed, case.actual)]
-        left, right = map(ascii_minus, told)
+        values = [case.in_words(answer) for answer in (case.claimed, case.actual)]
+        left, right = map(ascii_minus, values)
     assert left in saw and right in truth
     true_overlap = "true, but " in saw or case.name == "faces-in-3d"  # only the verdict is wrong
     true = true_overlap or case.name == "tunnelling" or case.claims_less

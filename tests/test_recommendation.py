@@ -40,7 +40,7 @@ def coordinates(rng, count):
     ]
 
 
-def asked(formula, arithmetic, numbers):
+def evaluated(formula, arithmetic, numbers):
     points = list(zip(numbers[::2], numbers[1::2], strict=True))
     if formula is rounding.polygons:
         list(formula(arithmetic, points[:3], points[3:7]))
@@ -57,9 +57,9 @@ def test_arrays_and_fractions_agree_on_what_rounds_nothing(name, form):
     triples = rng.choices([(0, 0, 1, 3, 4, 2), (5, 1, 7, 17, 6, 1), (2, 0, 1, 2, 9, 3)], k=60)
     rows += [[c + far for c in row[:2]] + [row[2]] + [c + far for c in row[3:5]] + [row[5]] + [0.0] * 8
              for row in triples for far in [float(rng.choice((0, 1000, 2**23, 2**26, 2**50)))]]  # fmt: skip
-    one_by_one = [asked(formula, rounding.Exact(form), list(map(Fraction, row))) for row in rows]
+    one_by_one = [evaluated(formula, rounding.Exact(form), list(map(Fraction, row))) for row in rows]
     with np.errstate(all="ignore"):
-        many = asked(formula, Errors(form, len(rows)), list(np.array(rows).T))
+        many = evaluated(formula, Errors(form, len(rows)), list(np.array(rows).T))
     assert many.tolist() == one_by_one
     assert 10 < sum(one_by_one) < 300
 
