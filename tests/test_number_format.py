@@ -1,4 +1,4 @@
-"""Numbers as text: what is printed of the ranges never contradicts what is printed of the gap."""
+"""Tests of numbers as text: the printed ranges never contradict the printed gap."""
 
 import re
 from fractions import Fraction
@@ -34,7 +34,7 @@ def sign(number):
 
 
 def placed(rng, size, far):
-    """Two polygons or circles of about that size, so far out, with every kind of gap."""
+    """Return two polygons or circles of about that size, that far from the origin, with every kind of gap."""
     where = size * far * rng.choice((-1, 1)), size * far * rng.choice((-1, 0, 1))
     near = size * rng.choice((1, 1e-3, 1e-9, 1e-15))
     a = sv.Polygon([(where[0] + x * size, where[1] + y * size) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))])
