@@ -1,4 +1,4 @@
-"""Every form in which satviz answers how two shapes stand, as a function from pairs to answers.
+"""Every form in which satviz computes the relation of two shapes, as a function from pairs to answers.
 
 A new form is one line: FORMS["its name"] = Form(lambda pairs: ...).  It returns one answer a pair, in their
 order (None where it does not accept such a pair).  Batch forms get all pairs at once.

@@ -1,4 +1,4 @@
-"""What no test would notice: small faults sown into the exact core one at a time, and the tests run against each.
+"""Mutation tests: small faults are sown into the exact core one at a time, and the tests run against each.
 
     python -m pip install 'mutmut>=3.8' && python tests/mutants.py engine/axes:same_axis batch/exact_signs
 

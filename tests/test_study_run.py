@@ -35,7 +35,7 @@ QUICK = Settings(quick=True, seed=7)
 
 
 def small(count):
-    """A section of `count` cells and one chart."""
+    """Return a section of `count` cells and one chart."""
     return SimpleNamespace(
         cells=lambda settings: [
             Cell(f"gap-{k}", axis_order.count_tested_axes, (2, 4 + k, settings)) for k in range(count)
@@ -359,7 +359,7 @@ GUIDE = (refresh_charts.GUIDES / "speed-and-accuracy.md").read_text(encoding="ut
 
 
 def test_every_measured_number_of_the_guide_comes_from_the_stored_charts():
-    """Beside the numbers of the readings, the guide names only those that it explains."""
+    """The guide contains no numbers but those of the readings and those that it explains."""
     known = " ".join([*(chart.reading for chart in stored_charts().values()), *STORED["machine"].values()])
     text = re.sub(
         r"```.*?```|<picture>.*?</picture>|\]\([^)]*\)|float(32|64)|`[^`]*`|[Cc]hapter 7", "", GUIDE, flags=re.S
