@@ -99,7 +99,7 @@ def test_the_shortcuts_number_stands_on_the_left_struck_out_and_the_right_one_on
         "touch-as-apart": ("apart", "touching, gap 0"),
         "mixed-signs": ("gap +1", "overlap 1, way out 2"),  # its own axis, with the true ranges
         "unit-normals": ("gap +4.441e-16", "touching, gap 0"),
-        "box-in-u": ("overlap 2", "A1 | B"),
+        "box-in-u": ("overlap 2", "between\nA1 and B"),
         "edges-cross": ("apart", "overlap 1, way out 2"),
         "corner-inside": ("apart", "overlap 1, way out 2"),
     }.get(case.name, ("", ""))
@@ -107,7 +107,7 @@ def test_the_shortcuts_number_stands_on_the_left_struck_out_and_the_right_one_on
         values = [case.in_words(answer) for answer in (case.claimed, case.actual)]
         left, right = map(ascii_minus, values)
     assert left in saw and right in truth
-    true_overlap = "true, but " in saw or case.name == "faces-in-3d"  # only the verdict is wrong
+    true_overlap = "true, but " in saw or "on y, true" in saw or case.name == "faces-in-3d"  # only the verdict is wrong
     true = true_overlap or case.name == "tunnelling" or case.claims_less
     assert any(left in text for text in struck(drawn)) is not true
     # where there is a gap
@@ -337,7 +337,27 @@ def test_there_is_room_for_a_push_only_where_one_is_drawn():
 def test_a_gap_that_is_right_is_not_struck_out_with_the_wrong_answer():
     drawn = sv.picture(NAMED["touch-as-apart"].record())
     assert struck(drawn) == ["apart"]
+    assert "touching, gap 0\n2 \u2264 2, so it counts as a gap" in drawn.texts
+    assert "touching, gap 0\n2 < 2 is false: no gap" in drawn.texts
     assert struck(ExplorerModel(sv.scene("tunnelling")).picture()) == ["apart"]
+
+
+def test_the_question_that_a_one_sided_gap_forgets_is_shown_and_only_where_its_answer_is_yes():
+    drawn, case = sv.picture("one-sided-gap"), NAMED["one-sided-gap"]
+    asked, forgotten = drawn.mark("claimed-questions").text.split("\n")
+    assert asked == "asked: does A end (5) before B begins (0)? no"
+    assert forgotten == "not asked: does B end (2) before A begins (3)? yes"
+    assert "overlap 1.5 on y, true" in drawn.texts  # no longer taken for the overlap on x
+    turned_round = sv.picture(sv.record(case.b, case.a, axes=case.shortcut))
+    assert not [mark for mark in turned_round.marks if mark.part == "claimed-questions"]
+
+
+def test_no_two_panels_crowd_the_count_of_tests():
+    drawn = sv.picture("many-pairs")
+    assert "tests: 1,000" in drawn.texts and "tests: 499,500" in drawn.texts
+    (number,) = (mark for mark in drawn.labels if mark.part == "actual-number")
+    dots = [mark.points[0] for mark in drawn.marks if mark.part == "actual-shape"]
+    assert number.points[0].y - text_size(number.text)[1] / 2 > max(p.y for p in dots)
 
 
 def test_the_line_of_a_distance_is_as_long_as_the_distance():
