@@ -8,6 +8,18 @@ from pastes import Paste
 
 TEXTS = (
     Paste(
+        "corners in a sentence",
+        """The first has corners (0, 0), (10, 0), (10, 10), and (0, 10).
+The second has corners (10, 5), (20, 5) and (20, 15).
+They should touch.""",
+        ((0, 0, 10, 10), (10, 5, 20, 15)),
+    ),
+    Paste(
+        "a test that is negated",
+        "if (!overlaps(new Rectangle(0, 0, 4, 4), new Circle(6, 6, 1))) return;",
+        ((0, 0, 4, 4), (5, 5, 7, 7)),
+    ),
+    Paste(
         "martinez#6 js",
         """I have a case where the intersection gives incorrect results.
 

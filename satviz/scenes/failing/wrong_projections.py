@@ -114,6 +114,7 @@ CASES = (
         Shortcut("one-sided-gap", "they overlap on an axis unless A ends before B begins", needed, a_before_b),
         FALSE_HIT,
         (box(3, 0, 5, 2), box(0, 0.5, 2, 2.5)),
+        panels=Panels("one side"),
     ),
     FailureCase(
         Shortcut("unit-normals", "a normal must first be brought to length 1", edge_normals, unit_normals),

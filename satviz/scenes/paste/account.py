@@ -51,7 +51,7 @@ ASSIGNS = ("=", ":=", ":")
 STYLE = re.compile(r"[a-z]?[-.:ox]{1,2}[a-z]?")  # of a plot: b-
 NO_WORDS = re.compile(r"[A-Za-z_][\w.]*")
 LOOP = re.compile(r"^\s*for\s*\([^;]*;[^;]*;[^;)]*\)")
-COMPARES, SETS = re.compile(r"[<>]|[=!]="), re.compile(r"(?<![<>=!])=(?!=)|\+\+|--|<<|>>|\?")
+SETS = re.compile(r"(?<![<>=!])=(?!=)|\+\+|--|<<|>>|\?")
 NAMED_SHAPE = re.compile(r"\b(?:A|B|C|both|second)\b")
 STREAM = re.compile(r"cout|cerr|debug|stream|log|\bout", re.IGNORECASE)
 DATA = re.compile(r"[(\[{]|^\s*[Mm]\s*[-.\d]|^\s*(?:[-.\d]+[\s,]+){3,}[-.\d]+\s*$")
@@ -160,8 +160,9 @@ class Account:
             for token in named
         )
         makes = numbers and any(SHAPE_WORDS.search(token.text) and not is_test(token.text) for token in named)
+        adds = numbers > 1 and any(last_of(token.text).lower() in ADDERS | PENS for token in named)
         lists = any(self.tokens[i].kind == OPEN and self.tokens[i + 1].kind == NUMBER for i in self._top(line))
-        return range(0) if not named or changes or makes or lists or numbers > MAX_ASIDE else line
+        return range(0) if not named or changes or makes or adds or lists or numbers > MAX_ASIDE else line
 
     def _is_listed(self, i: int) -> bool:
         """Return whether a number stands in a list or a call, and not among words."""
@@ -215,12 +216,6 @@ class Account:
         """Return the place of the last token before another one that is no line's end."""
         return next((k for k in range(i - 1, -1, -1) if self.tokens[k].kind != LINE), -1)
 
-    def beyond(self, i: int) -> Token:
-        """Return the token at a place or behind it that is no line's end."""
-        while i < len(self.tokens) and self.tokens[i].kind == LINE:
-            i += 1
-        return self.at(i)
-
     def span(self, i: int) -> tuple[int, int]:
         """Return where the bracket that a token opens or closes begins and ends."""
         begin, end = (i, self.close.get(i, i)) if self.at(i).kind == OPEN else (self.open.get(i, i), i)
@@ -234,8 +229,6 @@ class Account:
             word, end = self.callee(begin), self.close.get(begin, i)
             if token.kind == CLOSE and word and word.kind == FIELD and self.is_data(self.before(begin - 1)):
                 return True  # a shape.clone()
-            if token.kind == OPEN and end == i + 2 and self.at(end + 1).kind == OPEN:
-                return self.is_data(end + 1)  # (Rectangle){ 0, 0, 4, 4 }
             if token.kind == CLOSE and word and self.is_variable(word) and token.text == "]":
                 return True  # vertices[1]
             named = any(self.is_variable(t) for t in self.tokens[begin : min(end, begin + 8)])
@@ -312,7 +305,7 @@ class Account:
             elif token.kind == NAME:
                 self.check_name(i, self.frame_of(i, frames[-1]))
             elif token.kind == FIELD:
-                self.check_field(i)
+                self.check_field(i, frames[-1])
             elif token.kind == TEXT:
                 self.check_text(i, frames[-1])
             elif token.kind == OTHER:
@@ -379,8 +372,6 @@ class Account:
         begin, end = self.at(first), self.at(last)
         start = begin.start if begin is not NOTHING else self.at(first + 1).start
         end_at = self.span(last)[1] if end.kind == OPEN else end.end if end is not NOTHING else self.at(last - 1).end
-        if self.at(first).kind == CLOSE:
-            start = self.at(first).start
         if not self.parts or self.parts[-1].end < end_at:
             self.parts.append(Part(start, end_at))
 
@@ -445,6 +436,10 @@ class Account:
             return
         if token.text.startswith("is") and after.text in ASSIGNS and self.at(i + 2).text in ("true", "false"):
             return  # isBox2: true
+        changes = token.text.lower() in {*CHANGING_CALLS, "not"} and (after.kind == OPEN or not after.text)
+        if changes and self.is_data(i + 1):
+            self.miss(i, i)  # POLYGON mirror ((0 0, 4 0, 0 3))
+            return
         if self.is_variable(token):
             again = "." in token.text and after.text == "=" and root(token.text) in self.changed
             if again and self.at(i + 2).kind == NAME and self.at(i + 3).kind != OPEN:
@@ -461,14 +456,9 @@ class Account:
         elif token.text in ("if", "else", "elif") and (self.gives_value(i) or self.is_choice(i)):
             self.miss(i, i + 1)
         if not frame.data:
-            scales = (
-                token.text.lower() in {*CHANGING_CALLS, "not"}
-                and (after.kind == OPEN or not after.text)
-                and self.is_data(i + 1)
-            )
             start, end = self.line(token)
             told = self.holds(start, end) or NAMED_SHAPE.search(self.text, start, end)
-            if scales or (token.text.lower() in CHANGING_WORDS and told):
+            if token.text.lower() in CHANGING_WORDS and told:
                 self.miss(i, i)  # A: rect(0, 0, 4, 4), twice as large
             if after.text in ASSIGNS and words(token.text) & CHANGING_KEYS and not self.takes_value(i + 1):
                 self.miss(i, i + 2)
@@ -574,14 +564,14 @@ class Account:
             i += 1
         return self.at(i).end
 
-    def check_field(self, i: int) -> None:
+    def check_field(self, i: int, frame: Frame) -> None:
         """Name an unknown field or method behind a shape."""
         before, after = self.at(i - 1), self.at(i + 1)
         name = self.at(i).text.lstrip(".->:")
         if (after.text in ASSIGNS and before.kind != CLOSE) or (before.kind == LINE and after.text == "{"):
             return  # {.x = 1}, or a rule of CSS
         k = self.before(i)
-        behind = self.at(k).kind in (NUMBER, TEXT) or (self.at(k).kind == CLOSE and self.is_data(k))
+        behind = self.at(k).kind in (NUMBER, TEXT) or (self.at(k).kind == CLOSE and (frame.data or self.is_data(k)))
         if not behind:
             return
         if after.kind == OPEN and self.callee(i + 1):
@@ -632,7 +622,7 @@ class Account:
             return
         escapes = token.text[0] == "\\" and token.text != "\\ "
         known = token.text in PUNCTUATION or escapes or self.is_of_code(i, frame)
-        if known or (not frame.data and (self.is_of_text(i) or self.is_test(token))):
+        if known or (not frame.data and self.is_of_text(i)):
             return
         joins = self.is_written(i - 1) or self.is_written(i + 1) or self.is_operator(i)
         if token.text in "<>!|&" and not frame.data and not joins:
@@ -671,9 +661,8 @@ class Account:
             return not self.is_variable(after) or self.at(i + 2).text in (":", "=")
         if token.text == "!" and self.at(i + 2).text == "(" and is_test(after.text):
             return True  # if (!overlaps(a, b))
-        if token.text == "?":  # f(x)?; of Rust, and a.hit?(b) of Ruby
-            ruby = tight and before.end == token.start and before.kind == NAME and is_call(before.text)
-            return after.text in (";", ")", ",") or (ruby and after.text == "(")
+        if token.text == "?":  # f(x)?; of Rust
+            return after.text in (";", ")", ",")
         if token.text == "<" and tight and notation(after.text):
             return True  # <POLYGON ((0 0, 4 0, 0 3))>
         closes = token.text == ">" and before.end == token.start and (before.kind == CLOSE or before.text == ">")
@@ -684,7 +673,7 @@ class Account:
         token, before, after = self.at(i), self.at(i - 1), self.at(i + 1)
         tight = token.end == after.start
         if token.text == "|":
-            return bool(notation(after.text)) or after.kind in (LINE, NUMBER)
+            return after.kind in (LINE, NUMBER)
         if token.text in ".!?":
             factorial = token.text == "!" and before.kind == NUMBER and before.end == token.start
             if (factorial and self.is_written(i - 1)) or before.text == "?":  # 6!, size ?? box
@@ -694,7 +683,7 @@ class Account:
         if token.text in "-\u2013\u2014":
             prose = after.kind == NAME and not self.is_variable(after) and self.at(i + 2).kind == NAME
             dash = prose and before.end < token.start and not tight
-            return dash or (token.text == "-" and before.text == ")" and after.text == "(")  # (0, 0)-(10, 10)
+            return dash
         return False
 
     def is_operator(self, i: int) -> bool:
@@ -707,12 +696,6 @@ class Account:
             return (after.kind == OPEN or not after.text) and self.is_data(i + 1)
         shifts = after.text == token.text and self.at(i + 2).kind == NUMBER
         return shifts and self.is_data(i - 1) and not STREAM.search(self.text, *self.line(token))
-
-    def is_test(self, token: Token) -> bool:
-        """Return whether a line compares names and gives none a value: return a.x < b.x + b.w."""
-        start, end = self.line(token)
-        line = self.text[start:end]
-        return not self.holds(start, end) and bool(COMPARES.search(line)) and not SETS.search(line)
 
     def is_tested(self, i: int) -> bool:
         """Return whether a bracket is that of the call of a test."""

@@ -153,6 +153,9 @@ class _Parser:
                     self.ended.add(self.tokens[opened].start)
                 else:
                     end_line()
+            elif not bracket and self.ends_list(token, atoms, row):
+                self.signs.append((token.start, token.end))
+                end_item()
             elif not bracket and self.separates(token, atoms, row):
                 end_line()
                 items.append(None)
@@ -183,6 +186,15 @@ class _Parser:
         if said and self.at < len(self.tokens) and self.tokens[self.at].text == ".":
             self.at += 1  # vs.
         return (said or bool(row)) and not (atoms and is_mark(atoms[-1], ("=", ":", ":=")))
+
+    def ends_list(self, token: Token, atoms: Sequence[Any], row: Sequence[Any]) -> bool:
+        """Return whether a word stands before the last of several points: (0, 0), (4, 0) and (0, 3)."""
+        before = [*row, *atoms][-2:]
+        if token.text != "and" or not before or not is_pair(before[-1]) or not self.next_is(OPEN):
+            return False
+        rest = self.tokens[self.at : self.at + 6]
+        point = [each.kind for each in rest[:5]] == [OPEN, NUMBER, MARK, NUMBER, CLOSE]
+        return point and bool(row) and (len(rest) < 6 or rest[5].kind == LINE or rest[5].text in (".", ";"))
 
     def next_is(self, kind: str) -> bool:
         """Return whether the next token is of this kind."""
@@ -289,7 +301,8 @@ class _Parser:
     def plain(self, atoms: list[Any], *, is_line: bool) -> Any:
         """Return the value of atoms that contain no `=` and no `:`; a line can begin with a bullet."""
         first = next((i for i, a in enumerate(atoms) if not says_nothing(a)), len(atoms))
-        atoms = atoms[first:]
+        last = len(atoms) - (isinstance(atoms[-1], Token) and atoms[-1].text == ".")  # the end of a sentence
+        atoms = atoms[first:last]
         start, end = (start_of(atoms[0]), end_of(atoms[-1])) if atoms else (0, 0)
         degrees = angle(self.text[start:end]) if 0 < end - start < MAX_ANGLE else None
         if degrees is not None:
