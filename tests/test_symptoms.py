@@ -1,4 +1,4 @@
-"""What users see of a mistake, by simulation: each failing case is asked, and B is moved as it says."""
+"""Tests of symptoms by simulation: each failing case decides, and B is moved accordingly."""
 
 from collections import Counter
 from math import hypot
@@ -23,12 +23,12 @@ SEEN_OTHERWISE = {
 
 
 def gives_an_answer(case):
-    """Whether the mistake is about a verdict or a move, as a user sees it."""
+    """Return whether the user sees the mistake in a verdict or in a move."""
     return case.how in (FALSE_HIT, MISSED_HIT) or case.is_about_push
 
 
 def seen(case, a, b):
-    """What a user sees of two shapes where the case's shortcut decides."""
+    """Return the symptom of two shapes where the case's shortcut decides."""
     run, truth = record(a, b, axes=case.shortcut, every_axis=True), record(a, b)
     if truth.relation is not Relation.OVERLAPPING:
         wrong = (run.claim is Relation.APART) is not (truth.relation is Relation.APART)
@@ -46,7 +46,7 @@ def seen(case, a, b):
 
 
 def seen_of(case):
-    """What the case's own scene shows, and what more than half of the pairs show in which it can be seen."""
+    """Return the symptoms of the case's own scene, and those of more than half of the pairs in which any is seen."""
     found, of = Counter(), Counter()
     own = kind_of(*case.shapes)
     for pair in PAIRS:
