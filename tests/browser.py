@@ -50,8 +50,13 @@ const data = await window.first();
 const heard = new Set();
 const on = (_, hears) => heard.add(hears);
 const off = (_, hears) => heard.delete(hears);
-const tell = (answer) => answer && heard.forEach((hears) => hears(answer, []));
-const send = (content) => void window.answer(content).then(tell);
+window.unanswered = 0;
+const send = async (content) => {
+  window.unanswered += 1;
+  const answer = await window.answer(content);
+  if (answer) for (const hears of heard) hears(answer, []);
+  window.unanswered -= 1;
+};
 const model = { get: (name) => data[name], on, off, send };
 const el = document.querySelector("main");
 START;
@@ -86,8 +91,21 @@ def explored(browser, exploring, errors, *, keys=False, **more):
         f'<script type="module">{script}{start}</script></body></html>'
     )
     page.locator("[data-handle]").first.wait_for(state="attached")
+    settled(page)
     yield page
     context.close()
+
+
+# In the first frame sizes are observed, in the second one what follows from them is laid out.
+SETTLED = """async () => {
+  for (let i = 0; i < 2; i += 1) await new Promise(requestAnimationFrame);
+  return !window.unanswered;
+}"""
+
+
+def settled(page):
+    """Wait until the page is laid out, and Python has answered each message of an explorer alone."""
+    page.wait_for_function(SETTLED)
 
 
 def site_with_python(folder):
@@ -133,7 +151,7 @@ def axe():
 def shut_out(axe_core, page):
     """What axe-core finds serious."""
     page.evaluate(f"{axe_core};0")
-    found = page.evaluate("async () => (await axe.run(document)).violations")
+    found = page.evaluate("async () => (await axe.run(document, { resultTypes: ['violations'] })).violations")
     return [(v["id"], v["nodes"][0]["html"]) for v in found if v["impact"] in ("serious", "critical")]
 
 

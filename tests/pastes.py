@@ -2,6 +2,7 @@
 
 `bounds`: the bounding box of each shape (x0, y0, x1, y1), in the order of the text.  `as_`: the reading to take, for a
 text that can mean several things.  `says`: words of a finding, for a text with a part that must be named instead.
+`asks`: a question is right.
 A name with `#` is that of a public thread (facts only: retyped numbers and notation).
 """
 
@@ -11,13 +12,14 @@ Box = tuple[float, float, float, float]
 
 
 class Paste(NamedTuple):
-    """A text, the bounds of its shapes, the reading to take, and words that a finding must have."""
+    """A text, the bounds of its shapes, the reading to take, words of a finding, and whether a question is right."""
 
     name: str
     text: str
     bounds: tuple[Box, ...]
     as_: str = ""
     says: str = ""
+    asks: bool = False
 
 
 PASTES = (
@@ -2843,13 +2845,6 @@ var r2 = Rect2(2,2,2,2)
 print(r1.intersects(r2)) # true
 ```""",
         ((0, 0, 2, 2), (2, 2, 4, 4)),
-    ),
-    Paste(
-        "PixelVision8/PixelVision8#299",
-        """a = NewRect(8, 0, 8, 16)
-b = NewRect(9, 9, 8, 16)
-print(a:Contains(b))""",
-        ((8, 0, 16, 16), (9, 9, 17, 25)),
     ),
     Paste(
         "liabru/matter-js#12",

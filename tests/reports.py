@@ -95,19 +95,34 @@ Polygon p2 = new Polygon(new float[]{2996.0f, 277.0f, 2996.0f, 278.0f, 2997.0f, 
     Report(
         "RandyGaul/cute_headers#366",
         "C lines",
-        """c2Poly poly_world;
-poly_world.count = 4;
-poly_world.verts[0] = c2V(-1.0, -1.0);
-poly_world.verts[1] = c2V(1.0, -1.0);
-poly_world.verts[2] = c2V(1.0, 1.0);
-poly_world.verts[3] = c2V(-1.0, 1.0);
+        """    c2Poly poly_world;
+    poly_world.count = 4;
+    poly_world.verts[0] = c2V(-1.0, -1.0);
+    poly_world.verts[1] = c2V(1.0, -1.0);
+    poly_world.verts[2] = c2V(1.0, 1.0);
+    poly_world.verts[3] = c2V(-1.0, 1.0);
 
-c2Poly poly_car;
-poly_car.count = 4;
-poly_car.verts[0] = c2V(-0.05, -1.04);
-poly_car.verts[1] = c2V(0.05, -1.04);
-poly_car.verts[2] = c2V(0.05, -0.94);
-poly_car.verts[3] = c2V(-0.05, -0.94);""",
+    c2Poly poly_car;
+    poly_car.count = 4;
+    poly_car.verts[0] = c2V(-0.05, -1.04);
+    poly_car.verts[1] = c2V(0.05, -1.04);
+    poly_car.verts[2] = c2V(0.05, -0.94);
+    poly_car.verts[3] = c2V(-0.05, -0.94);
+
+    int res = c2PolytoPoly(&poly_car, NULL, &poly_world, NULL);
+    printf("res: %d\\n", res);
+
+    c2Manifold m;
+    c2PolytoPolyManifold(&poly_car, NULL, &poly_world, NULL, &m);
+    printf("m.count: %d\\n", m.count);
+```
+
+Result:
+```
+gcc main.c -lm && ./a.out
+res: 1
+m.count: 0
+```""",
         "overlapping",
         "clear",
     ),
@@ -173,10 +188,12 @@ aabb.max = c2V(1280, 720);""",
         """c2AABB ba;
 ba.min = c2V( -50.0f, -200.0f );
 ba.max = c2V( 50.0f, -100.0f );
-
 c2AABB bb;
 bb.min = c2V( -10.0f, -225.0f );
-bb.max = c2V( 49.0f, -200.0f );""",
+bb.max = c2V( 49.0f, -200.0f );
+c2Manifold m;
+c2AABBtoAABBManifold(ba, bb, &m);
+printf("count %d depth %f", m.count, m.depths[0]);""",
         "touching",
         "touching",
     ),

@@ -4,23 +4,22 @@
 other text must be answered at once.  A text without `bounds` is refused in words.
 """
 
-from typing import NamedTuple
-
-Box = tuple[float, float, float, float]
-
-
-class Text(NamedTuple):
-    """A text, the bounds of its shapes, the reading to take, and whether a question is right."""
-
-    name: str
-    text: str
-    bounds: tuple[Box, ...]
-    as_: str = ""
-    asks: bool = False
-
+from pastes import Paste
 
 TEXTS = (
-    Text(
+    Paste(
+        "corners in a sentence",
+        """The first has corners (0, 0), (10, 0), (10, 10), and (0, 10).
+The second has corners (10, 5), (20, 5) and (20, 15).
+They should touch.""",
+        ((0, 0, 10, 10), (10, 5, 20, 15)),
+    ),
+    Paste(
+        "a test that is negated",
+        "if (!overlaps(new Rectangle(0, 0, 4, 4), new Circle(6, 6, 1))) return;",
+        ((0, 0, 4, 4), (5, 5, 7, 7)),
+    ),
+    Paste(
         "martinez#6 js",
         """I have a case where the intersection gives incorrect results.
 
@@ -48,7 +47,7 @@ const result = martinez.intersection(p0_x, p1_x);
 console.log(result);""",
         ((0, 0, 1, 1), (0, 0.5, 1, 1.5)),
     ),
-    Text(
+    Paste(
         "boost#1439 c++",
         """typedef boost::geometry::model::d2::point_xy<double> BgPoint;
 typedef boost::geometry::model::polygon<BgPoint> BgPolygon;
@@ -75,7 +74,7 @@ double area = out.empty() ? 0.0 : boost::geometry::area(out[0]);
 std::cout << "area = " << area << std::endl;""",
         ((-2.4708, -86.0406, 3.4022, 146.303), (-6.2132, -88.0331, -2.4708, -86.014)),
     ),
-    Text(
+    Paste(
         "boost wkt",
         """using point = boost::geometry::model::d2::point_xy<double>;
 using polygon = boost::geometry::model::polygon<point>;
@@ -91,7 +90,7 @@ BOOST_FOREACH(polygon const& p, output)
 }""",
         ((2, 1.2, 4.1, 3), (2, -0.5, 4, 1.5)),
     ),
-    Text(
+    Paste(
         "geos rust test",
         """```rust
 #[test]
@@ -109,7 +108,7 @@ fn test_touches() -> Result<(), Box<dyn Error>> {
 ```""",
         ((0, -90, 180, 0), (-180, -90, 180, 90)),
     ),
-    Text(
+    Paste(
         "geo rust Coord",
         """use geo::{BooleanOps, Polygon, LineString, Coord};
 
@@ -152,7 +151,7 @@ fn main() {
 }""",
         ((-10339459.5, 3169028.5, -10002503.5, 3672178.75), (-10644125, 3502179.5, -10010375.25, 3765929.75)),
     ),
-    Text(
+    Paste(
         "geo rust debug print",
         """thread 'main' panicked at 'assertion failed'
 a = Polygon { exterior: LineString([Coord { x: 0.0, y: 0.0 }, Coord { x: 2.0, y: 0.0 }, Coord { x: 2.0, y: 2.0 }, Coord { x: 0.0, y: 0.0 }]), interiors: [] }
@@ -160,7 +159,7 @@ b = Polygon { exterior: LineString([Coord { x: 3.0, y: 0.0 }, Coord { x: 5.0, y:
 note: run with `RUST_BACKTRACE=1` environment variable to display a backtrace""",
         ((0, 0, 2, 2), (3, 0, 5, 2)),
     ),
-    Text(
+    Paste(
         "parry aabb test",
         """#[test]
 fn test_contact_example() {
@@ -178,7 +177,7 @@ fn test_contact_example() {
 }""",
         ((0, 0, 2, 2), (-1, -1, 1, 1)),
     ),
-    Text(
+    Paste(
         "parry aabb mins",
         """let a = Aabb {
     mins: Vector::new(40.0, -50.0),
@@ -191,52 +190,7 @@ let b = Aabb {
 assert!(!a.intersects(&b)); // fails""",
         ((40, -50, 60, 150), (60, 0, 70, 10)),
     ),
-    Text(
-        "cute_c2 poly",
-        """    c2Poly poly_world;
-    poly_world.count = 4;
-    poly_world.verts[0] = c2V(-1.0, -1.0);
-    poly_world.verts[1] = c2V(1.0, -1.0);
-    poly_world.verts[2] = c2V(1.0, 1.0);
-    poly_world.verts[3] = c2V(-1.0, 1.0);
-
-    c2Poly poly_car;
-    poly_car.count = 4;
-    poly_car.verts[0] = c2V(-0.05, -1.04);
-    poly_car.verts[1] = c2V(0.05, -1.04);
-    poly_car.verts[2] = c2V(0.05, -0.94);
-    poly_car.verts[3] = c2V(-0.05, -0.94);
-
-    int res = c2PolytoPoly(&poly_car, NULL, &poly_world, NULL);
-    printf("res: %d\\n", res);
-
-    c2Manifold m;
-    c2PolytoPolyManifold(&poly_car, NULL, &poly_world, NULL, &m);
-    printf("m.count: %d\\n", m.count);
-```
-
-Result:
-```
-gcc main.c -lm && ./a.out 
-res: 1
-m.count: 0
-```""",
-        ((-1, -1, 1, 1), (-0.05, -1.04, 0.05, -0.94)),
-    ),
-    Text(
-        "cute_c2 aabb",
-        """c2AABB ba;
-ba.min = c2V( -50.0f, -200.0f );
-ba.max = c2V( 50.0f, -100.0f );
-c2AABB bb;
-bb.min = c2V( -10.0f, -225.0f );
-bb.max = c2V( 49.0f, -200.0f );
-c2Manifold m;
-c2AABBtoAABBManifold(ba, bb, &m);
-printf("count %d depth %f", m.count, m.depths[0]);""",
-        ((-50, -200, 50, -100), (-10, -225, 49, -200)),
-    ),
-    Text(
+    Paste(
         "c2 circle",
         """c2Circle circle = {0};
 circle.p = c2V(10.0f, 5.0f);
@@ -247,7 +201,7 @@ box.max = c2V(20, 10);
 if (c2CircletoAABB(circle, box)) { puts("hit"); }""",
         ((5, 0, 15, 10), (14, 0, 20, 10)),
     ),
-    Text(
+    Paste(
         "box2d v2",
         """b2PolygonShape polyA;
 b2Vec2 vertsA[4];
@@ -270,7 +224,7 @@ b2Manifold manifold;
 b2CollidePolygons(&manifold, &polyA, identity, &polyB, identity);""",
         ((-1, -1, 1, 1), (0.5, 0, 2, 1)),
     ),
-    Text(
+    Paste(
         "box2d v3",
         """b2Polygon boxA = b2MakeBox(1.0f, 0.5f);
 b2Transform xfA = {{0.0f, 0.0f}, b2Rot_identity};
@@ -279,14 +233,14 @@ b2Manifold m = b2CollidePolygonAndCircle(&boxA, xfA, &circleB, xfA);
 ENSURE(m.pointCount == 1);""",
         ((-1, -0.5, 1, 0.5), (1, -0.5, 2, 0.5)),
     ),
-    Text(
+    Paste(
         "box2d-py log",
         """bodyA fixture vertices: [(-10, -1), (10, -1), (10, 1), (-10, 1)]
 bodyB fixture vertices: [(9.5, 0.5), (12, 0.5), (12, 3)]
 contact.touching = False""",
         ((-10, -1, 10, 1), (9.5, 0.5, 12, 3)),
     ),
-    Text(
+    Paste(
         "godot polygon print",
         """# Godot 4.2
 extends Node2D
@@ -296,14 +250,14 @@ func _ready():
     print(Geometry2D.intersect_polygons(a, b))""",
         ((0, 0, 64, 64), (64, 10, 128, 40)),
     ),
-    Text(
+    Paste(
         "godot console",
         """polygon A: [(0, 0), (64, 0), (64, 64), (0, 64)]
 polygon B: [(32.5, 10), (128, 10), (128, 40)]
 overlaps: true  frame 120""",
         ((0, 0, 64, 64), (32.5, 10, 128, 40)),
     ),
-    Text(
+    Paste(
         "godot rect2 print",
         """var a := Rect2(Vector2(10, 10), Vector2(20, 20))
 var b := Rect2(Vector2(30, 10), Vector2(5, 5))
@@ -311,13 +265,13 @@ print(a.intersects(b))        # false
 print(a.intersects(b, true))  # true""",
         ((10, 10, 30, 30), (30, 10, 35, 15)),
     ),
-    Text(
+    Paste(
         "godot rect2 log",
         """player: [P: (10, 10), S: (20, 20)]
 wall:   [P: (30, 10), S: (5, 5)]""",
         ((10, 10, 30, 30), (30, 10, 35, 15)),
     ),
-    Text(
+    Paste(
         "godot tscn",
         """[sub_resource type="CircleShape2D" id="CircleShape2D_abc"]
 radius = 16.0
@@ -334,14 +288,14 @@ polygon = PackedVector2Array(110, 40, 150, 40, 150, 80, 110, 80)""",
         as_="leave-out",
         asks=True,
     ),
-    Text(
+    Paste(
         "unity bounds log",
         """playerCollider.bounds: Center: (1.00, 2.00, 0.00), Extents: (0.50, 0.50, 0.00)
 wallCollider.bounds: Center: (2.00, 2.00, 0.00), Extents: (0.50, 1.50, 0.00)
 UnityEngine.Debug:Log (object)""",
         ((0.5, 1.5, 1.5, 2.5), (1.5, 0.5, 2.5, 3.5)),
     ),
-    Text(
+    Paste(
         "unity poly",
         """public class Test : MonoBehaviour
 {
@@ -354,21 +308,21 @@ UnityEngine.Debug:Log (object)""",
 }""",
         ((0, 0, 1, 1), (1.5, 0, 2.5, 1)),
     ),
-    Text(
+    Paste(
         "unity rect print",
         """rectA = (x:0.00, y:0.00, width:100.00, height:50.00)
 rectB = (x:100.00, y:0.00, width:20.00, height:20.00)
 rectA.Overlaps(rectB) = False""",
         ((0, 0, 100, 50), (100, 0, 120, 20)),
     ),
-    Text(
+    Paste(
         "three box2",
         """const a = new THREE.Box2(new THREE.Vector2(0, 0), new THREE.Vector2(4, 4));
 const b = new THREE.Box2(new THREE.Vector2(4, 1), new THREE.Vector2(8, 3));
 console.log(a.intersectsBox(b)); // true""",
         ((0, 0, 4, 4), (4, 1, 8, 3)),
     ),
-    Text(
+    Paste(
         "three shape",
         """const shape = new THREE.Shape();
 shape.moveTo( 0, 0 );
@@ -384,13 +338,13 @@ other.lineTo( 15, 15 );
 other.closePath();""",
         ((0, 0, 10, 10), (5, 5, 15, 15)),
     ),
-    Text(
+    Paste(
         "three box2 json log",
         """Box2 {isBox2: true, min: Vector2 {x: -1, y: -1}, max: Vector2 {x: 1, y: 1}}
 Box2 {isBox2: true, min: Vector2 {x: 2, y: -1}, max: Vector2 {x: 3, y: 1}}""",
         ((-1, -1, 1, 1), (2, -1, 3, 1)),
     ),
-    Text(
+    Paste(
         "p5 collide2d",
         """let poly = [];
 function setup() {
@@ -407,7 +361,7 @@ function draw() {
 }""",
         ((10, 23, 390, 231), (30, 85, 60, 115)),
     ),
-    Text(
+    Paste(
         "p5 rects",
         """function setup() {
   createCanvas(400, 400);
@@ -419,7 +373,7 @@ function draw() {
 }""",
         ((50, 50, 150, 130), (140, 120, 200, 180)),
     ),
-    Text(
+    Paste(
         "processing",
         """int cx = 0;
 void setup() {
@@ -436,7 +390,7 @@ void draw() {
         as_="corner-size diameter leave-out",
         asks=True,
     ),
-    Text(
+    Paste(
         "svg file",
         """<?xml version="1.0" encoding="UTF-8"?>
 <svg xmlns="http://www.w3.org/2000/svg" width="200" height="200" viewBox="0 0 200 200">
@@ -447,7 +401,7 @@ void draw() {
 </svg>""",
         ((10, 10, 60, 60), (50, 50, 90, 90)),
     ),
-    Text(
+    Paste(
         "svg path rel",
         """<svg height="210" width="400">
   <path d="M150 0 L75 200 L225 200 Z" style="fill:none;stroke:green;stroke-width:3" />
@@ -456,7 +410,7 @@ void draw() {
 </svg>""",
         ((75, 0, 225, 200), (5, 5, 95, 95)),
     ),
-    Text(
+    Paste(
         "geojson features",
         """{
   "type": "FeatureCollection",
@@ -469,7 +423,7 @@ void draw() {
 }""",
         ((24.6038, 59.3136, 24.8393, 59.4772), (23.459, 8.2291, 24.5673, 8.9542)),
     ),
-    Text(
+    Paste(
         "turf",
         """const poly1 = turf.polygon([[
   [-122.801742, 45.48565],
@@ -487,7 +441,7 @@ const poly2 = turf.polygon([[
 console.log(turf.booleanOverlap(poly1, poly2), turf.intersect(turf.featureCollection([poly1, poly2])));""",
         ((-122.801742, 45.48565, -122.584762, 45.60491), (-122.720031, 45.526554, -122.520217, 45.553967)),
     ),
-    Text(
+    Paste(
         "shapely session",
         """In [5]: from shapely.geometry import Polygon
 
@@ -502,7 +456,7 @@ In [9]: p1.relate(p2)
 Out[9]: '212101212'""",
         ((-97.8835, 42.2598, -97.8811, 42.2624), (-97.8811, 42.2598, -97.87, 42.27)),
     ),
-    Text(
+    Paste(
         "shapely wkt vars",
         """wkt2 = 'POLYGON ((120.1729 28.8911, 120.1730 28.9131, 120.1949 28.9131, 120.1949 28.8911, 120.1729 28.8911))'
 wkt3 = 'POLYGON ((120.1684 28.8940, 120.1684 28.9160, 120.1904 28.9160, 120.1904 28.8940, 120.1684 28.8940))'
@@ -512,7 +466,7 @@ b = wkt.loads(wkt3)
 print(a.intersects(b), a.intersection(b).area)""",
         ((120.1729, 28.8911, 120.1949, 28.9131), (120.1684, 28.894, 120.1904, 28.916)),
     ),
-    Text(
+    Paste(
         "numpy print labelled",
         """>>> print(verts_a)
 [[ 0.    0.  ]
@@ -526,7 +480,7 @@ print(a.intersects(b), a.intersection(b).area)""",
 True""",
         ((0, 0, 1.5, 2), (1, 1, 3, 4.25)),
     ),
-    Text(
+    Paste(
         "numpy repr",
         """a
 array([[0.   , 0.   ],
@@ -539,7 +493,7 @@ array([[2.5, 0. ],
        [3.5, 1. ]], dtype=float32)""",
         ((0, 0, 1, 1), (2.5, 0, 3.5, 1)),
     ),
-    Text(
+    Paste(
         "pymunk",
         """import pymunk
 space = pymunk.Space()
@@ -560,7 +514,7 @@ for _ in range(10):
 print(poly.shapes_collide(ball))""",
         ((40, 90, 60, 110), (60, 90, 80, 110)),
     ),
-    Text(
+    Paste(
         "pymunk poly",
         """b0 = space.static_body
 p1 = pymunk.Poly(b0, [(0, 0), (10, 0), (10, 10), (0, 10)])
@@ -570,7 +524,7 @@ contacts = p1.shapes_collide(p2)
 assert len(contacts.points) == 0, contacts""",
         ((0, 0, 10, 10), (10, 0, 20, 10)),
     ),
-    Text(
+    Paste(
         "pygame",
         """import pygame
 pygame.init()
@@ -580,14 +534,14 @@ enemy = pygame.Rect(150, 100, 50, 50)
 print(player.colliderect(enemy))""",
         ((100, 100, 150, 150), (150, 100, 200, 150)),
     ),
-    Text(
+    Paste(
         "pygame print",
         """player <rect(100, 100, 50, 50)>
 enemy <rect(149, 100, 50, 50)>
 colliderect -> 1""",
         ((100, 100, 150, 150), (149, 100, 199, 150)),
     ),
-    Text(
+    Paste(
         "java awt",
         """Polygon p = new Polygon();
 p.addPoint(0, 0);
@@ -599,7 +553,7 @@ a.intersect(new Area(r));
 System.out.println(a.isEmpty());""",
         ((0, 0, 10, 10), (9, 0, 14, 5)),
     ),
-    Text(
+    Paste(
         "jts",
         """GeometryFactory gf = new GeometryFactory();
 Coordinate[] c1 = new Coordinate[] {
@@ -611,7 +565,7 @@ Polygon b = gf.createPolygon(c2);
 assertTrue(a.touches(b));""",
         ((0, 0, 10, 10), (10, 10, 20, 20)),
     ),
-    Text(
+    Paste(
         "jts prep",
         """WKTReader reader = new WKTReader(new GeometryFactory(new PrecisionModel(1000)));
 Geometry g1 = reader.read("POLYGON ((0 0, 0 100, 100 100, 100 0, 0 0))");
@@ -620,7 +574,7 @@ System.out.println("touches: " + g1.touches(g2));
 System.out.println("DE-9IM: " + g1.relate(g2));""",
         ((0, 0, 100, 100), (100, 50, 200, 70)),
     ),
-    Text(
+    Paste(
         "libgdx",
         """Rectangle r1 = new Rectangle(0f, 0f, 32f, 32f);
 Circle c1 = new Circle(48f, 16f, 16f);
@@ -628,7 +582,7 @@ boolean hit = Intersector.overlaps(c1, r1);
 Gdx.app.log("TEST", "hit = " + hit);""",
         ((0, 0, 32, 32), (32, 0, 64, 32)),
     ),
-    Text(
+    Paste(
         "libgdx toString",
         """[0.0,0.0,32.0,32.0]
 [31.5,10.0,16.0,16.0]
@@ -637,7 +591,7 @@ overlaps=true""",
         as_="corner-size",
         asks=True,
     ),
-    Text(
+    Paste(
         "love2d lua",
         """-- main.lua
 function love.load()
@@ -655,7 +609,7 @@ print(checkCollision(a, b))""",
         as_="corner-size leave-out",
         asks=True,
     ),
-    Text(
+    Paste(
         "lua HC",
         """local HC = require 'HC'
 local rect = HC.rectangle(200, 400, 400, 20)
@@ -665,14 +619,14 @@ for shape, delta in pairs(HC.collisions(ball)) do
 end""",
         ((200, 400, 600, 420), (390, 380, 410, 400)),
     ),
-    Text(
+    Paste(
         "lua polygon",
         """local polyA = { 0,0, 50,0, 50,50, 0,50 }
 local polyB = { 25,25, 75,25, 75,75 }
 print("SAT:", sat(polyA, polyB))  --> SAT: false""",
         ((0, 0, 50, 50), (25, 25, 75, 75)),
     ),
-    Text(
+    Paste(
         "c struct",
         """#include <stdio.h>
 #include "sat.h"
@@ -688,7 +642,7 @@ int main(void) {
 }""",
         ((0, 0, 2, 2), (1, 1, 3, 3)),
     ),
-    Text(
+    Paste(
         "c printf log",
         """poly A (4 verts):
   0: (0.000000, 0.000000)
@@ -702,7 +656,7 @@ poly B (3 verts):
 overlap = 1""",
         ((0, 0, 2, 2), (1, 1, 3, 3)),
     ),
-    Text(
+    Paste(
         "raylib",
         """Rectangle boxA = { 10, GetScreenHeight()/2.0f - 50, 200, 100 };
 Rectangle boxB = { 190, 200, 60, 60 };
@@ -711,7 +665,7 @@ bool collision = CheckCollisionRecs(boxA, boxB);""",
         as_="leave-out",
         asks=True,
     ),
-    Text(
+    Paste(
         "raylib ok",
         """Rectangle boxA = { 10.0f, 175.0f, 200.0f, 100.0f };
 Rectangle boxB = { 190.0f, 200.0f, 60.0f, 60.0f };
@@ -721,7 +675,7 @@ DrawRectangleRec(boxA, GOLD);
 DrawRectangleRec(boxB, BLUE);""",
         ((10, 175, 210, 275), (190, 200, 250, 260)),
     ),
-    Text(
+    Paste(
         "sfml",
         """sf::RectangleShape rect(sf::Vector2f(120.f, 50.f));
 rect.setPosition(100.f, 100.f);
@@ -732,7 +686,7 @@ circle.setFillColor(sf::Color(100, 250, 50));
 bool hit = rect.getGlobalBounds().intersects(circle.getGlobalBounds());""",
         ((100, 100, 220, 150), (220, 100, 320, 200)),
     ),
-    Text(
+    Paste(
         "sdl",
         """SDL_Rect a = { 0, 0, 32, 32 };
 SDL_Rect b = { .x = 32, .y = 0, .w = 32, .h = 32 };
@@ -740,7 +694,7 @@ SDL_bool hit = SDL_HasIntersection(&a, &b);
 SDL_Log("hit=%d", hit);""",
         ((0, 0, 32, 32), (32, 0, 64, 32)),
     ),
-    Text(
+    Paste(
         "monogame",
         """var bounds1 = new Rectangle(0, 0, 64, 64);
 var bounds2 = new Rectangle(63, 63, 64, 64);
@@ -748,13 +702,13 @@ Assert.IsTrue(bounds1.Intersects(bounds2));
 // prints: {X:0 Y:0 Width:64 Height:64}""",
         ((0, 0, 64, 64), (63, 63, 127, 127)),
     ),
-    Text(
+    Paste(
         "monogame print",
         """{X:0 Y:0 Width:64 Height:64}
 {X:63 Y:63 Width:64 Height:64}""",
         ((0, 0, 64, 64), (63, 63, 127, 127)),
     ),
-    Text(
+    Paste(
         "sat.js",
         """var V = SAT.Vector;
 var P = SAT.Polygon;
@@ -766,7 +720,7 @@ var collided = SAT.testPolygonCircle(polygon, circle, response);
 console.log(collided, response.overlap, response.overlapV);""",
         ((80, 80, 120, 120), (0, 0, 90, 90)),
     ),
-    Text(
+    Paste(
         "matter",
         """const Engine = Matter.Engine, Bodies = Matter.Bodies;
 const engine = Engine.create();
@@ -776,7 +730,7 @@ Composite.add(engine.world, [boxA, ground]);
 console.log(Matter.Collision.collides(boxA, ground));""",
         ((360, 160, 440, 240), (-5, 580, 805, 640)),
     ),
-    Text(
+    Paste(
         "phaser geom",
         """const r1 = new Phaser.Geom.Rectangle(100, 100, 256, 256);
 const c1 = new Phaser.Geom.Circle(400, 200, 60);
@@ -785,7 +739,7 @@ if (Phaser.Geom.Intersects.CircleToRectangle(c1, r1)) {
 }""",
         ((100, 100, 356, 356), (340, 140, 460, 260)),
     ),
-    Text(
+    Paste(
         "phaser add",
         """this.player = this.add.rectangle(100, 450, 32, 48, 0x00ff00);
 this.star = this.add.circle(130, 450, 14, 0xffff00);
@@ -793,7 +747,7 @@ this.physics.add.existing(this.player);
 this.physics.add.overlap(this.player, this.star, () => console.log('hit'));""",
         ((84, 426, 116, 474), (116, 436, 144, 464)),
     ),
-    Text(
+    Paste(
         "flatten-js",
         """const {point, circle, segment, polygon, Box} = Flatten;
 let c = circle(point(200, 110), 50);
@@ -801,7 +755,7 @@ let p = new Polygon([[150, 110], [250, 110], [250, 200]]);
 console.log(p.intersect(c));""",
         ((150, 60, 250, 160), (150, 110, 250, 200)),
     ),
-    Text(
+    Paste(
         "detect-collisions",
         """import { System } from "detect-collisions";
 const physics = new System();
@@ -813,7 +767,7 @@ physics.checkCollision(box, poly);""",
         as_="corner-size",
         asks=True,
     ),
-    Text(
+    Paste(
         "kotlin compose",
         """val a = Rect(left = 0f, top = 0f, right = 100f, bottom = 100f)
 val b = Rect(Offset(100f, 50f), Size(20f, 20f))
@@ -822,7 +776,7 @@ println(a.overlaps(b))""",
         as_="corner-size",
         asks=True,
     ),
-    Text(
+    Paste(
         "swift",
         """let a = CGRect(x: 0, y: 0, width: 100, height: 100)
 let b = CGRect(x: 100, y: 0, width: 50, height: 50)
@@ -830,14 +784,14 @@ print(a.intersects(b)) // false
 print(a.union(b).width)""",
         ((0, 0, 100, 100), (100, 0, 150, 50)),
     ),
-    Text(
+    Paste(
         "flutter",
         """final a = Rect.fromLTWH(0, 0, 10, 10);
 final b = Rect.fromLTRB(10.0, 0.0, 20.0, 10.0);
 print(a.overlaps(b)); // false""",
         ((0, 0, 10, 10), (10, 0, 20, 10)),
     ),
-    Text(
+    Paste(
         "postgis",
         """SELECT ST_Intersects(
   'POLYGON((0 0, 0 1, 1 1, 1 0, 0 0))'::geometry,
@@ -849,19 +803,19 @@ print(a.overlaps(b)); // false""",
 (1 row)""",
         ((0, 0, 1, 1), (1, 1, 2, 2)),
     ),
-    Text(
+    Paste(
         "postgis ewkt",
         """SELECT ST_Touches(ST_GeomFromText('POLYGON((0 0,4 0,4 4,0 4,0 0))', 4326), ST_GeomFromText('POLYGON((4 0,8 0,8 4,4 4,4 0))', 4326));""",
         ((0, 0, 4, 4), (4, 0, 8, 4)),
     ),
-    Text(
+    Paste(
         "mysql",
         """SET @g1 = ST_GeomFromText('Polygon((0 0,0 3,3 3,3 0,0 0))');
 SET @g2 = ST_GeomFromText('Polygon((1 1,1 2,2 2,2 1,1 1))');
 SELECT MBRContains(@g1,@g2), MBRWithin(@g2,@g1);""",
         ((0, 0, 3, 3), (1, 1, 2, 2)),
     ),
-    Text(
+    Paste(
         "R sf",
         """library(sf)
 p1 <- st_polygon(list(rbind(c(0,0), c(4,0), c(4,4), c(0,4), c(0,0))))
@@ -869,14 +823,14 @@ p2 <- st_polygon(list(rbind(c(4,0), c(8,0), c(8,4), c(4,0))))
 st_intersects(p1, p2, sparse = FALSE)""",
         ((0, 0, 4, 4), (4, 0, 8, 4)),
     ),
-    Text(
+    Paste(
         "matlab",
         """p1 = polyshape([0 0 4 4],[0 4 4 0]);
 p2 = polyshape([5 5 9 9],[0 4 4 0]);
 overlaps(p1, p2)""",
         ((0, 0, 4, 4), (5, 0, 9, 4)),
     ),
-    Text(
+    Paste(
         "julia",
         """using LazySets
 P = VPolygon([[0.0, 0.0], [2.0, 0.0], [1.0, 2.0]])
@@ -884,7 +838,7 @@ Q = VPolygon([[1.5, 0.5], [3.5, 0.5], [2.5, 2.5]])
 isdisjoint(P, Q)""",
         ((0, 0, 2, 2), (1.5, 0.5, 3.5, 2.5)),
     ),
-    Text(
+    Paste(
         "yolo boxes",
         """box1 = [100, 100, 200, 200]  # x1, y1, x2, y2
 box2 = [150, 150, 250, 250]
@@ -893,7 +847,7 @@ print(f"IoU: {iou:.4f}")""",
         ((100, 100, 200, 200), (150, 150, 250, 250)),
         as_="corner-corner",
     ),
-    Text(
+    Paste(
         "opencv contour",
         """cnt1 = np.array([[[10, 10]], [[100, 10]], [[100, 100]], [[10, 100]]], dtype=np.int32)
 cnt2 = np.array([[[90, 90]], [[150, 90]], [[150, 150]]], dtype=np.int32)
@@ -901,21 +855,21 @@ mask = np.zeros((200, 200), dtype=np.uint8)
 cv2.drawContours(mask, [cnt1], -1, 255, -1)""",
         ((10, 10, 100, 100), (90, 90, 150, 150)),
     ),
-    Text(
+    Paste(
         "opencv rotatedrect",
         """r1 = ((50.0, 50.0), (40.0, 20.0), 45.0)
 r2 = ((80.0, 50.0), (40.0, 20.0), 0.0)
 ret, pts = cv2.rotatedRectangleIntersection(r1, r2)""",
         ((28.7868, 28.7868, 71.2132, 71.2132), (60, 40, 100, 60)),
     ),
-    Text(
+    Paste(
         "csv annotations",
         """id,label,xmin,ymin,xmax,ymax
 1,car,10,20,110,80
 2,person,100,30,130,120""",
         ((10, 20, 110, 80), (100, 30, 130, 120)),
     ),
-    Text(
+    Paste(
         "console.table",
         """┌─────────┬─────┬─────┬───────┬────────┐
 │ (index) │  x  │  y  │ width │ height │
@@ -927,13 +881,13 @@ ret, pts = cv2.rotatedRectangleIntersection(r1, r2)""",
         as_="corner-size leave-out",
         asks=True,
     ),
-    Text(
+    Paste(
         "DOMRect",
         """DOMRect {x: 8, y: 8, width: 200, height: 100, top: 8, right: 208, bottom: 108, left: 8}
 DOMRect {x: 208, y: 50, width: 20, height: 20, top: 50, right: 228, bottom: 70, left: 208}""",
         ((8, 8, 208, 108), (208, 50, 228, 70)),
     ),
-    Text(
+    Paste(
         "qt",
         """QPolygonF a;
 a << QPointF(0, 0) << QPointF(10, 0) << QPointF(10, 10) << QPointF(0, 10);
@@ -942,14 +896,14 @@ b << QPointF(10, 0) << QPointF(20, 0) << QPointF(20, 10);
 qDebug() << a.intersects(b);""",
         ((0, 0, 10, 10), (10, 0, 20, 10)),
     ),
-    Text(
+    Paste(
         "qdebug print",
         """QPolygonF(QPointF(0,0)QPointF(10,0)QPointF(10,10)QPointF(0,10))
 QPolygonF(QPointF(10,0)QPointF(20,0)QPointF(20,10))
 false""",
         ((0, 0, 10, 10), (10, 0, 20, 10)),
     ),
-    Text(
+    Paste(
         "cgal",
         """Polygon_2 P;
 P.push_back (Point (-1, 1));
@@ -965,14 +919,14 @@ else
   std::cout << "The two polygons do not intersect." << std::endl;""",
         ((-1, -1, 1, 1), (-1, -1, 1, 1)),
     ),
-    Text(
+    Paste(
         "go geom",
         """a := geom.NewPolygon(geom.XY).MustSetCoords([][]geom.Coord{{{0, 0}, {4, 0}, {4, 4}, {0, 0}}})
 b := geom.NewPolygon(geom.XY).MustSetCoords([][]geom.Coord{{{5, 0}, {9, 0}, {9, 4}, {5, 0}}})
 fmt.Println(a.Area(), b.Area())""",
         (),
     ),
-    Text(
+    Paste(
         "go image",
         """r1 := image.Rect(0, 0, 10, 10)
 r2 := image.Rect(10, 0, 20, 10)
@@ -981,14 +935,14 @@ if r1.Overlaps(r2) {
 }""",
         ((0, 0, 10, 10), (10, 0, 20, 10)),
     ),
-    Text(
+    Paste(
         "bevy",
         """let a = Aabb2d::new(Vec2::new(0.0, 0.0), Vec2::new(1.0, 1.0));
 let b = BoundingCircle::new(Vec2::new(1.5, 0.0), 0.5);
 assert!(a.intersects(&b));""",
         ((-1, -1, 1, 1), (1, -0.5, 2, 0.5)),
     ),
-    Text(
+    Paste(
         "pixi",
         """const r = new PIXI.Rectangle(0, 0, 100, 100);
 const c = new PIXI.Circle(110, 50, 10);
@@ -996,14 +950,14 @@ const poly = new PIXI.Polygon([0, 0, 50, 0, 50, 50]);
 console.log(r.contains(100, 50));""",
         ((0, 0, 100, 100), (100, 40, 120, 60), (0, 0, 50, 50)),
     ),
-    Text(
+    Paste(
         "planck",
         """const a = planck.Polygon([Vec2(-1, 0), Vec2(1, 0), Vec2(0, 2)]);
 const b = planck.Circle(Vec2(0, 3), 1);
 const output = planck.Distance(input);""",
         ((-1, 0, 1, 2), (-1, 2, 1, 4)),
     ),
-    Text(
+    Paste(
         "yaml",
         """shapes:
   - name: floor
@@ -1016,7 +970,7 @@ const output = planck.Distance(input);""",
     radius: 0.5""",
         ((-5, -2, 5, 0), (-0.5, 0, 0.5, 1)),
     ),
-    Text(
+    Paste(
         "toml",
         """[player]
 x = 10
@@ -1032,7 +986,7 @@ height = 40""",
         as_="corner-size",
         asks=True,
     ),
-    Text(
+    Paste(
         "clojure",
         """(def a {:x 0 :y 0 :w 10 :h 10})
 (def b {:x 10 :y 0 :w 5 :h 5})
@@ -1041,14 +995,14 @@ height = 40""",
         as_="corner-size",
         asks=True,
     ),
-    Text(
+    Paste(
         "haskell",
         """a = [V2 0 0, V2 4 0, V2 4 4]
 b = [V2 4 0, V2 8 0, V2 8 4]
 main = print (intersects a b)""",
         ((0, 0, 4, 4), (4, 0, 8, 4)),
     ),
-    Text(
+    Paste(
         "stackoverflow prose",
         """I'm implementing SAT in C# and it fails for these two shapes:
 
@@ -1058,26 +1012,26 @@ Polygon 2: (5,5), (5,15), (15,15), (15,5)
 It returns no collision, but clearly they overlap. What am I doing wrong?""",
         ((0, 0, 10, 10), (5, 5, 15, 15)),
     ),
-    Text(
+    Paste(
         "so prose circles",
         """Circle A: center = (3, 4), radius = 5
 Circle B: center = (14, 4), radius = 6
 Expected: touching. Got: false. I use distance < r1 + r2.""",
         ((-2, -1, 8, 9), (8, -2, 20, 10)),
     ),
-    Text(
+    Paste(
         "so aabb text",
         """The first box has its min at (0, 0) and max at (2, 2), the second has min at (2, 2) and max at (3, 5).""",
         ((0, 0, 2, 2), (2, 2, 3, 5)),
     ),
-    Text(
+    Paste(
         "javafx",
         """Polygon poly = new Polygon(0.0, 0.0, 20.0, 10.0, 10.0, 20.0);
 Circle c = new Circle(25.0, 10.0, 6.0, Color.RED);
 boolean b = Shape.intersect(poly, c).getBoundsInLocal().getWidth() != -1;""",
         ((0, 0, 20, 20), (19, 4, 31, 16)),
     ),
-    Text(
+    Paste(
         "ruby",
         """rect1 = { x: 0, y: 0, w: 16, h: 16 }
 rect2 = { x: 16, y: 0, w: 16, h: 16 }
@@ -1085,19 +1039,19 @@ puts args.geometry.intersect_rect?(rect1, rect2)""",
         ((0, 0, 16, 16), (16, 0, 32, 16)),
         as_="corner-size",
     ),
-    Text(
+    Paste(
         "dart flame",
         """final p1 = PolygonComponent([Vector2(0, 0), Vector2(10, 0), Vector2(10, 10)]);
 final p2 = PolygonComponent([Vector2(9, 0), Vector2(19, 0), Vector2(19, 10)]);
 expect(p1.containsPoint(Vector2(1, 1)), isFalse);""",
         ((0, 0, 10, 10), (9, 0, 19, 10)),
     ),
-    Text(
+    Paste(
         "log structured",
         """2024-03-11 09:12:44.120 [physics] INFO  collide(Circle(x=12.5, y=3.0, r=2.5), Circle(x=17.5, y=3.0, r=2.5)) -> false (expected true)""",
         ((10, 0.5, 15, 5.5), (15, 0.5, 20, 5.5)),
     ),
-    Text(
+    Paste(
         "jest fail",
         """  ● polygons that share an edge touch
 
@@ -1112,14 +1066,14 @@ expect(p1.containsPoint(Vector2(1, 1)), isFalse);""",
          |                          ^""",
         ((0, 0, 2, 2), (2, 0, 4, 2)),
     ),
-    Text(
+    Paste(
         "dotnet nts",
         """var a = wktReader.Read("POLYGON((0 0, 10 0, 10 10, 0 10, 0 0))");
 var b = wktReader.Read("POLYGON((10 0, 20 0, 20 10, 10 10, 10 0))");
 Console.WriteLine($"{a.Intersects(b)} {a.Overlaps(b)} {a.Touches(b)}");""",
         ((0, 0, 10, 10), (10, 0, 20, 10)),
     ),
-    Text(
+    Paste(
         "clipper2 cs",
         """Paths64 subj = new Paths64();
 Paths64 clip = new Paths64();
@@ -1128,19 +1082,19 @@ clip.Add(Clipper.MakePath(new int[] { 98, 63, 4, 68, 77, 8 }));
 Paths64 solution = Clipper.Intersect(subj, clip, FillRule.NonZero);""",
         ((10, 2, 100, 79), (4, 8, 98, 68)),
     ),
-    Text(
+    Paste(
         "c# record print",
         """A = Polygon { Vertices = [<0, 0>, <4, 0>, <4, 4>] }
 B = Polygon { Vertices = [<5, 0>, <9, 0>, <9, 4>] }""",
         ((0, 0, 4, 4), (5, 0, 9, 4)),
     ),
-    Text(
+    Paste(
         "glm print",
         """A: vec2(0.000000, 0.000000), vec2(4.000000, 0.000000), vec2(4.000000, 4.000000)
 B: vec2(3.000000, 1.000000), vec2(7.000000, 1.000000), vec2(7.000000, 5.000000)""",
         ((0, 0, 4, 4), (3, 1, 7, 5)),
     ),
-    Text(
+    Paste(
         "eigen",
         """Eigen::MatrixXd A(3, 2);
 A << 0, 0,
@@ -1152,14 +1106,14 @@ B << 5, 0,
      9, 3;""",
         ((0, 0, 4, 3), (5, 0, 9, 3)),
     ),
-    Text(
+    Paste(
         "php",
         """$a = [[0, 0], [4, 0], [4, 4]];
 $b = [[4, 0], [8, 0], [8, 4]];
 var_dump(intersects($a, $b)); // bool(false)""",
         ((0, 0, 4, 4), (4, 0, 8, 4)),
     ),
-    Text(
+    Paste(
         "ts interface",
         """interface Rect { x: number; y: number; w: number; h: number }
 const a: Rect = { x: 0, y: 0, w: 10, h: 10 };
@@ -1171,7 +1125,7 @@ export function overlaps(p: Rect, q: Rect): boolean {
         as_="corner-size",
         asks=True,
     ),
-    Text(
+    Paste(
         "rust macroquad",
         """let player = Rect::new(10.0, 10.0, 32.0, 32.0);
 let coin = Circle::new(50.0, 26.0, 8.0);
@@ -1183,7 +1137,7 @@ if coin.overlaps_rect(&player) {
         as_="corner-size",
         asks=True,
     ),
-    Text(
+    Paste(
         "rust rapier",
         """let mut collider_set = ColliderSet::new();
 let collider = ColliderBuilder::cuboid(10.0, 0.1).build();
@@ -1195,7 +1149,7 @@ for _ in 0..200 {
 }""",
         ((-10, -0.1, 10, 0.1), (-0.5, 0, 0.5, 1)),
     ),
-    Text(
+    Paste(
         "c# unity sat",
         """using UnityEngine;
 public static class Program {
@@ -1211,7 +1165,7 @@ public static class Program {
 }""",
         ((0, 0, 3, 3), (4, 0, 6, 2)),
     ),
-    Text(
+    Paste(
         "js function",
         """function doPolygonsIntersect (a, b) {
     var polygons = [a, b];
@@ -1226,7 +1180,7 @@ const b = [{x: 20, y: 0}, {x: 30, y: 0}, {x: 30, y: 10}];
 console.log(doPolygonsIntersect(a, b)); // expected false, got true""",
         ((0, 0, 10, 10), (20, 0, 30, 10)),
     ),
-    Text(
+    Paste(
         "py function",
         """def overlap(r1, r2):
     return not (r1[0] + r1[2] < r2[0] or r2[0] + r2[2] < r1[0])
@@ -1240,7 +1194,7 @@ print(sat(p1, p2))""",
         as_="leave-out",
         asks=True,
     ),
-    Text(
+    Paste(
         "pytest",
         """def test_touching():
     a = Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
@@ -1250,14 +1204,14 @@ print(sat(p1, p2))""",
     assert a.distance(b) == pytest.approx(0.0, abs=1e-9)""",
         ((0, 0, 1, 1), (1, 0, 2, 1)),
     ),
-    Text(
+    Paste(
         "pytest out",
         """E       AssertionError: assert False
 E        +  where False = <bound method BaseGeometry.overlaps of <POLYGON ((0 0, 1 0, 1 1, 0 0))>>(<POLYGON ((0.5 0, 2 0, 2 1, 0.5 0))>)
 tests/test_geom.py:42: AssertionError""",
         ((0, 0, 1, 1), (0.5, 0, 2, 1)),
     ),
-    Text(
+    Paste(
         "java swing",
         """public class Game extends JPanel {
     private Rectangle player = new Rectangle(50, 50, 30, 30);
@@ -1273,21 +1227,21 @@ tests/test_geom.py:42: AssertionError""",
 }""",
         ((50, 50, 80, 80), (80, 40, 90, 140)),
     ),
-    Text(
+    Paste(
         "java println",
         """Rect1: java.awt.Rectangle[x=50,y=50,width=30,height=30]
 Rect2: java.awt.Rectangle[x=80,y=40,width=10,height=100]
 intersects: false""",
         ((50, 50, 80, 80), (80, 40, 90, 140)),
     ),
-    Text(
+    Paste(
         "jts print",
         """Exception in thread "main" TopologyException: found non-noded intersection between LINESTRING and LINESTRING [ (5.0, 5.0, NaN) ]
 g1: POLYGON ((0 0, 10 0, 10 10, 0 10, 0 0))
 g2: POLYGON ((5 5, 15 5, 15 15, 5 5))""",
         ((0, 0, 10, 10), (5, 5, 15, 15)),
     ),
-    Text(
+    Paste(
         "lua table",
         """local shapes = {
   { type = "circle", x = 100, y = 100, r = 20 },
@@ -1298,7 +1252,7 @@ for i, s in ipairs(shapes) do
 end""",
         ((80, 80, 120, 120), (120, 90, 140, 110)),
     ),
-    Text(
+    Paste(
         "bump lua",
         """local bump = require 'bump'
 local world = bump.newWorld(50)
@@ -1312,13 +1266,13 @@ assert(len == 0)""",
         as_="corner-size",
         asks=True,
     ),
-    Text(
+    Paste(
         "godot area print",
         """Player global_position (120, 80) shape radius 16
 Enemy global_position (150, 80) shape radius 14""",
         ((104, 64, 136, 96), (136, 66, 164, 94)),
     ),
-    Text(
+    Paste(
         "unity polygoncollider yaml",
         """PolygonCollider2D:
   m_Density: 1
@@ -1334,7 +1288,7 @@ Enemy global_position (150, 80) shape radius 14""",
       - {x: 7, y: 2}""",
         (),
     ),
-    Text(
+    Paste(
         "unity log vec",
         """A verts: (0.00, 0.00) (1.00, 0.00) (1.00, 1.00) (0.00, 1.00)
 B verts: (0.50, 0.50) (2.00, 0.50) (2.00, 2.00)
@@ -1343,7 +1297,7 @@ UnityEngine.Debug:Log(Object)
 SatTest:Start() (at Assets/SatTest.cs:23)""",
         ((0, 0, 1, 1), (0.5, 0.5, 2, 2)),
     ),
-    Text(
+    Paste(
         "threejs 2",
         """import * as THREE from 'three';
 const geo = new THREE.Shape([new THREE.Vector2(0, 0), new THREE.Vector2(5, 0), new THREE.Vector2(5, 5)]);
@@ -1353,7 +1307,7 @@ scene.add(mesh);
 camera.position.z = 5;""",
         ((0, 0, 5, 5), (5, 5, 9, 9)),
     ),
-    Text(
+    Paste(
         "canvas",
         """const ctx = canvas.getContext('2d');
 ctx.fillStyle = '#ff0000';
@@ -1363,7 +1317,7 @@ ctx.arc(130, 35, 20, 0, Math.PI * 2);
 ctx.fill();""",
         ((10, 10, 110, 60), (110, 15, 150, 55)),
     ),
-    Text(
+    Paste(
         "konva",
         """const rect1 = new Konva.Rect({ x: 20, y: 20, width: 100, height: 50, fill: 'green', stroke: 'black', strokeWidth: 4 });
 const circle = new Konva.Circle({ x: 140, y: 45, radius: 20, fill: 'red' });
@@ -1373,7 +1327,7 @@ console.log(Konva.Util.haveIntersection(rect1.getClientRect(), circle.getClientR
         as_="corner-size",
         asks=True,
     ),
-    Text(
+    Paste(
         "d3 polygon",
         """var hull = [[0,0],[100,0],[100,100],[0,100]];
 var other = [[100,100],[200,100],[200,200]];
@@ -1382,20 +1336,20 @@ d3.polygonContains(hull, [100, 100]); // false?""",
         as_="leave-out",
         asks=True,
     ),
-    Text(
+    Paste(
         "leaflet",
         """var bounds1 = L.latLngBounds(L.latLng(40.712, -74.227), L.latLng(40.774, -74.125));
 var bounds2 = L.latLngBounds(L.latLng(40.774, -74.125), L.latLng(40.8, -74.0));
 bounds1.intersects(bounds2); // true, expected false""",
         ((40.712, -74.227, 40.774, -74.125), (40.774, -74.125, 40.8, -74)),
     ),
-    Text(
+    Paste(
         "mapbox log",
         """Feature {type: 'Feature', properties: {id: 4}, geometry: {type: 'Polygon', coordinates: [[[0,0],[3,0],[3,3],[0,0]]]}}
 Feature {type: 'Feature', properties: {id: 5}, geometry: {type: 'Polygon', coordinates: [[[3,3],[6,3],[6,6],[3,3]]]}}""",
         ((0, 0, 3, 3), (3, 3, 6, 6)),
     ),
-    Text(
+    Paste(
         "svg circle group",
         """<g stroke="black" stroke-width="0.5" font-size="12">
   <circle cx="10" cy="10" r="5" data-id="17"/>
@@ -1404,7 +1358,7 @@ Feature {type: 'Feature', properties: {id: 5}, geometry: {type: 'Polygon', coord
 </g>""",
         ((5, 5, 15, 15), (14, 5, 24, 15)),
     ),
-    Text(
+    Paste(
         "c sdl",
         """SDL_FRect r1 = { 10.5f, 20.0f, 30.0f, 40.0f };
 SDL_FRect r2 = { 40.5f, 20.0f, 5.0f, 5.0f };
@@ -1413,7 +1367,7 @@ if (SDL_HasRectIntersectionFloat(&r1, &r2)) {
 }""",
         ((10.5, 20, 40.5, 60), (40.5, 20, 45.5, 25)),
     ),
-    Text(
+    Paste(
         "c array float",
         """static const float poly_a[8] = { 0.f, 0.f, 4.f, 0.f, 4.f, 4.f, 0.f, 4.f };
 static const float poly_b[6] = { 4.f, 2.f, 8.f, 2.f, 8.f, 6.f };
@@ -1421,7 +1375,7 @@ int r = poly_overlap(poly_a, 4, poly_b, 3);
 assert(r == 1);""",
         ((0, 0, 4, 4), (4, 2, 8, 6)),
     ),
-    Text(
+    Paste(
         "clipper log",
         """subject: (0,0) (100,0) (100,100) (0,100)
 clip: (50,50) (150,50) (150,150) (50,150)
@@ -1429,7 +1383,7 @@ solution area: 2500.0
 elapsed 0.3 ms""",
         ((0, 0, 100, 100), (50, 50, 150, 150)),
     ),
-    Text(
+    Paste(
         "geos c",
         """GEOSGeometry *a = GEOSGeomFromWKT("POLYGON((0 0,2 0,2 2,0 2,0 0))");
 GEOSGeometry *b = GEOSGeomFromWKT("POLYGON((2 0,4 0,4 2,2 2,2 0))");
@@ -1437,13 +1391,13 @@ char r = GEOSTouches(a, b);
 printf("%d\\n", r); /* 1 */""",
         ((0, 0, 2, 2), (2, 0, 4, 2)),
     ),
-    Text(
+    Paste(
         "cgal wkt",
         """CGAL::Polygon_2<K> with 4 vertices: 0 0 1 0 1 1 0 1
 CGAL::Polygon_2<K> with 3 vertices: 1 1 2 1 2 2""",
         ((0, 0, 1, 1), (1, 1, 2, 2)),
     ),
-    Text(
+    Paste(
         "matplotlib",
         """import matplotlib.pyplot as plt
 from matplotlib.patches import Rectangle, Circle
@@ -1454,21 +1408,21 @@ ax.set_xlim(0, 1); ax.set_ylim(0, 1)
 plt.show()""",
         ((0.1, 0.1, 0.6, 0.7), (0.6, 0.3, 0.8, 0.5)),
     ),
-    Text(
+    Paste(
         "geopandas",
         """   id                                           geometry
 0   1  POLYGON ((0.00000 0.00000, 1.00000 0.00000, 1.00000 1.00000, 0.00000 0.00000))
 1   2  POLYGON ((2.00000 0.00000, 3.00000 0.00000, 3.00000 1.00000, 2.00000 0.00000))""",
         ((0, 0, 1, 1), (2, 0, 3, 1)),
     ),
-    Text(
+    Paste(
         "sql server",
         """DECLARE @g geometry = geometry::STGeomFromText('POLYGON((0 0, 150 0, 150 150, 0 150, 0 0))', 0);
 DECLARE @h geometry = geometry::STGeomFromText('POLYGON((150 0, 300 0, 300 150, 150 0))', 0);
 SELECT @g.STIntersects(@h), @g.STTouches(@h);""",
         ((0, 0, 150, 150), (150, 0, 300, 150)),
     ),
-    Text(
+    Paste(
         "elixir",
         """a = [{0, 0}, {4, 0}, {4, 4}]
 b = [{4, 0}, {8, 0}, {8, 4}]
@@ -1476,7 +1430,7 @@ iex> Collision.detect(a, b)
 {:ok, 0.0}""",
         ((0, 0, 4, 4), (4, 0, 8, 4)),
     ),
-    Text(
+    Paste(
         "swift skphysics",
         """let path1 = CGMutablePath()
 path1.move(to: CGPoint(x: 0, y: 0))
@@ -1485,21 +1439,21 @@ path1.addLine(to: CGPoint(x: 50, y: 50))
 path1.closeSubpath()""",
         (),
     ),
-    Text(
+    Paste(
         "so question py",
         """I have two rectangles: R1 = [7, 8, 10, 11] and R2 = [9, 10, 13, 14], given as [x1, y1, x2, y2].
 My function returns 0 but I expect them to overlap by 1. I use Python 3.10.""",
         ((7, 8, 10, 11), (9, 10, 13, 14)),
         as_="corner-corner",
     ),
-    Text(
+    Paste(
         "so circles",
         """c1: x=10, y=10, r=5
 c2: x=19, y=10, r=4
 dist = 9, sum of radii = 9 -> should be touching""",
         ((5, 5, 15, 15), (15, 6, 23, 14)),
     ),
-    Text(
+    Paste(
         "github md",
         """**Describe the bug**
 `intersects` returns `true` for these polygons.
@@ -1512,7 +1466,7 @@ dist = 9, sum of radii = 9 -> should be touching""",
 **Version:** 2.3.1, Node 18, macOS 13.4""",
         ((0, 0, 10, 10), (11, 0, 20, 10)),
     ),
-    Text(
+    Paste(
         "npm version",
         """"sat": "^0.9.0"
 Node v18.12.1
@@ -1522,11 +1476,340 @@ SAT.testPolygonPolygon(a, b) // true""",
         ((0, 0, 20, 20), (20, 0, 40, 20)),
         as_="corner-size",
     ),
-    Text(
+    Paste(
         "ocaml",
         """let a = [| (0., 0.); (4., 0.); (4., 4.) |]
 let b = [| (5., 0.); (9., 0.); (9., 4.) |]
 let () = Printf.printf "%b\\n" (intersects a b)""",
         ((0, 0, 4, 4), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "box2d testbed",
+        """b2Vec2 verts1[4];
+verts1[0].Set(-1.0f, -1.0f);
+verts1[1].Set(1.0f, -1.0f);
+verts1[2].Set(1.0f, 1.0f);
+verts1[3].Set(-1.0f, 1.0f);
+b2PolygonShape shapeA;
+shapeA.Set(verts1, 4);
+b2CircleShape shapeB;
+shapeB.m_p.Set(1.5f, 0.0f);
+shapeB.m_radius = 0.5f;
+// b2TestOverlap(&shapeA, 0, &shapeB, 0, xfA, xfB) returns true""",
+        ((-1, -1, 1, 1), (1, -0.5, 2, 0.5)),
+    ),
+    Paste(
+        "p5 sketch",
+        """function draw() {
+  background(220);
+  rect(50, 50, 100, 80);
+  circle(170, 90, 40);
+  let hit = collideRectCircle(50, 50, 100, 80, 170, 90, 40);
+  print(hit);
+}""",
+        ((50, 50, 150, 130), (150, 70, 190, 110), (50, 50, 150, 130), (150, 70, 190, 110)),
+    ),
+    Paste(
+        "phaser rectangles",
+        """var r1 = new Phaser.Geom.Rectangle(100, 100, 50, 50);
+var r2 = new Phaser.Geom.Rectangle(150, 120, 50, 50);
+console.log(Phaser.Geom.Intersects.RectangleToRectangle(r1, r2)); // false?""",
+        ((100, 100, 150, 150), (150, 120, 200, 170)),
+    ),
+    Paste(
+        "phaser circle triangle",
+        """const tri = new Phaser.Geom.Triangle(0, 0, 60, 0, 30, 50);
+const circ = new Phaser.Geom.Circle(80, 20, 25);
+expect(Phaser.Geom.Intersects.TriangleToCircle(tri, circ)).toBe(true);""",
+        ((0, 0, 60, 50), (55, -5, 105, 45)),
+    ),
+    Paste(
+        "unity polygon",
+        """var a = new Vector2[] { new Vector2(0f, 0f), new Vector2(2.5f, 0f), new Vector2(2.5f, 1.25f) };
+var b = new Vector2[] { new Vector2(2f, 1f), new Vector2(4f, 1f), new Vector2(3f, 3f) };
+Debug.Log(PolygonsOverlap(a, b));
+// Output: False""",
+        ((0, 0, 2.5, 1.25), (2, 1, 4, 3)),
+    ),
+    Paste(
+        "unity bounds ctor",
+        """Bounds a = new Bounds(new Vector3(0, 0, 0), new Vector3(2, 2, 0));
+Bounds b = new Bounds(new Vector3(2, 0, 0), new Vector3(2, 2, 0));
+Debug.Log(a.Intersects(b)); // True, but they only touch""",
+        ((-1, -1, 1, 1), (1, -1, 3, 1)),
+    ),
+    Paste(
+        "godot convex",
+        """var p1 := PackedVector2Array([Vector2(0, 0), Vector2(64, 0), Vector2(64, 64), Vector2(0, 64)])
+var p2 := PackedVector2Array([Vector2(64, 32), Vector2(128, 32), Vector2(96, 96)])
+print(Geometry2D.intersect_polygons(p1, p2))  # prints []""",
+        ((0, 0, 64, 64), (64, 32, 128, 96)),
+    ),
+    Paste(
+        "godot rect2 position",
+        """a = Rect2(Vector2(16, 16), Vector2(32, 32))
+b = Rect2(Vector2(48, 16), Vector2(32, 32))
+assert(a.intersects(b))""",
+        ((16, 16, 48, 48), (48, 16, 80, 48)),
+    ),
+    Paste(
+        "pygame rects",
+        """player = pygame.Rect(100, 100, 32, 32)
+wall = pygame.Rect((132, 90), (20, 60))
+if player.colliderect(wall):
+    print("hit")
+# never prints hit""",
+        ((100, 100, 132, 132), (132, 90, 152, 150)),
+    ),
+    Paste(
+        "pygame draw",
+        """pygame.draw.polygon(screen, (255, 0, 0), [(100, 100), (200, 100), (150, 180)])
+pygame.draw.circle(screen, (0, 255, 0), (150, 200), 25)
+pygame.display.flip()""",
+        ((100, 100, 200, 180), (125, 175, 175, 225)),
+    ),
+    Paste(
+        "pygame float rect",
+        """a = pygame.FRect(0.5, 0.5, 10, 10)
+b = pygame.FRect(10.4, 0, 5, 5)
+a.colliderect(b) -> False""",
+        ((0.5, 0.5, 10.5, 10.5), (10.4, 0, 15.4, 5)),
+    ),
+    Paste(
+        "matter vertices",
+        """const a = Bodies.fromVertices(0, 0, [[{ x: -10, y: -10 }, { x: 10, y: -10 }, { x: 10, y: 10 }, { x: -10, y: 10 }]]);
+const b = Bodies.circle(18, 0, 8);
+Matter.Collision.collides(a, b) // null""",
+        ((-10, -10, 10, 10), (10, -8, 26, 8)),
+    ),
+    Paste(
+        "matter bounds print",
+        """{ min: { x: 390, y: 190 }, max: { x: 410, y: 210 } }
+{ min: { x: 410, y: 150 }, max: { x: 470, y: 200 } }
+Bounds.overlaps gives true""",
+        ((390, 190, 410, 210), (410, 150, 470, 200)),
+    ),
+    Paste(
+        "shapely repl",
+        """>>> from shapely.geometry import Polygon
+>>> p = Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
+>>> q = Polygon([(0.5, 0.5), (1.5, 0.5), (1.5, 1.5), (0.5, 1.5)])
+>>> p.touches(q)
+False
+>>> p.intersection(q).area
+0.25""",
+        ((0, 0, 1, 1), (0.5, 0.5, 1.5, 1.5)),
+    ),
+    Paste(
+        "shapely wkt loads",
+        """g1 = wkt.loads('POLYGON ((30 10, 40 40, 20 40, 10 20, 30 10))')
+g2 = wkt.loads('POLYGON ((35 10, 45 45, 15 40, 10 20, 35 10))')
+g1.equals(g2), g1.overlaps(g2)
+(False, True)""",
+        ((10, 10, 40, 40), (10, 10, 45, 45)),
+    ),
+    Paste(
+        "cgal points",
+        """Polygon_2 P;
+P.push_back(Point_2(-1, 1));
+P.push_back(Point_2(0, -1));
+P.push_back(Point_2(1, 1));
+Polygon_2 Q;
+Q.push_back(Point_2(-1, -1));
+Q.push_back(Point_2(1, -1));
+Q.push_back(Point_2(0, 1));
+if (CGAL::do_intersect(P, Q)) std::cout << "The two polygons intersect." << std::endl;""",
+        ((-1, -1, 1, 1), (-1, -1, 1, 1)),
+    ),
+    Paste(
+        "cgal array init",
+        """Point points[] = { Point(0,0), Point(5.1,0), Point(1,1), Point(0.5,6) };
+Polygon_2 pgn(points, points+4);
+Point points2[] = { Point(5,0), Point(7,0), Point(6,2) };
+Polygon_2 pgn2(points2, points2+3);""",
+        ((0, 0, 5.1, 6), (5, 0, 7, 2)),
+    ),
+    Paste(
+        "parry shapes",
+        """let ball = Ball::new(1.0);
+let cuboid = Cuboid::new(vector![1.0, 1.0]);
+let ball_pos = Isometry::translation(2.0, 0.0);
+let cuboid_pos = Isometry::identity();
+assert!(query::intersection_test(&ball_pos, &ball, &cuboid_pos, &cuboid).unwrap());""",
+        ((1, -1, 3, 1), (-1, -1, 1, 1)),
+    ),
+    Paste(
+        "parry hull",
+        """let a = ConvexPolygon::from_convex_hull(&[point![0.0, 0.0], point![2.0, 0.0], point![2.0, 2.0], point![0.0, 2.0]]).unwrap();
+let b = ConvexPolygon::from_convex_hull(&[point![2.0, 1.0], point![4.0, 1.0], point![3.0, 3.0]]).unwrap();""",
+        ((0, 0, 2, 2), (2, 1, 4, 3)),
+    ),
+    Paste(
+        "love polygon",
+        """local t1 = {100, 100, 200, 100, 150, 200}
+local t2 = {150, 150, 250, 150, 200, 250}
+love.graphics.polygon("fill", t1)
+love.graphics.polygon("fill", t2)""",
+        ((100, 100, 200, 200), (150, 150, 250, 250)),
+    ),
+    Paste(
+        "love hc",
+        """local HC = require 'HC'
+rect = HC.rectangle(200, 400, 400, 20)
+mouse = HC.circle(400, 390, 20)
+for shape, delta in pairs(HC.collisions(mouse)) do print(delta.x, delta.y) end""",
+        ((200, 400, 600, 420), (380, 370, 420, 410)),
+    ),
+    Paste(
+        "defold",
+        """local a = {x = 0, y = 0, w = 16, h = 16}
+local b = {x = 15.9999, y = 0, w = 16, h = 16}
+print(a.x < b.x + b.w and b.x < a.x + a.w)""",
+        ((0, 0, 16, 16), (15.9999, 0, 31.9999, 16)),
+    ),
+    Paste(
+        "processing (report)",
+        """void setup() {
+  size(640, 360);
+}
+void draw() {
+  ellipse(100, 100, 50, 50);
+  rect(120, 90, 40, 40);
+  // I expect a hit here
+}""",
+        ((75, 75, 125, 125), (120, 90, 160, 130)),
+    ),
+    Paste(
+        "processing pshape",
+        """PShape s = createShape();
+s.beginShape();
+s.vertex(0, 0);
+s.vertex(80, 0);
+s.vertex(80, 40);
+s.endShape(CLOSE);
+ellipse(90, 40, 30, 30);""",
+        ((0, 0, 80, 40), (75, 25, 105, 55)),
+    ),
+    Paste(
+        "sfml rects",
+        """sf::FloatRect box1({10.f, 10.f}, {50.f, 50.f});
+sf::FloatRect box2({60.f, 10.f}, {20.f, 20.f});
+std::cout << box1.findIntersection(box2).has_value();""",
+        ((10, 10, 60, 60), (60, 10, 80, 30)),
+    ),
+    Paste(
+        "sfml convex",
+        """sf::ConvexShape convex;
+convex.setPointCount(3);
+convex.setPoint(0, sf::Vector2f(0.f, 0.f));
+convex.setPoint(1, sf::Vector2f(150.f, 10.f));
+convex.setPoint(2, sf::Vector2f(120.f, 90.f));
+sf::FloatRect r(100.f, 80.f, 40.f, 40.f);""",
+        ((0, 0, 150, 90), (100, 80, 140, 120)),
+    ),
+    Paste(
+        "monogame (report)",
+        """Rectangle a = new Rectangle(0, 0, 100, 100);
+Rectangle b = new Rectangle(100, 0, 50, 50);
+Console.WriteLine(a.Intersects(b)); // False
+Console.WriteLine(a.Contains(b)); // False""",
+        ((0, 0, 100, 100), (100, 0, 150, 50)),
+    ),
+    Paste(
+        "pandas geometry",
+        """       name                                           geometry
+0  building  POLYGON ((0.00000 0.00000, 10.00000 0.00000, 10.00000 10.00000, 0.00000 10.00000, 0.00000 0.00000))
+1      road  POLYGON ((10.00000 4.00000, 30.00000 4.00000, 30.00000 6.00000, 10.00000 6.00000, 10.00000 4.00000))""",
+        ((0, 0, 10, 10), (10, 4, 30, 6)),
+    ),
+    Paste(
+        "jest",
+        """expect(received).toBe(expected)
+Expected: true
+Received: false
+  const a = { pos: { x: 0, y: 0 }, r: 10 }
+  const b = { pos: { x: 12, y: 16 }, r: 10 }
+  expect(testCircleCircle(a, b)).toBe(true)""",
+        ((-10, -10, 10, 10), (2, 6, 22, 26)),
+    ),
+    Paste(
+        "sat.js (report)",
+        """var V = SAT.Vector; var P = SAT.Polygon; var B = SAT.Box;
+var box1 = new B(new V(0, 0), 20, 20).toPolygon();
+var box2 = new B(new V(20, 20), 20, 20).toPolygon();
+SAT.testPolygonPolygon(box1, box2); // true""",
+        ((0, 0, 20, 20), (20, 20, 40, 40)),
+    ),
+    Paste(
+        "sat.js rotated",
+        """var p = new SAT.Polygon(new SAT.Vector(0,0), [new SAT.Vector(0,0), new SAT.Vector(40,0), new SAT.Vector(40,40), new SAT.Vector(0,40)]);
+p.setAngle(Math.PI / 4);
+var c = new SAT.Circle(new SAT.Vector(60,0), 20);""",
+        ((-28.2843, 0, 28.2843, 56.5685), (40, -20, 80, 20)),
+        as_="y-up",
+        asks=True,
+    ),
+    Paste(
+        "collider2d",
+        """const circle = new Circle(new Vector(0, 0), 20);
+const circle2 = new Circle(new Vector(30, 0), 20);
+collider2D.testCircleCircle(circle, circle2, true); // true""",
+        ((-20, -20, 20, 20), (10, -20, 50, 20)),
+    ),
+    Paste(
+        "planck (report)",
+        """const shapeA = pl.Polygon([Vec2(-1, 0), Vec2(1, 0), Vec2(0, 2)]);
+const shapeB = pl.Circle(Vec2(0.0, 3.0), 1.0);
+testOverlap(shapeA, 0, shapeB, 0, xf, xf)""",
+        ((-1, 0, 1, 2), (-1, 2, 1, 4)),
+    ),
+    Paste(
+        "nape haxe",
+        """var poly = new Polygon([Vec2.get(0, 0), Vec2.get(20, 0), Vec2.get(20, 10)]);
+var circ = new Circle(5, Vec2.get(25, 5));""",
+        ((0, 0, 20, 10), (20, 0, 30, 10)),
+    ),
+    Paste(
+        "geojson feature text",
+        """{"type":"Feature","properties":{"id":7},"geometry":{"type":"Polygon","coordinates":[[[0,0],[3,0],[3,3],[0,3],[0,0]]]}}
+{"type":"Feature","properties":{"id":8},"geometry":{"type":"Polygon","coordinates":[[[3,1],[5,1],[5,2],[3,2],[3,1]]]}}""",
+        ((0, 0, 3, 3), (3, 1, 5, 2)),
+    ),
+    Paste(
+        "swift cgrect",
+        """let a = CGRect(x: 0, y: 0, width: 44, height: 44)
+let b = CGRect(origin: CGPoint(x: 44, y: 0), size: CGSize(width: 10, height: 10))
+a.intersects(b) // false""",
+        ((0, 0, 44, 44), (44, 0, 54, 10)),
+    ),
+    Paste(
+        "java jts code",
+        """GeometryFactory gf = new GeometryFactory();
+Polygon a = gf.createPolygon(new Coordinate[]{new Coordinate(0, 0), new Coordinate(10, 0), new Coordinate(10, 10), new Coordinate(0, 0)});
+Polygon b = gf.createPolygon(new Coordinate[]{new Coordinate(5, 0), new Coordinate(15, -5), new Coordinate(15, 0), new Coordinate(5, 0)});
+System.out.println(a.touches(b)); // expected true""",
+        ((0, 0, 10, 10), (5, -5, 15, 0)),
+    ),
+    Paste(
+        "turf (report)",
+        """const poly1 = turf.polygon([[[0, 0], [0, 4], [4, 4], [4, 0], [0, 0]]]);
+const poly2 = turf.polygon([[[4, 2], [6, 2], [6, 6], [4, 6], [4, 2]]]);
+turf.booleanOverlap(poly1, poly2); // false""",
+        ((0, 0, 4, 4), (4, 2, 6, 6)),
+    ),
+    Paste(
+        "gdb watch",
+        """(gdb) p a
+$1 = {min = {x = -1.5, y = -1.5}, max = {x = 1.5, y = 1.5}}
+(gdb) p b
+$2 = {min = {x = 1.5, y = 0}, max = {x = 3, y = 2}}""",
+        ((-1.5, -1.5, 1.5, 1.5), (1.5, 0, 3, 2)),
+    ),
+    Paste(
+        "unreal",
+        """FBox2D A(FVector2D(0.f, 0.f), FVector2D(100.f, 100.f));
+FBox2D B(FVector2D(100.f, 50.f), FVector2D(200.f, 150.f));
+UE_LOG(LogTemp, Warning, TEXT("%d"), A.Intersect(B));""",
+        ((0, 0, 100, 100), (100, 50, 200, 150)),
     ),
 )

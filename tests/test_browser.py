@@ -52,10 +52,15 @@ class Hand:
         lab.notebook("hand.ipynb", *NOTEBOOK)
         lab.open(self.page, "hand.ipynb", app)
         lab.run_all(self.page)
-        self.page.locator(".sv-count").first.wait_for(timeout=60_000)
         self.widgets = self.page.locator(".satviz")
+        self.page.locator(".sv-count").first.wait_for(timeout=60_000)
+        self.page.wait_for_function("() => document.querySelectorAll('.satviz').length === 3")
+        self.rest()
+
+    def rest(self):
+        """Wait until B stays where it is: JupyterLab still scrolls and lays out after the cells have run."""
         before = None
-        while (now := self.spot("B-move")) != before:  # JupyterLab still scrolls and lays out after the cells have run
+        while (now := self.spot("B-move")) != before:
             before = now
             self.page.wait_for_timeout(500)
 
@@ -264,7 +269,7 @@ def test_a_failing_scene_has_a_switch_between_the_shortcut_and_the_truth(hand):
     assert "Here it happens to be right" in widget.locator(".sv-heading").inner_text()
     widget.get_by_label("presets").select_option("triangles")
     hand.until(AT_START)
-    assert not switch.is_visible()
+    switch.wait_for(state="hidden")
 
 
 def test_the_difference_is_shown_beside_and_follows_the_hand(hand):
@@ -278,7 +283,7 @@ def test_the_difference_is_shown_beside_and_follows_the_hand(hand):
     hand.press("undo")
     widget.get_by_role("checkbox", name="B − A").uncheck()
     hand.until(AT_START)
-    assert not shown.is_visible()
+    shown.wait_for(state="hidden")
 
 
 def test_presets_change_the_scene(hand):
@@ -331,7 +336,10 @@ def test_a_slow_python_loses_neither_a_preset_nor_the_end_of_a_drag(hand, second
     hand.said("A and B overlap")
     hand.page.wait_for_timeout(1000 * 4 * seconds)  # what is on its way has come
     assert dist(json.loads(hand.kernel("list(w.scene.b.vertices[0])")), (5, 5)) > 1
-    assert hand.kernel("w._model.picture().sentence") == widget.locator(".sv-sentence").inner_text()
+    hand.page.wait_for_function(
+        "words => document.querySelector('.satviz .sv-sentence').innerText === words",
+        arg=hand.kernel("w._model.picture().sentence"),
+    )
     hand.page.evaluate(ASK, "del w._model.answer")
     reset(hand)
 
@@ -374,6 +382,7 @@ def test_the_explorer_saves_what_it_shows(hand):
     hand.page.context.grant_permissions(["clipboard-read", "clipboard-write"])
     hand.widgets.first.locator(".sv-menu summary:has-text('save')").click()
     hand.press("copy JSON")
+    hand.widgets.first.get_by_text("Copied.").wait_for()
     copied = hand.page.evaluate("() => navigator.clipboard.readText()")
     assert copied == hand.kernel("w.scene.to_json()")
     reset(hand)
@@ -399,9 +408,11 @@ def test_a_paste_in_a_notebook_is_explained_and_sent_on(hand, width):
     with hand.page.expect_download() as found:
         hand.press("save picture as SVG")
     assert "A and B touch" in found.value.path().read_text(encoding="utf-8")
-    box = widget.bounding_box()
-    text = widget.locator(".sv-text").bounding_box()
-    assert text["x"] + text["width"] <= box["x"] + box["width"] + 1, "nothing is wider than the widget"
+    fits = """() => {  // once JupyterLab has laid out its page for this width
+      const right = selector => document.querySelector(selector).getBoundingClientRect().right;
+      return right('.satviz .sv-text') <= right('.satviz') + 1;
+    }"""
+    hand.page.wait_for_function(fits)
     hand.page.set_viewport_size(before)
     if width < 500:
         hand.page.evaluate(sidebar)
@@ -424,7 +435,7 @@ def test_the_picture_follows_jupyterlabs_theme(hand, theme):
     light = str(theme is LIGHT).lower()
     hand.page.locator(f"body[data-jp-theme-light='{light}']").wait_for(state="attached")
     wanted = [css(theme.paper), css(theme.roles["A"]), css(theme.roles["B"])]
-    assert hand.page.evaluate(LOOKS) == wanted
+    hand.page.wait_for_function(f"wanted => String(({LOOKS})()) === String(wanted)", arg=wanted)
 
 
 def css(colour):
@@ -462,7 +473,8 @@ def test_running_a_cell_again_leaks_no_listener(hand):
     hand.page.evaluate("() => { window.old = document.querySelector('.satviz'); }")
     hand.page.evaluate(RUN_FIRST_CELL)
     hand.page.wait_for_function("() => !window.old.isConnected && document.querySelectorAll('.satviz').length === 3")
-    assert hand.page.evaluate("() => window.old.childElementCount") == 0
+    hand.page.wait_for_function("() => window.old.childElementCount === 0")
+    hand.rest()
     hand.drag("B-move", -130, 0)
     hand.said("A and B overlap")
     reset(hand)

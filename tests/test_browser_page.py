@@ -7,7 +7,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from browser import explored, shut_out
+from browser import explored, settled, shut_out
 from matplotlib.colors import to_hex
 from matplotlib.path import Path
 
@@ -31,6 +31,7 @@ def opened(browser, errors, path, **more):
     page.on("console", lambda message: errors.append(message.text) if message.type == "error" else None)
     page.goto(path.as_uri())
     page.locator(".sv-picture").first.wait_for()
+    settled(page)
     return page
 
 
@@ -238,6 +239,7 @@ def test_of_several_players_arrow_keys_go_to_the_one_last_used_or_in_view(browse
         f'<script type="module">{javascript("player", "arrows")}{PLAYERS}</script>'
     )
     page.locator(".sv-count").nth(3).wait_for(state="attached")
+    settled(page)
 
     def steps():
         return [int(count.split()[0]) for count in page.locator(".sv-count").all_text_contents()]
@@ -378,6 +380,7 @@ def test_nothing_shuts_anyone_out(browser, errors, pages, axe_core, theme, scree
         context = browser.new_context(color_scheme=theme, **screen)
         page = context.new_page()
         page.goto((pages / f"{name}.html").as_uri())
+        settled(page)
         for step in "0", "2":
             page.get_by_role("slider", name="step").fill(step)
             assert shut_out(axe_core, page) == []
@@ -408,7 +411,7 @@ def test_as_shown_letters_can_be_read_targets_be_hit_and_nothing_is_cut(browser,
     def fits(page):
         for screen in screens:
             page.set_viewport_size(screen["viewport"])
-            page.wait_for_timeout(200)  # the picture for this width
+            settled(page)  # with the picture for this width
             letters, targets, cut, beyond = page.evaluate(SMALL)
             assert letters >= 10.99 and targets >= 24 and cut == [] and beyond <= 0
 
@@ -458,6 +461,7 @@ def test_the_curve_is_right_under_the_picture_where_it_is_not_beside_it(browser,
         with explored(browser, ExplorerModel(sv.scene("triangles")), errors, **screen) as page:
             page.get_by_label("free axis").check()
             page.locator(".sv-curve").wait_for()
+            settled(page)
             parts = [page.locator(c).bounding_box() for c in (".sv-board", ".sv-line", ".sv-dial", ".sv-curve")]
             for above, below in pairwise(parts) if under else [parts[:2], parts[2:]]:
                 assert 0 <= below["y"] - above["y"] - above["height"] < 30
@@ -486,7 +490,8 @@ def test_a_finger_beside_the_shapes_scrolls_the_page_and_one_on_a_shape_drags_it
         assert page.locator("[data-handle='B-move']").bounding_box()["y"] < box["y"] - 60
         assert swipe(corner["x"] + 20, corner["y"] + 20) == 0
         board = page.locator(".sv-board").bounding_box()
-        assert swipe(board["x"] + board["width"] - 8, board["y"] + board["height"] - 12) > 30
+        swipe(board["x"] + board["width"] - 8, board["y"] + board["height"] - 12)
+        page.wait_for_function("() => scrollY > 30")
 
 
 def test_a_shape_is_one_stop_of_tab_and_its_corners_are_reached_from_it(browser, errors):
@@ -510,6 +515,7 @@ def test_a_shape_is_one_stop_of_tab_and_its_corners_are_reached_from_it(browser,
         assert page.evaluate(here) == "B-vertex-0"  # the way back leads to where one was
         page.keyboard.press("ArrowDown")
         page.locator("[data-handle='B-vertex-0'][aria-valuetext='at (5, 4.9)']").wait_for()
+        settled(page)
         assert hand.scene.b.vertices[0] == (5, 4.9) and hand.scene.b.vertices[1] == (8, 3)
 
 
@@ -517,6 +523,7 @@ def test_a_voice_is_told_what_each_handle_is_and_where(browser, errors):
     with explored(browser, ExplorerModel(sv.scene("circle-polygon")), errors) as page:
         page.get_by_label("free axis").check()
         page.locator("[data-handle='axis']").wait_for()
+        settled(page)
         tree = page.locator(".sv-board").aria_snapshot()
         sliders = "() => [...document.querySelectorAll('[role=slider]')]"
         told = page.evaluate(f"{sliders}.map(e => [e.ariaLabel, e.ariaValueText])")
@@ -530,6 +537,15 @@ def test_a_voice_is_told_what_each_handle_is_and_where(browser, errors):
         assert all("Arrow keys move" in hint for hint in hints)
 
 
+ANSWERED = "() => !window.unanswered"
+
+
+def stop_the_clock(page):
+    """From now on time passes for the page only where the test says so."""
+    page.clock.install(time=0)
+    page.clock.pause_at(1000)
+
+
 def test_the_sentence_is_said_when_the_hand_lets_go_and_once(browser, errors):
     with explored(browser, ExplorerModel(sv.scene("triangles")), errors) as page:
         assert page.locator(".sv-sentence").get_attribute("aria-live") is None
@@ -537,17 +553,20 @@ def test_the_sentence_is_said_when_the_hand_lets_go_and_once(browser, errors):
             "() => { window.said = []; const status = document.querySelector('.sv-said');"
             "new MutationObserver(() => said.push(status.textContent)).observe(status, {childList: true}); }"
         )
+        stop_the_clock(page)
         box = page.locator("[data-handle='B-move']").bounding_box()
         page.mouse.move(box["x"] + 14, box["y"] + 14)
         page.mouse.down()
         for i in range(12):
             page.mouse.move(box["x"] + 14 - 12 * i, box["y"] + 14)
-            page.wait_for_timeout(60)
+            page.wait_for_function(ANSWERED)
+            page.clock.run_for(60)
         answered(page, "overlap")
+        page.clock.run_for(600)
         assert page.evaluate("() => window.said") == []
         page.mouse.up()
-        page.wait_for_function("() => window.said.length")
-        page.wait_for_timeout(600)
+        page.wait_for_function(ANSWERED)
+        page.clock.run_for(600)
         assert page.evaluate("() => window.said") == [page.locator(".sv-sentence").inner_text()]
 
 
@@ -563,10 +582,11 @@ HEARD = """() => {
 def test_how_a_challenge_stands_is_said_when_the_hand_rests_and_once(browser, errors):
     with explored(browser, ExplorerModel(sv.scene("aabb"), "touch"), errors) as page:
         page.evaluate(HEARD)
+        stop_the_clock(page)
 
         def heard():
-            page.wait_for_function("() => heard.length")
-            page.wait_for_timeout(600)
+            page.wait_for_function(ANSWERED)
+            page.clock.run_for(600)
             (words,) = page.evaluate("() => heard.splice(0)")
             return words
 
@@ -580,8 +600,9 @@ def test_how_a_challenge_stands_is_said_when_the_hand_rests_and_once(browser, er
         page.mouse.down()
         for i in range(12):
             page.mouse.move(box["x"] + 14 + 4 * i, box["y"] + 14)
-            page.wait_for_timeout(30)
+            page.wait_for_function(ANSWERED)
         answered(page, "apart")
+        page.clock.run_for(600)
         assert page.evaluate("() => heard") == []
         page.mouse.up()
         assert heard().startswith("They are apart")
@@ -660,7 +681,7 @@ def test_a_free_axis_has_one_knob_and_it_stays_on_the_arrow_while_it_is_dragged(
         page.mouse.down()
         for i in range(1, 6):
             page.mouse.move(box["x"] + 14, box["y"] + 14 - 20 * i)
-            page.wait_for_timeout(60)
+            settled(page)
             knob = page.locator("[data-id='knob'][fill^='var']").bounding_box()
             mine = handle.bounding_box()
             assert abs(knob["x"] + knob["width"] / 2 - mine["x"] - mine["width"] / 2) < 1.5
@@ -772,8 +793,7 @@ def test_the_save_menu_opens_and_closes_from_the_keyboard(browser, errors):
         page.evaluate("() => { document.querySelector('.sv-menu').style.marginLeft = 'auto'; }")  # at the right edge
         page.keyboard.press("Enter")
         page.get_by_role("button", name="copy JSON").wait_for()
-        page.wait_for_timeout(100)
-        assert page.evaluate(SMALL)[2:] == [[], 0]
+        page.wait_for_function(f"() => {{ const [, , out, beyond] = ({SMALL})(); return !out.length && !beyond; }}")
 
 
 COVERED = """() => {
@@ -790,7 +810,6 @@ COVERED = """() => {
 def test_a_turn_handle_hides_no_words(browser, errors, name):
     for screen in PHONE, WIDE:
         with explored(browser, ExplorerModel(sv.scene(name)), errors, **screen) as page:
-            page.wait_for_timeout(300)
             assert not any(page.evaluate(COVERED))
 
 
@@ -802,7 +821,6 @@ def test_no_turn_handle_hides_the_other(browser, errors, b):
     scene = sv.Scene("over", sv.Polygon([(0, 0), (4, 0), (4, 4), (0, 4)]), sv.Polygon(b))
     for screen in PHONE, WIDE:
         with explored(browser, ExplorerModel(scene), errors, **screen) as page:
-            page.wait_for_timeout(300)
             first, second = (page.locator(f'[data-handle="{shape}-rotate"]').bounding_box() for shape in "AB")
             assert max(abs(first[side] - second[side]) for side in "xy") >= 24  # as large as the icon
 
@@ -839,7 +857,7 @@ def test_a_dot_that_is_no_handle_is_under_none(browser, errors, i):
         for view in ["shortcut", "truth"][: 1 + truth.is_visible()]:
             if view == "truth":
                 truth.click()
-            page.wait_for_timeout(200)
+            settled(page)
             found = page.evaluate(DOTS)
             for dot, x, y in found["dots"]:
                 page.mouse.click(x, y)
@@ -857,13 +875,12 @@ def test_the_dot_of_a_map_moves_b_and_leaves_its_form(browser, errors):
     scene = sv.scene("far-centers")
     hand = ExplorerModel(scene)
     with explored(browser, hand, errors, **WIDE) as page:
-        page.wait_for_timeout(200)
         x, y = next((x, y) for dot, x, y in page.evaluate(DOTS)["dots"] if dot == "reference")
         page.mouse.move(x, y)
         page.mouse.down()
         page.mouse.move(x - 60, y - 40, steps=5)
         page.mouse.up()
-        page.wait_for_timeout(300)
+        settled(page)
         moves = {(round(q.x - p.x, 6), round(q.y - p.y, 6)) for p, q in zip(scene.b.vertices, hand.scene.b.vertices)}
         assert len(moves) == 1 and moves != {(0, 0)}
 
@@ -871,7 +888,6 @@ def test_the_dot_of_a_map_moves_b_and_leaves_its_form(browser, errors):
 def test_reset_frames_the_scene_as_it_was(browser, errors):
     with explored(browser, ExplorerModel(sv.scene("triangles")), errors, **WIDE) as page:
         outline = page.locator('[data-id="A.outline"]').first
-        page.wait_for_timeout(200)
         before = outline.bounding_box()
         for _ in range(60):
             page.locator('[data-handle="B-move"]').press("ArrowRight")
@@ -880,7 +896,7 @@ def test_reset_frames_the_scene_as_it_was(browser, errors):
             arg=before["width"] / 1.5,
         )
         page.get_by_role("button", name="reset").click()
-        page.wait_for_timeout(500)
+        settled(page)
         assert outline.bounding_box() == before
 
 
@@ -895,15 +911,14 @@ SEEN = """() => [
 def test_back_where_it_began_all_is_where_it_was(browser, errors, name, keys, back):
     """The labels and the turn handles too, by reset and by undo."""
     with explored(browser, ExplorerModel(sv.scene(name)), errors, **WIDE) as page:
-        page.wait_for_timeout(300)
         before = page.evaluate(SEEN)
         for key in keys:
             page.locator('[data-handle="B-move"]').press(key)
-        page.wait_for_timeout(300)
+        settled(page)
         assert page.evaluate(SEEN) != before
         for _ in keys if back == "undo" else "1":
             page.get_by_role("button", name=back).click()
-        page.wait_for_timeout(500)
+        settled(page)
         assert page.evaluate(SEEN) == before
 
 
@@ -913,7 +928,7 @@ def test_arrow_keys_move_a_shape_without_focus_and_are_never_taken_from_a_text(b
 
         def moved(x, y):
             page.wait_for_function("() => !document.querySelector('[aria-label=undo]').disabled")
-            page.wait_for_timeout(300)
+            settled(page)
             before, now = sv.scene("triangles").b.vertices[0], hand.scene.b.vertices[0]
             return [(now.x > before.x) - (now.x < before.x), (now.y > before.y) - (now.y < before.y)] == [x, y]
 
@@ -930,7 +945,7 @@ def test_arrow_keys_move_a_shape_without_focus_and_are_never_taken_from_a_text(b
         page.keyboard.type("x")
         page.get_by_label("presets").focus()
         page.keyboard.press("ArrowLeft")
-        page.wait_for_timeout(300)
+        settled(page)
         assert page.locator(".sv-text").input_value() == "axb" and hand.scene.b == place
 
 
@@ -948,10 +963,10 @@ def test_a_dragged_shape_stays_where_it_touches_until_it_is_pulled_away(browser,
         )
         for beside in (0.55, 0.65):  # in scene units to the left: a little apart, a little into A
             page.mouse.move(x - beside * unit, y)
-            page.wait_for_timeout(300)
+            settled(page)
             assert hand.state()["relation"] == "touching"
         page.mouse.move(x - 1.2 * unit, y)
-        page.wait_for_timeout(300)
+        settled(page)
         assert hand.state()["relation"] == "overlapping"
         page.mouse.move(x - 0.55 * unit, y)
         page.mouse.up()
@@ -1004,7 +1019,7 @@ def test_the_axis_turns_by_itself_on_request_and_never_under_reduced_motion(brow
         angle = "parseFloat(document.querySelector('.sv-sentence').textContent.split('axis at ')[1])"
         page.wait_for_function(f"() => {angle} > 34")
         turn.click()
-        page.wait_for_timeout(300)
+        settled(page)
         stopped = hand._degree
         page.wait_for_timeout(300)
         assert hand._degree == stopped > 34 and turn.get_attribute("aria-pressed") == "false"
@@ -1043,6 +1058,6 @@ def test_nothing_jumps_while_a_shape_is_dragged(browser, errors):
         page.mouse.down()
         for i in range(1, 12):
             page.mouse.move(x - 20 * i, y + 3 * i)
-            page.wait_for_timeout(60)
+            settled(page)
             assert [(b["x"], b["y"]) for b in places()] == before
         page.mouse.up()

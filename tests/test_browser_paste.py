@@ -1,7 +1,7 @@
 """The paste box and shapes by hand, in a real browser, at the width of a desk and of a phone."""
 
 import pytest
-from browser import axe, explored, shut_out
+from browser import axe, explored, settled, shut_out
 from reports import REPORTS
 
 import satviz as sv
@@ -32,7 +32,7 @@ class Desk:
         if name in BY_HAND:
             self.page.get_by_text("draw", exact=True).click()
         self.page.get_by_role("button", name=name, exact=True).click()
-        self.page.wait_for_timeout(250)
+        settled(self.page)
 
     def click(self, *places):
         """Click on, or on a phone tap, places of the board, each as shares of its width and height."""
@@ -41,7 +41,7 @@ class Desk:
             box = self.page.locator(".sv-board").bounding_box()
             spot = box["x"] + box["width"] * x, box["y"] + box["height"] * y
             (self.page.touchscreen.tap if self.touch else self.page.mouse.click)(*spot)
-        self.page.wait_for_timeout(250)
+        settled(self.page)
 
     def text(self, selector):
         return self.page.locator(selector).inner_text()
@@ -99,6 +99,7 @@ def test_a_question_is_asked_with_both_answers(desk, width):
     assert [b.rsplit(": ", 1)[1] for b in buttons] == ["apart", "overlapping"]
     desk.page.locator(".sv-question button").nth(1).click()
     desk.page.locator(".sv-findings").wait_for()
+    settled(desk.page)
     assert "overlap" in desk.text(".sv-verdict") and str(desk.model.trace.relation) == "overlapping"
 
 
@@ -166,7 +167,7 @@ def test_an_outline_that_keys_make_cross_stays_with_the_reason(desk, width):
     handle.focus()
     for _ in range(60):
         desk.page.keyboard.press("ArrowRight")
-        desk.page.wait_for_timeout(60)
+        settled(desk.page)
         if desk.page.locator(".sv-drawing.sv-wrong path").count():
             break
     assert desk.page.locator(".sv-drawing.sv-wrong circle").count() == 4
@@ -180,7 +181,7 @@ def test_the_scene_above_can_be_taken_after_a_drag(desk, width):
     desk.page.locator(".sv-paste > summary").click()
     desk.page.locator('[data-handle="B-move"]').focus()
     desk.page.keyboard.press("ArrowLeft")
-    desk.page.wait_for_timeout(200)
+    settled(desk.page)
     desk.press("take the shapes above")
     assert desk.model.scene.b.vertices[0][0] < 5 and "apart" in desk.text(".sv-verdict")
     desk.page.get_by_text("send it on").click()
@@ -221,7 +222,7 @@ def test_everything_by_hand_can_be_done_with_keys(browser):
             page.keyboard.press("Enter")
         page.get_by_role("button", name="done").focus()
         page.keyboard.press("Enter")
-        page.wait_for_timeout(250)
+        settled(page)
         assert len(model.scene.a.vertices) == 3 and model.scene.a != sv.scene("triangles").a
         page.locator("summary", has_text="draw").focus()
         page.keyboard.press("Enter")
@@ -231,7 +232,7 @@ def test_everything_by_hand_can_be_done_with_keys(browser):
         for _ in range(5):
             page.keyboard.press("ArrowRight")
         page.keyboard.press("Enter")
-        page.wait_for_timeout(250)
+        settled(page)
         assert isinstance(model.scene.a, sv.Circle)
         page.locator("summary", has_text="draw").focus()
         page.keyboard.press("Enter")
@@ -268,7 +269,7 @@ def test_no_explorer_is_wider_than_its_window_however_long_its_numbers(browser, 
         wider = []
         for width in range(320, 1600, 40):
             page.set_viewport_size({"width": width, "height": 1000})
-            page.wait_for_timeout(30)
+            settled(page)
             if page.evaluate("document.documentElement.scrollWidth > innerWidth"):
                 wider.append(width)
         assert wider == []

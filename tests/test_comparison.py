@@ -1,4 +1,4 @@
-"""The claim beside the truth: each failing scene's picture shows the wrong number, struck out, and the right one."""
+"""Tests of comparison pictures: each failing scene shows the wrong number, struck out, and the right one."""
 
 import math
 import re
@@ -40,7 +40,7 @@ def texts(drawn: Picture, prefix: str) -> dict[str, str]:
 
 
 def struck(drawn: Picture) -> list[str]:
-    """What is struck out: the labels through each of whose lines a line goes, but for the remark below a gap."""
+    """Return the texts that are struck out: a line crosses each line of the label, except a remark below a gap."""
     lines = [mark for mark in drawn.marks if mark.part.endswith("-strike")]
     found = []
     for line in lines:
@@ -56,7 +56,7 @@ def struck(drawn: Picture) -> list[str]:
 
 
 def boxes(drawn: Picture) -> list[tuple[str, tuple[float, float, float, float]]]:
-    """Each label's text and box in points."""
+    """Return each label's text and its box in points."""
     found = []
     x0, y0 = drawn.limits[:2]
     for mark in drawn.labels:
@@ -67,7 +67,7 @@ def boxes(drawn: Picture) -> list[tuple[str, tuple[float, float, float, float]]]
 
 
 def no_overlap(drawn: Picture) -> bool:
-    """No label lies on another or off the canvas; an AssertionError says which does."""
+    """Check that no label overlaps another or leaves the canvas; an AssertionError names the label."""
     found = boxes(drawn)
     width, height = drawn.size
     for i, (text, (x0, y0, x1, y1)) in enumerate(found):
@@ -99,15 +99,15 @@ def test_the_shortcuts_number_stands_on_the_left_struck_out_and_the_right_one_on
         "touch-as-apart": ("apart", "touching, gap 0"),
         "mixed-signs": ("gap +1", "overlap 1, way out 2"),  # its own axis, with the true ranges
         "unit-normals": ("gap +4.441e-16", "touching, gap 0"),
-        "box-in-u": ("overlap 2", "A1 | B"),
+        "box-in-u": ("overlap 2", "between\nA1 and B"),
         "edges-cross": ("apart", "overlap 1, way out 2"),
         "corner-inside": ("apart", "overlap 1, way out 2"),
     }.get(case.name, ("", ""))
     if not left:
-        told = [case.in_words(answer) for answer in (case.claimed, case.actual)]
-        left, right = map(ascii_minus, told)
+        values = [case.in_words(answer) for answer in (case.claimed, case.actual)]
+        left, right = map(ascii_minus, values)
     assert left in saw and right in truth
-    true_overlap = "true, but " in saw or case.name == "faces-in-3d"  # only the verdict is wrong
+    true_overlap = "true, but " in saw or "on y, true" in saw or case.name == "faces-in-3d"  # only the verdict is wrong
     true = true_overlap or case.name == "tunnelling" or case.claims_less
     assert any(left in text for text in struck(drawn)) is not true
     # where there is a gap
@@ -216,7 +216,7 @@ def test_every_shortcut_is_drawn_for_pairs_of_every_kind(name):
 
 
 def refusal(case):
-    """The error line, in which the picture names the edges by their corners."""
+    """Return the error line, in which the picture names the edges by their corners."""
     named = "edges a1a2 and a4a5 cross (rings)"
     return f"Refused: {re.sub(r'edges 0 and 3 cross near [(][^)]*[)]', named, case.actual)}."
 
@@ -337,7 +337,27 @@ def test_there_is_room_for_a_push_only_where_one_is_drawn():
 def test_a_gap_that_is_right_is_not_struck_out_with_the_wrong_answer():
     drawn = sv.picture(NAMED["touch-as-apart"].record())
     assert struck(drawn) == ["apart"]
+    assert "touching, gap 0\n2 \u2264 2, so it counts as a gap" in drawn.texts
+    assert "touching, gap 0\n2 < 2 is false: no gap" in drawn.texts
     assert struck(ExplorerModel(sv.scene("tunnelling")).picture()) == ["apart"]
+
+
+def test_the_question_that_a_one_sided_gap_forgets_is_shown_and_only_where_its_answer_is_yes():
+    drawn, case = sv.picture("one-sided-gap"), NAMED["one-sided-gap"]
+    asked, forgotten = drawn.mark("claimed-questions").text.split("\n")
+    assert asked == "asked: does A end (5) before B begins (0)? no"
+    assert forgotten == "not asked: does B end (2) before A begins (3)? yes"
+    assert "overlap 1.5 on y, true" in drawn.texts  # no longer taken for the overlap on x
+    turned_round = sv.picture(sv.record(case.b, case.a, axes=case.shortcut))
+    assert not [mark for mark in turned_round.marks if mark.part == "claimed-questions"]
+
+
+def test_no_two_panels_crowd_the_count_of_tests():
+    drawn = sv.picture("many-pairs")
+    assert "tests: 1,000" in drawn.texts and "tests: 499,500" in drawn.texts
+    (number,) = (mark for mark in drawn.labels if mark.part == "actual-number")
+    dots = [mark.points[0] for mark in drawn.marks if mark.part == "actual-shape"]
+    assert number.points[0].y - text_size(number.text)[1] / 2 > max(p.y for p in dots)
 
 
 def test_the_line_of_a_distance_is_as_long_as_the_distance():
@@ -435,7 +455,7 @@ LARGER = [pytest.param(size, marks=pytest.mark.slow) for size in ((3.1, 4.6), (4
 @pytest.mark.parametrize("size", [(2.3, 2.3), *LARGER])
 @pytest.mark.parametrize("name", one_in(4, [case.name for case in FAILURE_CASES]))
 def test_both_panels_hold_on_axes_of_any_size(name, size):
-    """On Axes of one's own, however small: each word inside, none over another (a small picture loops no more)."""
+    """On given Axes of any size each word is inside and none overlaps another (a small picture loops no more)."""
     fig = Figure(figsize=size)
     FigureCanvasAgg(fig)
     ax = fig.add_axes((0, 0, 1, 1))

@@ -43,7 +43,8 @@ def test_a_query_is_read_as_it_was_written(options):
 @pytest.mark.parametrize(
     "text",
     ["embed&theme=pink", "embed&show=table,menu", "embed&challenge=win", "steps=8-3", "steps=3", "steps=-1-2",
-     "steps=1e3-2000", "play&challenge"],
+     "steps=1e3-2000", "play&challenge", "play=no", "predict=0", "embed&embed", "theme=dark&theme=light",
+     "steps=1-2&steps=3-8", f"steps=1-{'9' * 1900}"],
 )  # fmt: skip
 def test_a_query_of_a_stranger_is_refused_and_the_page_says_why(text):
     with pytest.raises(InvalidScene, match="the link"):
@@ -59,7 +60,8 @@ def test_options_that_would_be_read_as_others_are_refused(options):
 
 
 def test_what_other_programs_add_to_an_address_changes_nothing():
-    assert parse_query("embed&utm_source=x&fbclid=%3Cb%3E&") == EmbedOptions()
+    assert parse_query("embed&utm_source=x&fbclid=%3Cb%3E&utm_source=y&") == EmbedOptions()
+    assert parse_query("embed=1&play=1") == EmbedOptions(play=True)
 
 
 def test_a_frame_opens_what_was_asked_for():

@@ -1,4 +1,4 @@
-"""Handouts to print: they ask everything and answer nothing, and the solutions answer all of it."""
+"""Tests of handouts: they contain all questions and no answer, and the solutions contain all answers."""
 
 import re
 from html import unescape
@@ -27,7 +27,7 @@ CHAPTERS = [chapter.title.split()[0] for chapter in chapters()]
 
 
 def words(html):
-    """The text of a page, without its style sheet, with single spaces."""
+    """Return the text of a page, without its style sheet, with single spaces."""
     body = re.sub(r"<style>.*?</style>|<[^>]+>", " ", html, flags=re.DOTALL)
     return re.sub(r"\s+", " ", unescape(body))
 
@@ -106,7 +106,11 @@ def test_empty_lines_have_the_same_ticks_as_those_with_ranges_and_nothing_on_the
 def test_a_range_is_drawn_at_its_numbers():
     """The bar ends where the ticks of its ends are: upright boxes have whole numbers."""
     drawn = number_lines(sv.scene("aabb").record(), filled=True)
-    ticks = {(m.number, float(m.part[5:])): m.points[0].x for m in drawn.marks if m.kind == "segment"}
+    ticks = {
+        (m.number, float(m.part[5:])): m.points[0].x
+        for m in drawn.marks
+        if m.part.startswith("tick-") and m.kind == "segment"
+    }
     for n, test in enumerate(sv.scene("aabb").record().without_early_exit().tests, 1):
         for name, side in ("A", test.a), ("B", test.b):
             (bar,) = (m for m in drawn.marks if (m.part, m.owner, m.number) == ("range", name, n))
@@ -159,6 +163,12 @@ def test_of_many_axes_the_first_twelve_are_asked():
     ring = [(cos(pi * k / 20), sin(pi * k / 20)) for k in range(40)]
     html = sv.handout(sv.Scene("rings", sv.Polygon(ring), sv.Polygon([(x + 3, y + 0.01 * x) for x, y in ring])))
     assert "These are the first 12 of" in html and "and 28 more" in html
+
+
+def test_an_overlap_is_hatched_so_that_paper_without_colours_tells_it_from_a_gap():
+    trace = sv.scene("triangles").record().without_early_exit()
+    found = {(m.part, m.number) for m in number_lines(trace, filled=True).marks if m.part in ("gap", "hatch")}
+    assert found == {("gap" if test.gap > 0 else "hatch", n) for n, test in enumerate(trace.tests, 1)}
 
 
 def test_a_handout_is_black_and_white_and_a_file_of_its_own():

@@ -505,6 +505,16 @@ def test_all_pairs_that_meet_are_counted_also_where_not_all_are_shown():
     assert said.startswith("66 of 66 pairs meet; 60 of them are shown."), said
 
 
+def test_of_concave_outlines_with_many_parts_only_the_deepest_pairs_are_worked_out(monkeypatch):
+    comb = [(0, 9), *((x, x % 2) for x in range(12)), (11, 9)]
+    text = "\n".join(str([(x + 3 * k, y) for x, y in comb]) for k in (2, 1, 0, 3))
+    assert len(sv.paste(text).pairs) == 6
+    monkeypatch.setattr("satviz.scenes.paste.pasted.MAX_PART_PAIRS", 120)
+    pasted = sv.paste(text)
+    assert pasted.sentence.startswith("6 of 6 pairs meet; 3 of them are shown.")
+    assert {pair.a.name + pair.b.name for pair in pasted.pairs} == {"AB", "BC", "AD"}
+
+
 def test_several_shapes_give_every_pair_that_meets_the_deepest_first():
     text = "circle((0,0),2) circle((3,0),2) circle((5,0),2) circle((50,0),2)"
     pasted = sv.paste(text)

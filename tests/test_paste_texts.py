@@ -47,13 +47,13 @@ def test_a_text_of_a_stranger_is_answered_at_once_unless_a_question_is_right(tex
 
 AFTER_A_NUMBER = (
     " * 2", " + 1", " - d", "*k", " / 2", " % 3", " ** 2", "^2", " << 1", " >> 1", " | 1", " & 3", "++", ".sin()",
-    " if c else 9", " ? 1 : 2", "%", "!", " mod 2", " || 9",
+    " if c else 9", " ? 1 : 2", "%", "!", " mod 2", " || 9", "\u00b2", " ?? 3", " max 3", " times 2",
 )  # fmt: skip
 AFTER_A_BRACKET = (
     " * 2", ".T", ".scale(2)", "[::-1]", " + d", " @ m", " << 1", " if c else d", ".rotate(t)", ".flip()", "'", " - 1",
-    ".map(f)", ".clone().flip()", " ** 2", "[1:]", ".mirrored", " || d",
+    ".map(f)", ".clone().flip()", " ** 2", "[1:]", ".mirrored", " || d", " |> f", " % d", ".get().flip()", " .* 2",
 )  # fmt: skip
-BEFORE_A_BRACKET = ("-", "~", "2 * ", "d + ", "mirror ", "half * ", "!", "scale(2) * ", "k*")
+BEFORE_A_BRACKET = ("-", "~", "-1 * ", "!!", "2 * ", "d + ", "mirror ", "half * ", "!", "scale(2) * ", "k*")
 LINES_BEHIND = (
     "{}.x += 5", "{} *= 2", "flip({})", "{}.flip()", "scale({}, 2)", "{}.vertices[0].x -= 2", "{0} = {0} * 2",
 )  # fmt: skip
@@ -148,6 +148,31 @@ def test_what_stands_around_a_shape_is_never_dropped_without_a_question(plain, c
         "verts[0] = (0,0)\nverts[1] << 1 = (4,0)\nverts[2] = (0,3)\ncircle((9,9), 1)",
         "circle((9,9), 1)\ncircle((0,0), 1)\nB is twice as large",
         "circle((9,9), 1)\na = [(0,0),(1,0),(0,1)",
+        "1: (0,0) or d (4,0) (4,4)\n2: (5,0) (9,0) (9,4)",
+        "1: (0,0)\u00b2 (4,0) (4,4)\n2: (5,0) (9,0) (9,4)",
+        "polygon (0,0) when big, (4,0), (0,3)\ncircle((9,9), 1)",
+        "ctx.moveTo(0, 0);\nctx.lineTo(40, 0) or d;\nctx.lineTo(0, 30);\ncircle((9,9), 1)",
+        "v[0] = (0,0)\nv[1] = (4,0) and d\nv[2] = (0,3)\ncircle((9,9), 1)",
+        "circle((9,9), 1) if big\ncircle((0,0), 1)",
+        "circle: center = (0, 0), radius = 6!\ncircle: center = (3, 4), radius = 2",
+        "a circle at (0, 0) with radius 6! and a circle at (3, 4) with radius 2",
+        "a = ball(0.5).translation(vector![0.0, 0.5]).restitution(0.7).clone().flip().build();\nball(1)",
+        "a = [\n  - [3, 3],\n  [3, 4],\n  [4, 4]\n]\ncircle((9,9), 1)",
+        "Polygon([new flipped(0, 0), new Vec2(4, 0), new Vec2(4, 3)])\ncircle((9,9), 1)",
+        "{mins: not [0, 0], maxs: [1, 1]}\n{mins: [1, 0], maxs: [2, 1]}",
+        "a = size ?? new Rectangle(0, 0, 4, 4);\nb = Circle(6, 6, 1)",
+        "a = size || new Rectangle(0, 0, 4, 4);\nb = Circle(6, 6, 1)",
+        "a = size or Rectangle(0, 0, 4, 4)\nb = Circle(6, 6, 1)",
+        "`POLYGON mirror ((0 0, 4 0, 0 3, 0 0))`\n`POLYGON ((0 0, 4 0, 0 3, 0 0))`",
+        "a.bounds: Center: (2, 2, 0)[1:], Extents: (1, 1, 0)\nb.bounds: Center: (0, 2, 0), Extents: (1, 1, 0)",
+        "p = Polygon()\np.addPoint(0, 0) % d\np.addPoint(4, 0)\np.addPoint(4, 4)\nr = Rectangle(9, 0, 5, 5)",
+        "<POLYGON not ((0 0, 4 0, 0 3, 0 0))>\n<POLYGON ((0 0, 4 0, 0 3, 0 0))>",
+        "| x | y | w | h |\n|---|---|---|---|\n| 0 | 0 | 9 | 9 |\n| 9 | 0 | 9 | 9 | 1 |\nbox(0, 0, 1, 1)",
+        "<coordinates>0,0 4,0 0,3 and 2 0,0</coordinates>\n<coordinates>1,0 4,0 1,3 1,0</coordinates>",
+        '<rect x="0" y="0" width="9" height="9" transform="translate(20.sin(), 5)"/><circle cx="5" cy="5" r="3"/>',
+        "\\draw (0,0) -- 2*(3,0) -- (3,2) -- cycle;\n\\draw (2,1) circle (1);",
+        "\\draw (0,0) -- (3,0) -- (3,2) -- cycle + (1,1);\n\\draw (2,1) circle (1);",
+        "\\draw[fill=red!20] mirror (0,0) -- (3,0) -- (3,2) -- cycle;\n\\draw (2,1) circle (1);",
         "\\draw[rotate=30] (0,0) -- (3,0) -- (3,2) -- cycle;\n\\draw (2,1) circle (1);",
     ],
 )

@@ -494,7 +494,7 @@ def test_the_parts_that_a_verdict_names_are_drawn():
         picture = sv.picture(TRACES[name])
         drawn = {mark.owner for mark in picture.marks if mark.kind in ("outline", "disc")}
         lines = [mark.text for mark in picture.labels if mark.part == "part-line-name"]
-        assert {part for text in lines for part in text.split(" | ")} <= drawn
+        assert {part for text in lines for part in text.removeprefix("between\n").split(" and ")} <= drawn
         hit = TRACES[name].colliding
         assert lines if hit is None else set(hit.names) <= drawn
 

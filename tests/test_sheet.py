@@ -8,6 +8,7 @@ from test_pictures import TRACES, boxes, meet
 
 import satviz as sv
 from satviz.cli import main
+from satviz.pictures.layout import NARROW_SIZE_PT
 from satviz.pictures.sheet import MAX_ROWS
 
 
@@ -29,6 +30,7 @@ def test_no_label_of_a_sheet_runs_over_another_or_off_it(name):
     assert not [(m.text, n.text) for (m, p), (n, q) in combinations(placed, 2) if meet(p, q)]
     assert all(p[0] >= 0 and p[1] >= 0 and p[2] <= picture.size[0] and p[3] <= picture.size[1] for _, p in placed)
     assert len({mark.id for mark in picture.marks}) == len(picture.marks)
+    assert picture.size[0] <= NARROW_SIZE_PT[0]  # a telephone shows it without making its letters smaller
 
 
 @pytest.mark.parametrize("name", TRACES)

@@ -25,8 +25,10 @@ from ..scenes.shape_tools import box, translated
 from .claims import is_near
 from .curve import unit_vector
 from .default_panels import (
+    WAY_OUT,
     Panel,
     PanelSketch,
+    claimed_tests,
     draw_claimed_tests,
     draw_proof,
     draw_push,
@@ -166,7 +168,7 @@ def dots_panel(every_pair: bool) -> Panel:
 
     def panel(trace: Trace, layout: Layout) -> Sketch:
         """Draw the dots, the lines between them if wanted, and how many tests or pairs there are."""
-        x0, y0, x1, y1 = 0.0, 0.0, 300.0, 220.0
+        x0, y0, x1, y1 = 0.0, 0.0, 300.0, 246.0
         sketch = Sketch(trace, Layout((x0, y0, x1, y1), (x1, y1), ()))
         turns = [2 * pi * (i + 0.5) / DOT_COUNT for i in range(DOT_COUNT)]
         dots = [Vec(150.0 + 80.0 * cos(t), 95.0 + 80.0 * sin(t)) for t in turns]
@@ -177,7 +179,7 @@ def dots_panel(every_pair: bool) -> Panel:
             sketch.add("shape", "dot", "A", spot, number=i)
         tests = DOT_COUNT * (DOT_COUNT - 1) // 2 if every_pair else DOT_COUNT
         what = f"{DOT_COUNT} shapes, {tests} {'pairs' if every_pair else 'tests'}"
-        sketch.label("few", what, "guide", Vec(150.0, 95.0), prefer=Vec(0.0, -1.0), first=1, far=True)
+        sketch.label("few", what, "guide", Vec(150.0, 196.0 if every_pair else 95.0), inside=True, first=1)
         return sketch
 
     return Panel(_shapes_and, panel)
@@ -372,6 +374,28 @@ def draw_line_as_axis(trace: Trace, layout: Layout) -> Sketch:
     return sketch
 
 
+def needs_one_sided_tests(trace: Trace) -> Group:
+    """Return the claimed tests with both shapes, and space for two questions above the shapes."""
+    x0, y0, x1, y1 = bounding_box([trace.a, trace.b])
+    shapes, tests, _ = needs_claimed_tests(trace)
+    return Group([*shapes, box(x0, y1, x1, y1 + (y1 - y0) / 2)], tests)
+
+
+def draw_one_sided_tests(trace: Trace, layout: Layout) -> Sketch:
+    """Draw the claimed tests, and which question about the order of the ranges was asked, and which was not."""
+    sketch = draw_claimed_tests(trace, layout)
+    measured = claimed_tests(trace)
+    for test in axis_tests(trace.a, trace.b, [test.axis for test in measured]):
+        a, b = test.a.interval, test.b.interval
+        if b.hi < a.lo:
+            name, digits = trace.names, describe.digits(trace, test).landing
+            asked = f"asked: does {name.a} end ({digits(a.hi)}) before {name.b} begins ({digits(b.lo)})?  no"
+            other = f"not asked: does {name.b} end ({digits(b.hi)}) before {name.a} begins ({digits(a.lo)})?  yes"
+            sketch.note("questions", f"{asked}\n{other}", "wrong", first=2)
+            break
+    return sketch
+
+
 def needs_push(trace: Trace) -> Group:
     """Return both shapes, and B where the shortcut pushes it and where the MTV moves it."""
     moves = [move for move in (trace.push, trace.truth.known_mtv) if move and is_near(trace, move)]
@@ -390,7 +414,7 @@ def draw_way_out(trace: Trace, layout: Layout) -> Sketch:
     sketch = draw_shapes(trace, layout)
     move = trace.truth.known_mtv
     if trace.relation is Relation.OVERLAPPING and move:
-        draw_mtv(sketch, centroid(trace.b), move)
+        draw_mtv(sketch, centroid(trace.b), move, WAY_OUT)
     return sketch
 
 
@@ -443,7 +467,7 @@ def needs_pieces(trace: Trace) -> Group:
     """Return both shapes, B where each piece pushes it, and space for words above the shapes."""
     shapes = [trace.a, trace.b, *(translated(trace.b, pair.mtv) for pair in trace.pairs if pair.mtv)]
     x0, y0, x1, y1 = bounding_box(shapes)
-    return Group([*shapes, box(x0, y1, x1, y1 + (y1 - y0) / 5)])
+    return Group([*shapes, box(x0, y1, x1, y1 + (y1 - y0) / 2.5)])
 
 
 PIECES = Panel(needs_pieces, draw_pieces_panel)
@@ -460,6 +484,7 @@ PANELS: dict[str, Panel] = {
     "two frames": Panel(needs_flight, draw_two_frames),
     "flight": Panel(needs_flight, draw_flight),
     "distance": Panel(_shapes_and, draw_distance),
+    "one side": Panel(needs_one_sided_tests, draw_one_sided_tests),
     "line as axis": Panel(needs_claimed_tests, draw_line_as_axis),
     "push": Panel(needs_push, draw_push_alone),
     "way out": Panel(needs_push, draw_way_out),

@@ -14,6 +14,7 @@ from ..engine.axes import (
     FROM_EDGES,
     SLIP,
     VERTEX,
+    WORLD,
     Axis,
     Choice,
     edge_normals,
@@ -36,6 +37,7 @@ from .sketch import RING_PT, Sketch
 
 PROVES_NOTHING = "true, but proves nothing"
 RAW_NORMAL = "its normal is"
+WAY_OUT = "shortest way out,\nMTV"
 
 
 class PanelSketch(Sketch):
@@ -88,7 +90,10 @@ def draw_claimed_tests(trace: Trace, layout: Layout) -> Sketch:
                 sketch.edge(test)
                 sketch.normal(test)
                 _draw_what_is_missing(sketch, test)
-            sketch.project(test, place, drops=len(tests) == 1, interval=False, remark=remark)
+            on = ""
+            if len(tests) > 1 and remark == PROVES_NOTHING and test.source.kind == WORLD:  # the mistake is on another
+                on, remark = f"{'xy'[test.source.ids[0]]}, true", ""
+            sketch.project(test, place, drops=len(tests) == 1, interval=False, remark=remark, on=on)
         else:
             sketch.no_axis(test)
     if len(tests) < len(trace.tests) and not trace.ended_by and any(any(test.axis.normal) for test in tests):
@@ -100,7 +105,8 @@ def draw_claimed_tests(trace: Trace, layout: Layout) -> Sketch:
 def remark_on(trace: Trace, test: AxisTest) -> str:
     """Return a remark on a test, or "": that it proves nothing, how touching is compared, how long its normal is."""
     if trace.shortcut and trace.shortcut.touching_separates and test.gap == 0:
-        return f"{meeting_point(trace, test)} \u2264 {meeting_point(trace, test)}: yes"
+        spot = meeting_point(trace, test)
+        return f"{spot} \u2264 {spot}, so it counts as a gap"
     if not any(test.axis.normal):
         return ""
     if is_as_measured(trace, test):
@@ -241,9 +247,9 @@ def draw_proof(trace: Trace, layout: Layout) -> Sketch:
         sketch.label("shared-name", "in both", "ink", certificate.point, first=4)
         move = trace.truth.known_mtv
         if move and any(move):
-            draw_mtv(sketch, certificate.point, move)
+            draw_mtv(sketch, certificate.point, move, WAY_OUT)
     spot = meeting_point(trace, test) if trace.shortcut and trace.shortcut.touching_separates else ""
-    remark = f"{spot} < {spot}: no" if spot and test.gap == 0 else ""
+    remark = f"{spot} < {spot} is false: no gap" if spot and test.gap == 0 else ""
     best = max(true_run(trace).tests, key=lambda other: other.gap)
     if test.gap < best.gap and not isclose(test.gap, best.gap, rel_tol=1e-9):
         remark = f"least on another axis: {describe.digits(true_run(trace), best).gap(best.gap)}"

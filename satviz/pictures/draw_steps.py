@@ -97,7 +97,7 @@ def draw_verdict(sketch: Sketch, places: Sequence[AxisPlace], *, named: bool = T
 
 
 def draw_part_lines(sketch: Sketch) -> None:
-    """Draw the convex parts, and a separating line for each of the 4 nearest pairs, with the names of the pair."""
+    """Draw the convex parts, and a separating line for each of the 4 nearest pairs, named by the pair."""
     whole = record(sketch.trace.a, sketch.trace.b)
     apart = [(pair.separating.gap, n, pair) for n, pair in enumerate(whole.pairs, 1) if pair.separating]
     nearest = sorted(apart)[:MAX_PART_LINES]
@@ -107,8 +107,9 @@ def draw_part_lines(sketch: Sketch) -> None:
         line = pair.certificate
         assert isinstance(line, SeparatingLine)  # an axis separates the pair
         ends = sketch.line_across("part-line", line.point, _unit_normal(line), "gap", n)
-        text = " | ".join(pair.names)
-        sketch.label("part-line-name", text, "gap", midpoint(*ends), number=n, along=ends, first=4, far=True)
+        text, middle = f"between\n{pair.names.a} and {pair.names.b}", midpoint(*ends)
+        along = *ends, *(midpoint(middle, end) for end in ends)
+        sketch.label("part-line-name", text, "gap", middle, number=n, along=along, first=4, near=True)
     if more := len(apart) - len(nearest):
         sketch.note("more-lines", f"and {more} more lines, one for each pair of parts", "guide")
 
@@ -124,13 +125,14 @@ def draw_mtv_of_overlap(sketch: Sketch) -> None:
     draw_mtv(sketch, certificate.point, move)
 
 
-def draw_mtv(sketch: Sketch, start: Vec, move: Vec) -> None:
-    """Draw the MTV `move` as an arrow from `start`, and faintly B translated by it."""
+def draw_mtv(sketch: Sketch, start: Vec, move: Vec, what: str = "MTV") -> None:
+    """Draw the MTV `move` as an arrow from `start`, called `what`, and faintly B translated by it."""
     ghost = moved_shape(sketch.trace.b, move)
     sketch.shape("B", f"{sketch.trace.names.b} moved", ghost, weight="faint", named=False)
     tip = point_along(start, move, 1.0)
     sketch.add("mtv", "arrow", "move", start, tip, start=(start,))
-    sketch.label("mtv-name", f"MTV {describe.digits(sketch.trace).vector(move)}", "move", tip, prefer=move, first=3)
+    text = f"{what} {describe.digits(sketch.trace).vector(move)}"
+    sketch.label("mtv-name", text, "move", tip, prefer=move, first=3)
 
 
 def draw_separating_line(sketch: Sketch, certificate: SeparatingLine, text: str = "separating line") -> None:

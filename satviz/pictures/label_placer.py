@@ -312,14 +312,18 @@ class LabelPlacer:
     def _place_freely(self, request: LabelRequest, target: Spot) -> tuple[LabelRequest, Vec | None]:
         """Return the request and its label's center, wherever its label stood before (None if left out).
 
-        A label that must be shown is broken into 2 or 3 lines where it would cover something in one.
+        A label that must be shown is broken into 2 or 3 lines where it would cover something in one; a title also
+        where a line would run through it.
         """
         spot, cost = self._best_spot(request)
         width, count = text_size(request.text, request.weight)[0], 1
+        clear, even = COVER_COST, 1.0
+        if request.far and request.weight == "title":
+            clear, even = STROKE_COST, 1.2  # with the width of half the letters, most titles would need a third line
         for lines in (2, 3) if not (request.optional or request.pieces) else ():
-            if cost < COVER_COST:
+            if cost < clear:
                 break
-            slim = request._replace(text=wrap_text(request.text, width / lines, request.weight))
+            slim = request._replace(text=wrap_text(request.text, even * width / lines, request.weight))
             slim_spot, slim_cost = self._best_spot(slim)
             if slim_cost < cost:
                 request, spot, cost, count = slim, slim_spot, slim_cost, lines

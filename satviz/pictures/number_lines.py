@@ -14,6 +14,7 @@ from .sheet import MAX_ROWS, Row, all_rows, covered_range, text_from, truncate
 WIDTH_PT, ROW_PT, MARGIN_PT = 480.0, 68.0, 18.0
 NAME_PT, NUMBER_PT, TICK_PT = 31.0, 16.0, 5.0  # a name above its line, the numbers below it, half a tick
 TRACK_PT = 9.0  # from a line to A's bar above it and to B's bar above that
+HATCH_PT, HATCH_STEP_PT = 3.5, 4.0  # half the height of an overlap's bar; between two strokes in it
 MAX_TICKS = 16
 TICK_GAP_PT = 6.0  # between the numbers of two ticks, at least
 MIN_FIGURES = 6  # of a tick's number
@@ -68,7 +69,10 @@ def _line(row: Row, number: int, y: float, ticks: range, step: float, scale: flo
 
 
 def _ranges(row: Row, number: int, y: float, start: float, scale: float) -> list[Mark]:
-    """Return the bars of both ranges above the line, and of the gap or overlap on it."""
+    """Return the bars of both ranges above the line, and on it that of the gap, or a hatched one of the overlap.
+
+    Paper has no colours, so the hatch tells an overlap from a gap.
+    """
 
     def bar(part: str, role: str, lo: float, hi: float, level: float, owner: str = "") -> Mark:
         """Return a bar from one coordinate to another."""
@@ -84,6 +88,14 @@ def _ranges(row: Row, number: int, y: float, start: float, scale: float) -> list
         drawn = bar("range", role, *interval, level, name)
         beside = drawn.points[0].x - 5 - text_size(name)[0] if names_left else drawn.points[1].x + 5  # clear of the gap
         marks += [drawn, text_from("range-name", name, role, beside, level, number)._replace(owner=name)]
-    if row.test.gap:
-        marks.append(bar("gap", "gap" if row.test.gap > 0 else "overlap", *gap_or_overlap(row.test), y))
+    if row.test.gap > 0:
+        marks.append(bar("gap", "gap", *gap_or_overlap(row.test), y))
+    elif row.test.gap:
+        left, right = (p.x for p in bar("overlap", "overlap", *gap_or_overlap(row.test), y).points)
+        low, high, count = y - HATCH_PT, y + HATCH_PT, ceil((right - left) / HATCH_STEP_PT)
+        corners = Vec(left, low), Vec(right, low), Vec(right, high), Vec(left, high)
+        ends = ((k + part, level) for k in range(count) for part, level in ((0, low), (1, high)))
+        strokes = [Vec(left + n * (right - left) / count, level) for n, level in ends]
+        marks.append(Mark("overlap", "outline", "overlap", corners, number=number, weight="faint"))
+        marks.append(Mark("hatch", "segment", "overlap", tuple(strokes), number=number))
     return marks

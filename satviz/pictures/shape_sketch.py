@@ -161,7 +161,9 @@ class ShapeSketch:
         space = (x1 - x0) * self.layout.scale - 2 * RIM_PT
         text = "\n".join(wrap_text(line, space, weight) for line in text.split("\n"))
         anchor = Vec((x0 + x1) / 2, y1 - self.layout.units(NOTE_PT))
-        self.label(part, text, role, anchor, weight=weight, first=first, inside=True, far=True, optional=True)
+        self.label(
+            part, text, role, anchor, weight=weight, first=first, inside=True, far=True, optional=weight != "title"
+        )
 
     def upcoming_normals(self) -> list[Segment]:
         """Return segments that steady labels avoid, since normals stand there in other steps; here none."""

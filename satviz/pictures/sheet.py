@@ -16,9 +16,12 @@ from .letters import text_size, wrap_text
 from .marks import Mark, Picture
 
 MAX_ROWS = 12
-WIDTH_PT, ROW_PT, HEAD_PT, MARGIN_PT = 500.0, 58.0, 30.0, 12.0  # the sheet's width; heights of a row and of the head
-THUMBNAIL_PT = 74.0, 48.0  # a row's small picture
-BARS_LEFT_PT, MAX_BARS_RIGHT_PT = 100.0, 376.0  # where the ranges begin and end; they end earlier beside long words
+WIDTH_PT, MARGIN_PT = 340.0, 8.0  # a telephone shows a sheet of this width without making its letters smaller
+HEAD_PT, ROW_PT, LINE_PT = 44.0, 54.0, 14.0  # heights: of the head, of a row without its outcome, of a line of that
+NAME_PT = 18.0  # of the line with an axis's name, above the row's small picture and its bars
+THUMBNAIL_PT = 62.0, 44.0  # a row's small picture
+BARS_LEFT_PT, BARS_RIGHT_PT = 84.0, WIDTH_PT - 2 * MARGIN_PT  # where the ranges begin and end
+WORDS_GAP_PT = 8.0  # between two pieces of an outcome
 MIN_BAR_PT = 3.0  # a shorter range or shape gets a dot
 TRACK_PT = 5.0  # from the line of a row to A's bar above it and B's bar below it
 INSET_PT, INSET_RIM_PT, INSET_TRACK_PT = (60.0, 18.0), 4.0, 5.0  # of a gap's inset: size, rim, from its middle to a bar
@@ -47,19 +50,18 @@ def sheet(what: SceneLike | Shape, b: Shape | None = None, *, title: str = "") -
     shown = [row for row in every if row in ranked[:MAX_ROWS]]
     rest = ranked[MAX_ROWS:]
     lines = wrap_text(trace.sentence, WIDTH_PT - 2 * MARGIN_PT).split("\n")
-    height = HEAD_PT + ROW_PT * len(shown) + (22 if rest else 0) + 16 * len(lines) + 2 * MARGIN_PT
+    scale, zero = _scale_and_zero([covered_range(row.test) for row in shown])
+    words = [_outcome_lines(row, _inset_times(row, scale)) for row in shown]
+    heights = [ROW_PT + LINE_PT * len(found) for found in words]
+    height = HEAD_PT + sum(heights) + (22 if rest else 0) + 16 * len(lines) + 2 * MARGIN_PT
     top = height - HEAD_PT
-    widest = max((text_size(line)[0] for row in shown for line, _ in _outcome_lines(row)), default=0.0)
-    end = min(MAX_BARS_RIGHT_PT, WIDTH_PT - MARGIN_PT - widest - 8)
-    marks = [
-        text_from("legend", text, role, left, top + 9, n) for n, (role, text, left) in enumerate(_legend(trace, end))
-    ]
-    scale, zero = _scale_and_zero([covered_range(row.test) for row in shown], end)
+    marks = [text_from("legend", text, role, left, top + 27, n) for n, (role, text, left) in enumerate(_legend(trace))]
     if zero is not None:
         marks.append(Mark("zero-name", "label", "guide", (Vec(zero, top + 9),), text="0"))
+    y = top
     for i, row in enumerate(shown):
-        marks += _row_marks(row, i + 1, top - ROW_PT * i, scale, zero, end)
-    y = top - ROW_PT * len(shown)
+        marks += _row_marks(row, i + 1, y, heights[i], words[i], scale, zero)
+        y -= heights[i]
     if rest:
         best = max(rest, key=lambda row: row.test.gap)
         gap = describe.gap_in_words(best.test.gap, describe.digits(best.run, best.test))
@@ -82,10 +84,10 @@ def all_rows(trace: Trace) -> list[Row]:
     return found
 
 
-def _legend(trace: Trace, end: float) -> list[tuple[str, str, float]]:
+def _legend(trace: Trace) -> list[tuple[str, str, float]]:
     """Return each shape's legend as (role, text, x at which it begins): whose bar is above, whose below."""
     above, below = f"{trace.names.a} above,", f"{trace.names.b} below"
-    return [("A", above, end + 8), ("B", below, end + 12 + text_size(above)[0])]
+    return [("A", above, BARS_LEFT_PT), ("B", below, BARS_LEFT_PT + 4 + text_size(above)[0])]
 
 
 def covered_range(test: AxisTest) -> tuple[float, float]:
@@ -94,45 +96,66 @@ def covered_range(test: AxisTest) -> tuple[float, float]:
     return min(a.lo, b.lo), max(a.hi, b.hi)
 
 
-def _scale_and_zero(ends: Sequence[tuple[float, float]], end: float) -> tuple[float, float | None]:
+def _scale_and_zero(ends: Sequence[tuple[float, float]]) -> tuple[float, float | None]:
     """Return the bars' scale (points per unit) and the x of coordinate 0, None if it is too far away."""
     widest = max((hi - lo for lo, hi in ends), default=1.0) or 1.0
     lo, hi = min((lo for lo, _ in ends), default=0.0), max((hi for _, hi in ends), default=0.0)
     lo, hi = min(lo, 0.0), max(hi, 0.0)
-    width = end - BARS_LEFT_PT
+    width = BARS_RIGHT_PT - BARS_LEFT_PT
     if hi - lo > MAX_ZERO_RANGES * widest:
         return width / widest, None
     scale = width / ((hi - lo) or 1.0)
     return scale, BARS_LEFT_PT - lo * scale
 
 
-def _outcome_lines(row: Row) -> list[tuple[str, str]]:
-    """Return the lines of text about a row's outcome, each with its colour role."""
+def _outcome_lines(row: Row, inset_times: float) -> list[list[tuple[str, str]]]:
+    """Return the lines of text about a row's outcome: as many (text, colour role) in each as there is space for.
+
+    The first line leaves space for an inset if `inset_times`, its magnification, is not 0.
+    """
     run, _, test, made = row
-    found = describe.outcome(test, describe.digits(run, test)).replace(", way out", "\nway out").split("\n")
+    first, *others = describe.outcome(test, describe.digits(run, test)).replace(", way out", "\nway out").split("\n")
     colour = "guide" if not made else "ink" if not test.gap else "gap" if test.gap > 0 else "overlap"
-    lines = [(found[0], colour), *((line, "ink" if made else "guide") for line in found[1:])]
+    pieces = [(first, colour), *((text, "ink" if made else "guide") for text in others)]
     if not made:
-        lines.append(("not tested", "guide"))
+        pieces.append(("not tested", "guide"))
     elif test.separates:
-        lines.append(("separates: stop", "ink"))
+        pieces.append(("separates: stop", "ink"))
+    lines, space = [pieces[:1]], BARS_RIGHT_PT - BARS_LEFT_PT - text_size(first)[0]
+    if inset_times:
+        space -= INSET_PT[0] + 2 * INSET_RIM_PT + text_size(magnification_text(inset_times))[0]
+    for piece in pieces[1:]:
+        width = text_size(piece[0])[0]
+        if width + WORDS_GAP_PT > space:
+            lines.append([])
+            space = BARS_RIGHT_PT - BARS_LEFT_PT + WORDS_GAP_PT
+        lines[-1].append(piece)
+        space -= width + WORDS_GAP_PT
     return lines
 
 
-def _row_marks(row: Row, number: int, top: float, scale: float, zero: float | None, end: float) -> list[Mark]:
-    """Return the marks of one row; `top`: its upper end, `scale`, `zero`: as of all bars, `end`: their right end."""
+def _row_marks(
+    row: Row,
+    number: int,
+    top: float,
+    height: float,
+    words: Sequence[Sequence[tuple[str, str]]],
+    scale: float,
+    zero: float | None,
+) -> list[Mark]:
+    """Return the marks of one row of that `height`; `top`: its upper end, `scale`, `zero`: as of all bars."""
     run, _, test, made = row
     weight, ink = ("plain", "ink") if made else ("faint", "guide")
-    y = top - ROW_PT / 2 - 6
+    y = top - 34
     lo, hi = covered_range(test)
-    middle = (BARS_LEFT_PT + end) / 2
+    middle = (BARS_LEFT_PT + BARS_RIGHT_PT) / 2
 
     def x_at(t: float) -> float:
         """Return the x of a coordinate on the axis."""
         return zero + t * scale if zero is not None else middle + (t - (lo + hi) / 2) * scale
 
-    marks = _thumbnail_marks(row, number, top, weight)
-    marks.append(Mark("line", "segment", "guide", (Vec(BARS_LEFT_PT, y), Vec(end, y)), number=number))
+    marks = _thumbnail_marks(row, number, top - (NAME_PT + height) / 2, weight)
+    marks.append(Mark("line", "segment", "guide", (Vec(BARS_LEFT_PT, y), Vec(BARS_RIGHT_PT, y)), number=number))
     if zero is not None:
         tick = Vec(zero, y + 2 * TRACK_PT), Vec(zero, y - 2 * TRACK_PT)
         marks.append(Mark("zero", "segment", "ink", tick, number=number, weight=weight))
@@ -149,34 +172,45 @@ def _row_marks(row: Row, number: int, top: float, scale: float, zero: float | No
     if test.gap:
         role = "gap" if test.gap > 0 else "overlap"
         bar("gap", role, *gap_or_overlap(test), y)
-    inset, lines = _inset_marks(row, number, top, scale, end), _outcome_lines(row)
-    # the name may run on above two lines of the outcome, but neither above three nor into an inset
-    space = (end if inset or len(lines) > 2 else WIDTH_PT - MARGIN_PT) - BARS_LEFT_PT
-    space -= INSET_PT[0] + text_size(inset[1].text)[0] + 4 * INSET_RIM_PT if inset else 0.0
-    marks += inset
-    name = describe.axis_name(test.axis, (run.a, run.b), run.names)
-    pair = "" if run.names == ("A", "B") else f"{run.names.a} | {run.names.b}: "
-    marks.append(text_from("name", truncate(f"{pair}{row.number} {name}", space), ink, BARS_LEFT_PT, top - 10, number))
-    for n, (line, role) in enumerate(lines):
-        up = y + 7 * (len(lines) - 1) - 14 * n
-        marks.append(text_from(f"outcome-{n + 1}", line, role, end + 8, up, number))
+    marks += _inset_marks(row, number, top - ROW_PT, scale)
+    pair = "" if run.names == ("A", "B") else f"{run.names.a}, {run.names.b}: "
+    name, short = (
+        f"{pair}{row.number} {words_of(test.axis, (run.a, run.b), run.names)}"
+        for words_of in (describe.axis_name, describe.short_axis_name)
+    )
+    space = WIDTH_PT - 2 * MARGIN_PT
+    name = truncate(name if text_size(name)[0] <= space else short, space)
+    marks.append(text_from("name", name, ink, MARGIN_PT, top - 10, number))
+    count = 0
+    for n, line in enumerate(words):
+        left = BARS_LEFT_PT
+        for text, role in line:
+            count += 1
+            marks.append(text_from(f"outcome-{count}", text, role, left, top - ROW_PT - LINE_PT * n, number))
+            left += text_size(text)[0] + WORDS_GAP_PT
     if made and test.separates:
-        box = Vec(4, top - ROW_PT + 1), Vec(WIDTH_PT - 4, top - ROW_PT + 1), Vec(WIDTH_PT - 4, top - 1), Vec(4, top - 1)
+        low, high, right = top - height + 1, top - 1, WIDTH_PT - 4
+        box = Vec(4, low), Vec(right, low), Vec(right, high), Vec(4, high)
         marks.append(Mark("stop", "outline", "gap", box, number=number, weight="faint"))
     return marks
 
 
-def _inset_marks(row: Row, number: int, top: float, scale: float, end: float) -> list[Mark]:
+def _inset_times(row: Row, scale: float) -> float:
+    """Return how many times an inset magnifies a gap or overlap that the row's bars are too small to show; else 0."""
+    size = abs(row.test.gap) * scale
+    return round_down(INSET_PT[0] / 3 / size) if 1e-300 < size < MIN_GAP_PT else 0.0
+
+
+def _inset_marks(row: Row, number: int, cy: float, scale: float) -> list[Mark]:
     """Return a small inset of a gap or overlap that the row's bars are too small to show, with its magnification first.
 
-    It holds the facing ends of both ranges, and stands at the right end of the line with the axis's name.
+    It holds the facing ends of both ranges, and stands at the right end of the first line of the outcome, `cy` high.
     """
     run, _, test, made = row
-    size = abs(test.gap) * scale
-    if not 1e-300 < size < MIN_GAP_PT:
+    times, end = _inset_times(row, scale), BARS_RIGHT_PT
+    if not times:
         return []
-    times = round_down(INSET_PT[0] / 3 / size)
-    x0, cx, cy = end - INSET_PT[0], end - INSET_PT[0] / 2, top - 10
+    x0, cx = end - INSET_PT[0], end - INSET_PT[0] / 2
     half, high, weight = test.gap * scale * times / 2, INSET_PT[1] / 2, "plain" if made else "faint"
     corners = Vec(x0, cy - high), Vec(end, cy - high), Vec(end, cy + high), Vec(x0, cy + high)
     text = magnification_text(times)
@@ -196,11 +230,11 @@ def _inset_marks(row: Row, number: int, top: float, scale: float, end: float) ->
     return [*marks, Mark("inset-gap", "interval", role, points, number=number, weight=weight)]
 
 
-def _thumbnail_marks(row: Row, number: int, top: float, weight: str) -> list[Mark]:
-    """Return the marks of a row's small picture: both shapes and the axis's direction."""
+def _thumbnail_marks(row: Row, number: int, middle: float, weight: str) -> list[Mark]:
+    """Return the marks of a row's small picture, at the height `middle`: both shapes and the axis's direction."""
     run, _, test, _ = row
     x0, y0, x1, y1 = bounding_box([run.a, run.b])
-    center, corner = Vec((x0 + x1) / 2, (y0 + y1) / 2), Vec(MARGIN_PT + THUMBNAIL_PT[0] / 2, top - ROW_PT / 2)
+    center, corner = Vec((x0 + x1) / 2, (y0 + y1) / 2), Vec(MARGIN_PT + THUMBNAIL_PT[0] / 2, middle)
     scale = 0.86 * min(THUMBNAIL_PT[0] / ((x1 - x0) or 1.0), THUMBNAIL_PT[1] / ((y1 - y0) or 1.0))
 
     def at(p: Vec) -> Vec:

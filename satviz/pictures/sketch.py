@@ -331,9 +331,19 @@ class Sketch(ShapeSketch):
         self.label("range-name", text, role, spot, first=1, **options)
 
     def gap(
-        self, test: AxisTest, place: AxisPlace, *, named: bool = True, interval: bool = True, remark: str = ""
+        self,
+        test: AxisTest,
+        place: AxisPlace,
+        *,
+        named: bool = True,
+        interval: bool = True,
+        remark: str = "",
+        on: str = "",
     ) -> None:
-        """Draw a gap as an open bracket or an overlap as a bar, its size, its ends if `interval`, and a remark."""
+        """Draw a gap as an open bracket or an overlap as a bar, its size, its ends if `interval`, and a remark.
+
+        `on` is what the label calls the axis, where it could be taken for that of another axis.
+        """
         ends = points = tuple(place.at(t) for t in gap_or_overlap(test))
         role, kind = "overlap", "interval"
         if test.gap >= 0:
@@ -346,6 +356,7 @@ class Sketch(ShapeSketch):
         self.insets(test)
         anchor = midpoint(*points[1:3]) if kind == "bracket" else midpoint(*ends)
         text = (describe.picture_outcome if interval else describe.outcome)(test, self.digits(self.trace, test))
+        text += f" on {on}" if on else ""
         self.label(
             "gap-name",
             f"{text}\n{remark}" if remark else text,
@@ -366,6 +377,7 @@ class Sketch(ShapeSketch):
         numbers: bool = True,
         interval: bool = True,
         remark: str = "",
+        on: str = "",
     ) -> None:
         """Draw a finished test: the axis (`named`), drops of the extreme points, both ranges, the gap or overlap."""
         self.axis(test, place, named=named)
@@ -373,7 +385,7 @@ class Sketch(ShapeSketch):
             if drops:
                 self.drops(test, place, role, ends_only=True, named=False)
             self.range(test, place, role, numbers=numbers)
-        self.gap(test, place, interval=interval and numbers and not self.layout.brief, remark=remark)
+        self.gap(test, place, interval=interval and numbers and not self.layout.brief, remark=remark, on=on)
 
     def untested_axes(self) -> None:
         """List the axes that the early exit made unnecessary, in grey, with a small normal on each edge."""

@@ -32,6 +32,7 @@ _STYLE: "dict[RcKeyType, Any]" = {
     "font.family": ["sans-serif"],
     # The first font ships with matplotlib; the letters of the others are as wide, for browsers without it.
     "font.sans-serif": ["DejaVu Sans", "Bitstream Vera Sans", "Verdana"],
+    "text.hinting": "none",  # hinted letters are up to 7 % wider than the layout measured them
     "pdf.fonttype": 42,
     "pdf.compression": 6,
     "path.simplify": False,

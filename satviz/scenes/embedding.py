@@ -6,7 +6,7 @@ scene.html?embed&steps=3-8&theme=dark#triangles
 import re
 from collections.abc import Iterable
 from typing import NamedTuple
-from urllib.parse import parse_qsl
+from urllib.parse import parse_qs
 
 from ..engine.geometry import InvalidScene
 from ..engine.polygon_validation import short_repr
@@ -61,7 +61,16 @@ def parse_query(text: str) -> EmbedOptions:
 
     Other keys are left out, since other programs add their own to an address.
     """
-    found = dict(parse_qsl(text[:2000], keep_blank_values=True))
+    values = parse_qs(text[:2000], keep_blank_values=True)
+    for key in (EMBED, *EmbedOptions._fields):
+        if len(values.get(key, ())) > 1:
+            raise InvalidScene(f"the link says {key} {len(values[key])} times: say it once")
+    found = {key: said for key, (said, *_) in values.items()}
+    for key in (EMBED, "play", "predict"):
+        if found.get(key, "") not in ("", "1"):
+            raise InvalidScene(
+                f"the link says {key}={short_repr(found[key])}: write {key} without a value, or leave it out"
+            )
     theme = _one_of("theme", found["theme"], THEMES) if "theme" in found else None
     show = tuple(_one_of("show", part, PARTS) for part in found.get("show", "").split(",") if part)
     goal = found.get("challenge")

@@ -30,6 +30,7 @@ from . import parts
 
 GLOSSARY = "glossary.html"
 FRAMES = 13  # pictures of a slider
+REST = '<details class="rest"><summary>Go on when you have answered</summary>'
 
 
 class Widget(NamedTuple):
@@ -65,13 +66,16 @@ class _FoldedText:
     """The parts of a chapter in order, with the answer to each question folded.
 
     An answer is everything from its question up to the next heading or question.  What belongs to the question stays
-    outside the fold: code, shapes and explorers that follow the question directly, then its choices.
+    outside the fold: code, shapes and explorers that follow the question directly, then its choices.  The rest of the
+    chapter would give a question with choices away, so it stands in a fold of its own after the answer.
     """
 
     def __init__(self) -> None:
         self.parts: list[str] = []
         self.answer: list[str] | None = None  # the parts of the present answer; None where no question is open
         self.choices = ""  # the choices of the present question, until they are placed
+        self.has_choices = False  # does the present question have some?
+        self.rests = 0  # folds with the rest of the chapter, each inside the one before
 
     def add(self, html: str, *, part_of_question: bool = False, before_choices: bool = False) -> None:
         """Add a part; with `part_of_question` it stays unfolded if it follows the question directly."""
@@ -90,6 +94,7 @@ class _FoldedText:
         """Add the choices of the question that was just asked, below the shapes that it is about."""
         assert self.answer == [], f"these choices follow no question: {choices}"
         self.choices = choices
+        self.has_choices = True
 
     def _place_choices(self) -> None:
         """Add the choices of the present question here, unless they are placed already."""
@@ -102,12 +107,19 @@ class _FoldedText:
         self._place_choices()
         if self.answer:
             self.parts.append(f'<details class="later">{SUMMARY}{"".join(self.answer)}</details>')
+            if self.has_choices:
+                self.parts.append(REST)
+                self.rests += 1
         self.answer = None
+        self.has_choices = False
 
     def html(self) -> str:
         """Return the HTML of all parts, after folding the answer that is still open."""
         self.end_answer()
-        return "\n".join(self.parts)
+        if self.parts[-1] == REST:  # nothing follows the last answer
+            self.parts.pop()
+            self.rests -= 1
+        return "\n".join(self.parts) + "</details>" * self.rests
 
 
 def _add_prose(text: _FoldedText, markdown: Any, terms: TermLinker, source: str) -> None:

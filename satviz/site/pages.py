@@ -159,7 +159,7 @@ ball fall through a floor. Here you see why, and you can check each answer yours
 <section><h2>Where shortcuts fail</h2>
 <p>A collision test is often made shorter than the theorem allows. Then it is sometimes wrong. A <b>false hit</b> says
 that two shapes collide, but they are apart. A <b>missed hit</b> says that they are apart, but they collide.</p>
-<div class="cards wide">{cards}</div>
+<div class="cards failing">{cards}</div>
 <p class="action"><a href="challenges.html">Break a shortcut yourself</a>
 <a class="other" href="gallery.html#failing">See all {len(FAILURE_CASES)}</a></p></section>
 <section><h2>Guides</h2>
@@ -176,7 +176,7 @@ def gallery_page(frame: Frame) -> bytes:
     groups = {how: [row.name for row in FAILURE_CASES if row.how == how] for how in HOW_IN_WORDS}
     failing = "".join(
         f'<h3 id="{how.replace(" ", "-")}">{title} ({len(groups[how])})</h3><p>{words}</p>'
-        f'<div class="cards wide">{"".join(map(_card, groups[how]))}</div>'
+        f'<div class="cards failing">{"".join(map(_card, groups[how]))}</div>'
         for how, (title, words) in HOW_IN_WORDS.items()
     )
     jumps = "".join(
@@ -184,16 +184,21 @@ def gallery_page(frame: Frame) -> bytes:
     )
     body = f"""
 <h1>Gallery</h1>
-<p class="lead">Each picture is a scene of two shapes. <b>Choose one.</b> It opens in the explorer, where you can drag
-it and see the answer change.</p>
-<section><h2>Scenes of the chapters</h2><div class="cards">{"".join(_card(s.name) for s in SCENES)}</div></section>
+<p class="lead">Each picture shows two shapes, whether they collide, and what proves it. A test that proves less is
+sometimes wrong: {len(FAILURE_CASES)} pictures show how. If you write collision tests, you have probably written one of
+these. <b>Choose a picture and drag its shapes.</b> The answer changes as you drag.</p>
+<p class="action"><a href="{PAGE}#{SCENES[0].name}">Begin with two boxes</a>
+<a class="other" href="#failing">See where shortcuts fail</a></p>
+<section><h2>Scenes of the chapters</h2>
+<p>Each chapter explains one kind of shape.</p>
+<div class="cards">{"".join(_card(s.name) for s in SCENES)}</div></section>
 <section id="failing"><h2>Where shortcuts fail</h2>
-<p>The left panel shows what a shortcut claims, and the right panel shows what is true. If you write collision tests,
-you have probably written one of these.</p>
+<p>A shortcut leaves out a part of the test. Each picture shows first what the shortcut claims, and then what is
+true.</p>
 <ul class="jumps">{jumps}</ul>
 {failing}</section>
 """
-    description = "All scenes, and where shortcuts fail."
+    description = "Pairs of shapes to drag: what proves that they collide or not, and where shortcuts fail."
     return html_page(frame, "gallery.html", "Gallery: every scene of satviz", body, description=description)
 
 
@@ -314,21 +319,15 @@ def _neighbour_links(pages: Sequence[Chapter] | Sequence[Guide], page: Chapter |
 
 
 def scene_pictures() -> list[tuple[str, bytes]]:
-    """Return (path, content) of each picture in the gallery; a failing scene has a narrow one for telephones, too."""
+    """Return (path, content) of each picture in the gallery."""
     found = [(name, _scene_picture(name)) for name in (*(s.name for s in SCENES), *FAILING)]
-    found += [(f"{name}-narrow", _scene_picture(name, narrow=True)) for name in FAILING]
     return [(f"pictures/{name}.svg", themed_svg_file(encode(drawn, "svg", stem=name))) for name, drawn in found]
 
 
 @cache
-def _scene_picture(name: str, *, narrow: bool = False) -> Picture:
-    """Return a scene's Picture; with `narrow` its panels stand one above the other, for a telephone.
-
-    The cards of scenes without panels are narrow on every screen.
-    """
-    if name not in FAILING:
-        return picture(name, largest=NARROW_SIZE_PT)
-    return picture(name, largest=NARROW_PANEL_SIZES_PT[0]) if narrow else picture(name)
+def _scene_picture(name: str) -> Picture:
+    """Return a scene's Picture, as narrow as a card: two panels stand one above the other."""
+    return picture(name, largest=NARROW_PANEL_SIZES_PT[0] if name in FAILING else NARROW_SIZE_PT)
 
 
 def _card(name: str) -> str:
@@ -343,10 +342,6 @@ def _card(name: str) -> str:
     if row and row.how != REFUSED:  # whose sentence says what is refused
         said += " " + " ".join(drawn.mark("wrong").text.split())
     image = f'<img src="pictures/{name}.svg" {size} alt="{escape(said)}">'
-    if row:  # on a telephone one panel above the other
-        narrow_size = 'width="{:g}" height="{:g}"'.format(*_scene_picture(name, narrow=True).size)
-        source = f'<source media="(max-width: 600px)" srcset="pictures/{name}-narrow.svg" {narrow_size}>'
-        image = f"<picture>{source}{image}</picture>"
     shown = f"{image}<b>{escape(title)}</b>"
     if row is None or row.how != REFUSED:
         shown = f'<a href="{PAGE}#{name}">{shown}</a>'

@@ -2,6 +2,7 @@
 
 import ast
 import io
+import re
 from collections.abc import Iterator
 from contextlib import contextmanager, redirect_stdout
 from functools import cache
@@ -17,6 +18,7 @@ from ..scenes import named
 from .examples import EXAMPLES
 
 MODULES = "satviz", "satviz.engine.axes", "satviz.batch", "satviz.testing"
+EMPTY_LINK = re.compile(r'<a class="headerlink" href="#([^"]+)"(?=></a>)')
 TEMPLATES = Path(__file__).with_name("templates")
 
 
@@ -41,7 +43,8 @@ def reference(*, in_site: bool = False) -> Iterator[tuple[str, bytes]]:
     for stem, page in pages.items():
         about = f"The reference of satviz: {stem.replace('/', '.')}, each public name with an example."
         head = f'<head><meta name="author" content="{MADE_BY}"><meta name="description" content="{about}">'
-        yield f"{stem}.html", page.replace("<head>", head, 1).encode()
+        named_links = EMPTY_LINK.sub(r'\g<0> aria-label="link to \1"', page)  # a voice reads an empty link as nothing
+        yield f"{stem}.html", named_links.replace("<head>", head, 1).encode()
     yield "search.js", f"// {MADE_BY}\n{render.search_index(modules)}".encode()
 
 

@@ -15,9 +15,6 @@ from ..exact_signs import ERRBOUND_A
 from ..ragged import Rings
 from .jit_cache import compiled, inlined
 
-MIN_FULL = 7 / 8  # share of the corners that must remain for their arrays to be kept as they are, if they are large
-MAX_UNUSED = 1 << 12  # corners of small arrays that may stay unused
-
 
 def certified_group(vertices: Array) -> Group | None:
     """Return (N, V, 2) outlines as a group, counter-clockwise; None if one is not certified convex."""
@@ -96,24 +93,22 @@ def certified_rings(points: Array, start: Indices, accept_centers: bool = False)
 
 
 def _rings_of(x: Array, y: Array, kept: Indices) -> Rings:
-    """Return outlines as Rings: x and y up to the last corner, copied where much memory would be unused."""
-    many, size = int(kept[-1]), len(x)
-    x, y = x[:many], y[:many]
-    if many < MIN_FULL * size and size - many > MAX_UNUSED:
-        x, y = x.copy(), y.copy()
+    """Return outlines as Rings: x and y cut off, in place, after the last corner."""
+    for c in (x, y):
+        c.resize(int(kept[-1]), refcheck=False)  # a copy would double the memory
     return Rings(x, y, kept)
 
 
 def certified_padded(corners: Array, counts: Indices, radii: Array) -> Rings | None:
     """Return shapes in padded arrays, as `from_padded` takes them, as Rings; None if one is not certified."""
     n, most, _ = corners.shape
-    xy, kept = np.empty((2, n * most)), np.empty(n + 1, np.intp)
-    return _rings_of(xy[0], xy[1], kept) if _fill_padded(corners, counts, radii, xy, kept) else None
+    x, y, kept = np.empty(n * most), np.empty(n * most), np.empty(n + 1, np.intp)
+    return _rings_of(x, y, kept) if _fill_padded(corners, counts, radii, x, y, kept) else None
 
 
 @compiled
-def _fill_padded(corners: Array, counts: Indices, radii: Array, xy: Array, kept: Indices) -> bool:
-    """Fill `xy` with the corners of padded shapes, and `kept`, as `_fill_rings`; return False if one is in doubt."""
+def _fill_padded(corners: Array, counts: Indices, radii: Array, x: Array, y: Array, kept: Indices) -> bool:
+    """Fill x and y with the corners of padded shapes, and `kept`, as `_fill_rings`; return False if one is in doubt."""
     n, most, _ = corners.shape
     first, end = np.empty(n, np.intp), np.empty(n, np.intp)
     for i in range(n):
@@ -121,7 +116,7 @@ def _fill_padded(corners: Array, counts: Indices, radii: Array, xy: Array, kept:
         if not (1 <= counts[i] <= most and 0 <= radii[i] < np.inf and (counts[i] == 1) == (radii[i] > 0)):
             return False
         first[i], end[i] = i * most, i * most + counts[i]
-    return _fill_rings(corners.reshape(-1, 2), first, end, True, xy[0], xy[1], kept, np.empty(n, np.intp)) == 0
+    return _fill_rings(corners.reshape(-1, 2), first, end, True, x, y, kept, np.empty(n, np.intp)) == 0
 
 
 @compiled

@@ -5,21 +5,28 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ...engine.relate import ERROR_FACTOR_F64, MAX_ERROR_BOUND, MIN_ERROR_BOUND
-from ..array_types import Array, Indices, Pairs, Signs
+from ...engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
+from ...engine.relate import ERROR_FACTOR_F64, MIN_ERROR_BOUND
+from ..array_types import Array, Indices, Pairs
 from ..arrays import Group, Shapes
 from ..broad_rule import ALL_PAIRS, GRID, MAX_ALL_PAIRS, MAX_SWEEP_COMPARISONS, MAX_SWEEP_NUMPY, SWEEP
-from ..codes import APART, OVERLAPPING, UNDECIDED
-from .filter import circle_polygon_gaps, circles, classify_clearances
+from ..codes import APART, UNDECIDED
 from .indexed import relations
 
-MAX_WHOLE_NUMBERS = 480  # coordinates up to which all pairs of polygons are tested without comparing boxes first
+Complexes = NDArray[np.complex128]
+
+MAX_WHOLE_CORNERS = 200  # corners up to which all pairs are tested without comparing boxes first
 MAX_SHAPES, MAX_CORNERS = 1 << 12, 8  # above these, blocks of pairs in float32 are faster
 MAX_PRODUCTS = 1 << 17  # of normals and corners at a time, so that they stay in the second-level cache
-# row V: the corners of an outline with V corners, again and again
-CLOSING = np.arange(MAX_CORNERS + 1) % np.maximum(1, np.arange(MAX_CORNERS + 1))[:, None]
+MAX_DISTANCES = 1 << 13  # from corners to centers at a time, for the same reason
+# column V: the corners of an outline with V corners, again and again
+CLOSING = np.arange(MAX_CORNERS + 1)[:, None] % np.maximum(1, np.arange(MAX_CORNERS + 1))
 OUTWARD = np.array([1.0, -1.0])[:, None, None]  # turns (dy, dx) of a counter-clockwise edge into its outward normal
+# the bound for squared distances, of the larger square, and that for turns, of edge times distance: as in filter
+DISTANCE_ERROR, TURN_ERROR = 2.0**-46, 2.0**-48
+NO_LENGTH = 1e-300  # edge times distance: its root, times a distance, is far below every bound
 
 
 class Sweep(NamedTuple):
@@ -94,89 +101,149 @@ def _meeting_of_all(low: Array, high: Array) -> Pairs:
 def colliding_pairs(shapes: Shapes) -> Pairs | None:
     """Return the pairs i < j, in order, of few shapes that share a point; None where others must decide.
 
-    All pairs of a kind are evaluated in float64 by a few expressions, since calls take longer than the work.
+    All pairs are evaluated in float64 by a few expressions, since calls take longer than the work: a corner is a
+    complex number x + iy.
     """
     closed, radius = _closed_columns(shapes)
     if closed is None:
         return None
-    found: Signs | None
-    n = closed.shape[2]
+    n = closed.shape[1]
     with np.errstate(all="ignore"):
         is_upright = radius is None and _are_upright(closed)
-        if radius is None and not is_upright and n <= MAX_ALL_PAIRS and closed.size <= MAX_WHOLE_NUMBERS:
-            pairs, found = _all_pairs(n)[0], _relate_polygons(closed, None)
+        if n <= MAX_ALL_PAIRS and closed.size <= MAX_WHOLE_CORNERS and not is_upright:
+            pairs, places = _all_pairs(n)
+            clear = _clearances_of_all(closed, radius).take(places)
         else:
-            low, high = np.minimum.reduce(closed, axis=1), np.maximum.reduce(closed, axis=1)
-            if radius is not None:
-                low, high = np.nextafter(low - radius, -np.inf), np.nextafter(high + radius, np.inf)
+            low, high = _boxes(closed, radius)
             meeting, *_ = candidate_pairs(np.concatenate([low, high]).T)
             if meeting is None:
                 return None
-            pairs, found = meeting, None if is_upright else _relations(closed, radius, *meeting.T)
-    if found is not None:
-        rest = np.flatnonzero(found == UNDECIDED)
-        if rest.size:
-            settled = np.empty(len(rest), np.int8)
-            relations(shapes.flat, pairs[rest, 0], shapes.flat, pairs[rest, 1], settled)
-            if settled.min() == UNDECIDED:  # circles that nearly touch
-                return None
-            found[rest] = settled
-        pairs = pairs.take(np.flatnonzero(found != APART), axis=0)
+            pairs = meeting
+            clear = np.full(len(pairs), -np.inf) if is_upright else _clearances(closed, radius, *meeting.T)
+    hit, apart = clear < -1, clear > 1
+    if np.count_nonzero(hit) + np.count_nonzero(apart) < len(pairs):
+        rest = np.flatnonzero(~(hit | apart))
+        settled = np.empty(len(rest), np.int8)
+        relations(shapes.flat, pairs[rest, 0], shapes.flat, pairs[rest, 1], settled)
+        if settled.min() == UNDECIDED:  # circles that nearly touch
+            return None
+        hit[rest] = settled != APART
+    pairs = pairs.take(hit.nonzero()[0], axis=0)
     return pairs if n <= MAX_ALL_PAIRS else np.asarray(pairs[np.lexsort((pairs[:, 1], pairs[:, 0]))])
 
 
-def _are_upright(closed: Array) -> bool:
+def _are_upright(closed: Complexes) -> bool:
     """Return whether all outlines are boxes with sides along x and y: four corners, and each step along an axis."""
-    if closed.shape[1] != 5 or (closed[0, 0, 0] != closed[0, 1, 0] and closed[1, 0, 0] != closed[1, 1, 0]):
-        return False  # mostly the first outline tells
-    level = closed[:, 1:] == closed[:, :-1]
-    return bool((level[0] != level[1]).all())
+    if len(closed) != 5:
+        return False
+    first = closed[1, 0] - closed[0, 0]  # mostly the first outline tells
+    if first.real and first.imag:
+        return False
+    one, other = closed[1:], closed[:-1]
+    return bool(((one.real == other.real) != (one.imag == other.imag)).all())
 
 
-def _relations(closed: Array, radius: Array | None, i: Indices, j: Indices) -> Signs:
-    """Return the relations of shapes i[k] and j[k], UNDECIDED within the error bound."""
+def _boxes(closed: Complexes, radius: Array | None) -> tuple[Array, Array]:
+    """Return the lower and the upper sides of the bounding boxes, (2, n) each, those of circles rounded outwards."""
+    planes = _planes(closed)
+    low, high = np.minimum.reduce(planes, axis=1), np.maximum.reduce(planes, axis=1)
+    if radius is not None:
+        low, high = np.nextafter(low - radius, -np.inf), np.nextafter(high + radius, np.inf)
+    return low, high
+
+
+def _planes(z: Complexes) -> Array:
+    """Return complex numbers as x and y, (2, ...)."""
+    planes = np.empty((2, *z.shape))
+    planes[0], planes[1] = z.real, z.imag
+    return planes
+
+
+def _clearances_of_all(closed: Complexes, radius: Array | None) -> Array:
+    """Return what `_clearances` does for all n by n shapes: each normal with each corner in one product."""
+    n = closed.shape[1]
+    if len(closed) == 1 and radius is not None:
+        return _round_clearances(closed[:, :, None], closed[0], radius[:, None] + radius)
+    corners, edges = closed[:-1], closed[1:] - closed[:-1]
+    normals = edges * -1j
+    # corner by corner of each shape, edge by edge of each
+    values = corners.reshape(-1, 1).view(np.float64) @ normals.reshape(-1, 1).view(np.float64).T
+    least = np.minimum.reduce(values.reshape(len(corners), n, len(corners), n), axis=0)
+    least -= (normals.conj() * corners).real
+    gap = np.maximum.reduce(least, axis=1)
+    edge, reach = np.maximum.reduce(np.abs(edges), axis=0), np.maximum.reduce(np.abs(corners), axis=0)
+    clear = _in_error_bounds(np.maximum(gap, gap.T), (edge[:, None] + edge) * (reach[:, None] + reach))
+    if radius is not None:
+        circles = np.flatnonzero(radius)
+        radius_sum = radius[:, None] + radius.take(circles)
+        clear[:, circles] = others = _round_clearances(closed[:, :, None], closed[0].take(circles), radius_sum)
+        clear[circles] = others.T
+    return clear
+
+
+def _in_error_bounds(gap: Array, size: Array) -> Array:
+    """Return gaps of polygons in units of their error bounds; size: largest edge times largest coordinate.
+
+    What underflow takes is far less than MIN_ERROR_BOUND; where a product overflows, so does the size.
+    """
+    return np.asarray(gap / np.maximum(size * ERROR_FACTOR_F64, MIN_ERROR_BOUND))
+
+
+def _clearances(closed: Complexes, radius: Array | None, i: Indices, j: Indices) -> Array:
+    """Return the gap between shapes i[k] and j[k] in units of its error bound: certain above 1 and below -1."""
     if radius is None:
-        return _relate_polygons(closed, (i, j))
-    found = np.empty(len(i), np.int8)
-    x, y, is_circle = closed[0, 0], closed[1, 0], radius > 0
-    circle_count = is_circle[i].view(np.int8) + is_circle[j].view(np.int8)
-    for kind in (0, 1, 2):
-        where = np.flatnonzero(circle_count == kind)
-        if not where.size:
-            continue
-        a, b = i[where], j[where]
-        if kind == 0:
-            found[where] = _relate_polygons(closed, (a, b))
-            continue
-        out = np.empty(len(where), np.int8)
-        if kind == 2:
-            circles(x[a], y[a], radius[a], x[b], y[b], radius[b], 0, out)
-        else:
-            a, b = np.where(is_circle[a], (a, b), (b, a))
-            classify_clearances(*circle_polygon_gaps(x[a], y[a], radius[a], closed.take(b, axis=2)), out)
-        found[where] = out
-    return found
+        return _polygon_clearances(closed, i, j)
+    clear = np.empty(len(i))
+    radius_sum = radius[i] + radius[j]
+    is_round = radius_sum > 0
+    where = np.flatnonzero(~is_round)
+    if where.size:
+        clear[where] = _polygon_clearances(closed, i[where], j[where])
+    where = np.flatnonzero(is_round)
+    size = MAX_DISTANCES // len(closed)
+    for start in range(0, len(where), size):
+        part = where[start : start + size]
+        a, b = i[part], j[part]
+        a, b = np.where(radius[a] > 0, (a, b), (b, a))
+        clear[part] = _round_clearances(closed.take(b, axis=1), closed[0].take(a), radius_sum[part])
+    return clear
 
 
-def _relate_polygons(closed: Array, pairs: tuple[Indices, Indices] | None) -> Signs:
-    """Return the relations of polygons i[k] and j[k], UNDECIDED within the error bound; None: of all pairs i < j."""
-    edges = closed[:, 1:] - closed[:, :-1]
-    if pairs is None:
-        (i, j), places = _all_pairs(closed.shape[2])[0].T, _all_pairs(closed.shape[2])[1]
-        gap = _gaps_of_all(closed[:, :-1], edges).take(places)
-    else:
-        i, j = pairs
-        gap = _gaps(closed[:, :-1], edges, i, j)
-    largest = [np.abs(c) for c in (edges, closed)]
-    error_bound: Array = 4 * largest[0].max() * largest[1].max() * ERROR_FACTOR_F64  # of all, then pair by pair
-    if MIN_ERROR_BOUND < error_bound < MAX_ERROR_BOUND and (np.abs(gap) > error_bound).all():
-        return np.multiply(gap < 0, OVERLAPPING, dtype=np.int8)
-    out = np.empty(len(i), np.int8)
-    edge, coordinate = (c.max(axis=(0, 1)) for c in largest)
-    error_bound = (edge[i] + edge[j]) * (coordinate[i] + coordinate[j]) * ERROR_FACTOR_F64
-    error_bound[~((error_bound > MIN_ERROR_BOUND) & (error_bound < MAX_ERROR_BOUND))] = np.inf
-    classify_clearances(gap, error_bound, out)
-    return out
+def _round_clearances(closed: Complexes, centers: Complexes, radius: Array) -> Array:
+    """Return what `_clearances` does for circles with these centers and outlines, which may be those of circles too.
+
+    The gap is the squared distance from the center to the outline minus the squared sum of radii; -inf for a center
+    certainly inside.  A center that rounding hides from the inside is so near to the boundary that its distance from
+    there decides as well.
+    closed: (V + 1, ...) corners, the first one again at the end, or (1, ...) centers of other circles.
+    """
+    away = centers - closed
+    distance = (away * away.conj()).real
+    square = radius * radius
+    if len(closed) == 1:
+        error_bound = np.maximum(distance[0], square) * DISTANCE_ERROR
+        return np.asarray((distance[0] - square) / np.maximum(error_bound, MIN_SAFE_PRODUCT))
+    error_bound = np.maximum(np.maximum.reduce(distance, axis=0), square)
+    error_bound *= DISTANCE_ERROR
+    error_bound[error_bound > MAX_SAFE_PRODUCT * DISTANCE_ERROR] = np.inf  # squares of edges may overflow
+    np.maximum(error_bound, MIN_SAFE_PRODUCT, out=error_bound)  # underflow takes far less
+    edges = closed[1:] - closed[:-1]
+    turns = edges.conj() * away[:-1]
+    along, turn, length = turns.real, turns.imag, (edges * edges.conj()).real
+    inside = np.logical_and.reduce(turn > np.abs(turns) * TURN_ERROR + NO_LENGTH, axis=0)
+    # a foot this near to the first corner is that corner, which also settles edges so short that products are lost
+    ends = np.where(along >= length, distance[1:], turn / length * turn)
+    gap = np.minimum.reduce(np.where(along <= NO_LENGTH, distance[:-1], ends), axis=0)
+    gap -= square
+    gap[inside] = -np.inf
+    return np.asarray(gap / error_bound)
+
+
+def _polygon_clearances(closed: Complexes, i: Indices, j: Indices) -> Array:
+    """Return what `_clearances` does for polygons."""
+    corners, edges = _planes(closed[:-1]), _planes(closed[1:] - closed[:-1])
+    edge, reach = (np.abs(c).max(axis=(0, 1)) for c in (edges, corners))
+    return _in_error_bounds(_gaps(corners, edges, i, j), (edge[i] + edge[j]) * (reach[i] + reach[j]))
 
 
 def _gaps(corners: Array, edges: Array, i: Indices, j: Indices) -> Array:
@@ -197,43 +264,45 @@ def _gaps(corners: Array, edges: Array, i: Indices, j: Indices) -> Array:
     return np.asarray(np.maximum(gap[: len(i)], gap[len(i) :]))
 
 
-def _gaps_of_all(corners: Array, edges: Array) -> Array:
-    """Return what `_gaps` returns for all pairs of n polygons, (n, n): each normal with each corner in one product."""
-    _, many, n = corners.shape
-    normals = edges[::-1] * OUTWARD
-    at = normals * corners
-    values = corners.reshape(2, -1).T @ normals.reshape(2, -1)  # corner by corner of each shape, edge by edge of each
-    least = np.minimum.reduce(values.reshape(many, n, many, n), axis=0)
-    least -= at[0] + at[1]
-    gap = np.maximum.reduce(least, axis=1)
-    return np.asarray(np.maximum(gap, gap.T))
+def _closed_columns(shapes: Shapes) -> tuple[Complexes | None, Array | None]:
+    """Return ((V + 1, n) corners, one column a shape, or None for many shapes or corners; radii if there are any).
 
-
-def _closed_columns(shapes: Shapes) -> tuple[Array | None, Array | None]:
-    """Return ((2, V + 1, n) corners, one column a shape, or None for many shapes or corners; radii if there are any).
-
-    The row after an outline's last corner starts it again.
+    The row after an outline's last corner starts it again; circles alone have one row.
     """
     if not 1 < shapes.part_count <= MAX_SHAPES:
         return None, None
-    if (runs := vars(shapes).get("runs")) is not None:  # asked once, since another thread may join them
+    if (runs := vars(shapes).get("runs")) is not None:  # read once, since another thread may join them
         return _closed_runs(runs)
-    if shapes.max_corners > MAX_CORNERS:
-        return None, None
     x, y, start = shapes.rings
-    places = start[:-1] + np.arange(shapes.max_corners + 1)[:, None] % shapes.count
-    return np.stack([x[places], y[places]]), shapes.radius if shapes.radius.any() else None
+    count = start[1:] - start[:-1]
+    most = int(np.maximum.reduce(count))
+    if most > MAX_CORNERS:
+        return None, None
+    places = CLOSING.take(count, axis=1)[: _rows(most)] + start[:-1]
+    closed = np.empty(places.shape, np.complex128)
+    closed.real, closed.imag = x.take(places), y.take(places)
+    return closed, shapes.radius if shapes.radius.any() else None
 
 
-def _closed_runs(runs: Sequence[Group]) -> tuple[Array | None, Array | None]:
+def _closed_runs(runs: Sequence[Group]) -> tuple[Complexes | None, Array | None]:
     """Return (corners, radii) in the form of `_closed_columns`, for the shapes of several groups, group after group."""
     most = max(run.block.shape[1] for run in runs)
     if most > MAX_CORNERS:
         return None, None
-    closed = [run.block[:2].take(CLOSING[run.block.shape[1], : most + 1], axis=1) for run in runs]
+    rows, start = _rows(most), 0
+    closed = np.empty((rows, sum(run.block.shape[2] for run in runs)), np.complex128)
+    for run in runs:
+        _, corners, n = run.block.shape
+        part, again = closed[:, start : start + n], CLOSING[:rows, corners]
+        part.real, part.imag = run.block[0].take(again, axis=0), run.block[1].take(again, axis=0)
+        start += n
     if len(runs) == 1:
-        return closed[0], runs[0].r
+        return closed, runs[0].r
     if all(run.r is None for run in runs):
-        return np.concatenate(closed, axis=2), None
-    radius = [np.zeros(len(run)) if run.r is None else run.r for run in runs]
-    return np.concatenate(closed, axis=2), np.concatenate(radius)
+        return closed, None
+    return closed, np.concatenate([np.zeros(len(run)) if run.r is None else run.r for run in runs])
+
+
+def _rows(most: int) -> int:
+    """Return the rows of closed columns of shapes with up to so many corners."""
+    return most + 1 if most > 1 else 1

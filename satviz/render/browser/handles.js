@@ -1,7 +1,7 @@
 // The handles over the picture: what each one changes, where it sits, and what it says to a screen reader.
 
 import { element, icon } from "./elements.js";
-import { centerOf, contains, distanceToSegment, snap, spoken, spokenPoint } from "./shapes.js";
+import { centerOf, contains, distanceToSegment, plainNumber, snap, spoken, spokenPoint } from "./shapes.js";
 
 /** @import { Pose, State } from "./messages.js" */
 /** @import { Pen, Picture, Point } from "./pen.js" */
@@ -190,8 +190,8 @@ export class Handles {
   /** @param {Handle} handle */
   describe({ element: made, spec: { id, key, label, value, valueText } }) {
     const [least, most] = key ? [-1e9, 1e9] : [-180, 180];
-    const now = Math.min(most, Math.max(least, value)).toLocaleString("en", { useGrouping: false, maximumSignificantDigits: 6 }); // without an exponent
-    const words = { "aria-label": label, "aria-valuemin": String(least), "aria-valuemax": String(most), "aria-valuenow": now, "aria-valuetext": valueText };
+    const now = Math.min(most, Math.max(least, value));
+    const words = { "aria-label": label, "aria-valuemin": String(least), "aria-valuemax": String(most), "aria-valuenow": plainNumber(now), "aria-valuetext": valueText };
     for (const [name, text] of Object.entries(words)) if (made.getAttribute(name) !== text) made.setAttribute(name, text);
     made.tabIndex = !key || this.active[key] === id ? 0 : -1;
   }

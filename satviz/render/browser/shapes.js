@@ -26,6 +26,16 @@ export function roundDown(value) {
 }
 
 /**
+ * A number of six digits without an exponent.  A formatter of Intl would take a millisecond for each number.
+ * @param {number} value
+ */
+export function plainNumber(value) {
+  const decimals = 5 - Math.floor(Math.log10(Math.abs(value) || 1));
+  const text = value.toFixed(Math.min(100, Math.max(0, decimals)));
+  return text.includes(".") ? text.replace(/\.?0+$/, "") : text;
+}
+
+/**
  * A number as a screen reader says it.
  * @param {number} value
  */

@@ -124,6 +124,8 @@ class FailureCase(NamedTuple):
         if self.quantity == "gap":
             return describe.gap_in_words(answer, digits)
         is_length = answer and not self.quantity.endswith(":")
+        if not is_length and answer == int(answer):
+            return f"{self.quantity} {answer:,.0f}"
         return f"{self.quantity} {digits.number(answer) if is_length else number_format.number(answer)}"
 
     def verdict_in_words(self, relation: Relation, answer: Answer, digits: Digits = USUAL_DIGITS) -> str:

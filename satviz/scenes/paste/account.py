@@ -51,7 +51,7 @@ ASSIGNS = ("=", ":=", ":")
 STYLE = re.compile(r"[a-z]?[-.:ox]{1,2}[a-z]?")  # of a plot: b-
 NO_WORDS = re.compile(r"[A-Za-z_][\w.]*")
 LOOP = re.compile(r"^\s*for\s*\([^;]*;[^;]*;[^;)]*\)")
-COMPARES, SETS = re.compile(r"[<>]|[=!]="), re.compile(r"(?<![<>=!])=(?!=)|\+\+|--|<<|>>|\?")
+SETS = re.compile(r"(?<![<>=!])=(?!=)|\+\+|--|<<|>>|\?")
 NAMED_SHAPE = re.compile(r"\b(?:A|B|C|both|second)\b")
 STREAM = re.compile(r"cout|cerr|debug|stream|log|\bout", re.IGNORECASE)
 DATA = re.compile(r"[(\[{]|^\s*[Mm]\s*[-.\d]|^\s*(?:[-.\d]+[\s,]+){3,}[-.\d]+\s*$")
@@ -86,18 +86,20 @@ class Account:
         self,
         text: str,
         found: Sequence[Token],
-        places: Collection[int],
+        shapes: Sequence[Collection[int]],
         variables: Mapping[str, int],
         known: Sequence[tuple[int, int]] = (),
         changed: Collection[str] = (),
         aliases: Mapping[str, str] = MappingProxyType({}),
     ) -> None:
-        """`places`: where numbers of shapes end; `variables`: names of data, with their sizes; `known`: parts of a
-        known form; `changed`: names with a value of which a field is set afterwards; `aliases`: names of other things.
+        """`shapes`: where the numbers of each shape end; `variables`: names of data, with their sizes; `known`: parts
+        of a known form; `changed`: names with a value of which a field is set afterwards; `aliases`: names of other
+        things.
         """
         self.text = text
         removed = within(known, found)
-        self.places = sorted(places)
+        self.shapes = shapes
+        self.places = sorted(frozenset().union(*shapes))
         rows = [Token(NUMBER, "", start, end) for start, end in known if self.holds(start, end)]
         kept = [token for token in found if token not in removed]
         self.tokens = sorted([*kept, *rows], key=lambda token: token.start) if rows else kept
@@ -114,6 +116,7 @@ class Account:
         self.open: dict[int, int] = {}
         self._match()
         self._lines_aside = self._find_lines_aside()
+        self._amid = self._find_amid()
 
     def _find_lines_aside(self) -> set[int]:
         """Return the places of the tokens of lines that have a word, no shape, and nothing that could change one."""
@@ -132,6 +135,17 @@ class Account:
         )
         return {i for line in found for i in line}
 
+    def _find_amid(self) -> set[int]:
+        """Return the places of the tokens between two numbers of one shape in one statement, inside brackets or not."""
+        ends = [token.end for token in self.tokens]
+        found: set[int] = set()
+        for places in self.shapes:
+            for here, there in pairwise(sorted(places)):
+                inner = range(bisect_right(ends, here), bisect_left(ends, there))
+                if not any(self.tokens[k].kind == LINE or self.tokens[k].text == ";" for k in inner):
+                    found.update(inner)
+        return found
+
     def _is_of_shape(self, i: int) -> bool:
         """Return whether a token is a number or a name of a shape."""
         token = self.tokens[i]
@@ -146,13 +160,14 @@ class Account:
             for token in named
         )
         makes = numbers and any(SHAPE_WORDS.search(token.text) and not is_test(token.text) for token in named)
+        adds = numbers > 1 and any(last_of(token.text).lower() in ADDERS | PENS for token in named)
         lists = any(self.tokens[i].kind == OPEN and self.tokens[i + 1].kind == NUMBER for i in self._top(line))
-        return range(0) if not named or changes or makes or lists or numbers > MAX_ASIDE else line
+        return range(0) if not named or changes or makes or adds or lists or numbers > MAX_ASIDE else line
 
     def _is_listed(self, i: int) -> bool:
         """Return whether a number stands in a list or a call, and not among words."""
         among = (NAME, LINE, TEXT, OTHER)
-        return self.at(i - 1).kind not in among or self.at(i + 1).kind not in among
+        return any(each.kind not in among or each.text == "|" for each in (self.at(i - 1), self.at(i + 1)))
 
     def _says(self, line: range) -> bool:
         """Return whether a line of code compares or prints, and gives nothing a value: return a.x < b.x + b.w."""
@@ -197,11 +212,9 @@ class Account:
         """Return a token, or a line's end beyond the text."""
         return self.tokens[i] if 0 <= i < len(self.tokens) else NOTHING
 
-    def beyond(self, i: int) -> Token:
-        """Return the token at a place or behind it that is no line's end."""
-        while i < len(self.tokens) and self.tokens[i].kind == LINE:
-            i += 1
-        return self.at(i)
+    def before(self, i: int) -> int:
+        """Return the place of the last token before another one that is no line's end."""
+        return next((k for k in range(i - 1, -1, -1) if self.tokens[k].kind != LINE), -1)
 
     def span(self, i: int) -> tuple[int, int]:
         """Return where the bracket that a token opens or closes begins and ends."""
@@ -214,10 +227,8 @@ class Account:
         if token.kind in (OPEN, CLOSE):
             begin = i if token.kind == OPEN else self.open.get(i, i)
             word, end = self.callee(begin), self.close.get(begin, i)
-            if token.kind == CLOSE and begin == i - 1 and word and word.kind == FIELD:
-                return self.is_data(begin - 2)  # a shape.clone()
-            if token.kind == OPEN and end == i + 2 and self.at(end + 1).kind == OPEN:
-                return self.is_data(end + 1)  # (Rectangle){ 0, 0, 4, 4 }
+            if token.kind == CLOSE and word and word.kind == FIELD and self.is_data(self.before(begin - 1)):
+                return True  # a shape.clone()
             if token.kind == CLOSE and word and self.is_variable(word) and token.text == "]":
                 return True  # vertices[1]
             named = any(self.is_variable(t) for t in self.tokens[begin : min(end, begin + 8)])
@@ -262,6 +273,10 @@ class Account:
             index,
         )
 
+    def frame_of(self, i: int, frame: Frame) -> Frame:
+        """Return the frame around token i, which holds data between two numbers of one shape."""
+        return frame._replace(data=True) if i in self._amid else frame
+
     def between(self, i: int) -> str:
         """Return the text in a bracket."""
         return self.text[self.at(i).end : self.span(i)[1]]
@@ -281,18 +296,20 @@ class Account:
                 self.aside.add(token.end)
             elif token.kind == OPEN:
                 self.check_call(i)
+                if self.is_color(i, frames[-1]):
+                    self.counts |= {each.end for each in self.tokens[i : self.close[i]]}
                 frame = self.frame(i)
                 frames.append(frame._replace(counts=frame.counts or frames[-1].counts))
             elif token.kind == CLOSE and len(frames) > 1 and self.open.get(i) == frames[-1].begin:
                 frames.pop()
             elif token.kind == NAME:
-                self.check_name(i, frames[-1])
+                self.check_name(i, self.frame_of(i, frames[-1]))
             elif token.kind == FIELD:
-                self.check_field(i)
+                self.check_field(i, frames[-1])
             elif token.kind == TEXT:
                 self.check_text(i, frames[-1])
             elif token.kind == OTHER:
-                self.check_sign(i, frames[-1])
+                self.check_sign(i, self.frame_of(i, frames[-1]))
             elif token.kind == NUMBER and self.is_count(i, frames[-1]):
                 self.counts.add(token.end)
             elif token.kind == NUMBER and self.nested and not self.holds(token.start, token.end):
@@ -313,12 +330,14 @@ class Account:
         shifts = before.text in ("<", ">") and self.at(i - 2).text == before.text
         if before.text in ("<", ">", "<=", ">=", "==", "!=") and not shifts and not frame.data:
             return True
+        if self.session and before.kind == after.kind == LINE and not self.holds(self.at(i).start, self.at(i).end):
+            return True
         if not self.at(i).text.isdigit():
             return False
         if self.is_row(i):
             return True
         if before.kind == LINE:
-            return after.text in (":", "|") or (self.session and after.kind == LINE)
+            return after.text in (":", "|")
         if before.text == "{" and after.text == "}":
             return self.at(i).value == 0
         if before.text == "," and after.text == ")":  # ST_GeomFromText('POLYGON(...)', 4326), polygon.Set(points, 4)
@@ -331,21 +350,28 @@ class Account:
             return not self.holds(*self.span(i + 2)) if self.at(i + 2).kind == OPEN else True
         return before.text.lower() in LABELS and (after.kind == LINE or after.text in (":", ",", "at", "is", "of", ""))
 
+    def is_color(self, i: int, frame: Frame) -> bool:
+        """Return whether a bracket in a call that draws holds a color: draw.circle(screen, (255, 0, 0), (4, 4), 9)."""
+        word = self.callee(frame.begin)
+        if word is None or "draw" not in words(word.text) or self.callee(i) or self.holds(*self.span(i)):
+            return False
+        parts = [token for token in self.tokens[i + 1 : self.close[i]] if token.text != ","]
+        return len(parts) in (3, 4) and all(token.text.isdigit() and int(token.text) < 256 for token in parts)
+
     def is_row(self, i: int) -> bool:
         """Return whether a number is that of a row in a table whose shape is in WKT."""
         row = self.tokens[max(i - 3, 0) : i + 4]
         before = takewhile(lambda token: token.kind == NUMBER, reversed(row[: min(i, 3)]))
         first = i - len(list(before))
-        word = next((token.text for token in self.tokens[i : i + 4] if token.kind != NUMBER), "")
-        return self.at(first - 1).kind == LINE and word in ("POLYGON", "MULTIPOLYGON")
+        behind = takewhile(lambda token: token.kind != LINE, self.tokens[i : i + 5])
+        named = any(token.text in ("POLYGON", "MULTIPOLYGON") for token in behind)
+        return named and self.at(first - 1).kind == LINE
 
     def miss(self, first: int, last: int) -> None:
         """Note that the tokens from one place to another are not understood."""
         begin, end = self.at(first), self.at(last)
         start = begin.start if begin is not NOTHING else self.at(first + 1).start
         end_at = self.span(last)[1] if end.kind == OPEN else end.end if end is not NOTHING else self.at(last - 1).end
-        if self.at(first).kind == CLOSE:
-            start = self.at(first).start
         if not self.parts or self.parts[-1].end < end_at:
             self.parts.append(Part(start, end_at))
 
@@ -376,7 +402,17 @@ class Account:
             return
         inside = self.holds(*self.span(i)) or any(map(self.is_variable, self.arguments(i)))
         last = last_of(word.text)
-        defines = self.at(i - 2).text in ("new", "def", "function", "fn", "func", "fun", "void", "class", "struct")
+        makes_new = self.at(i - 2).text == "new" and not words(last) & CHANGING_CALLS
+        defines = makes_new or self.at(i - 2).text in (
+            "def",
+            "function",
+            "fn",
+            "func",
+            "fun",
+            "void",
+            "class",
+            "struct",
+        )
         if not inside and last.lower() in MOVERS and self.close[i] > i + 1 and not defines and self.places:
             self.miss(i - 1, i)  # ctx.translate(cx, cy)
             return
@@ -395,8 +431,15 @@ class Account:
         if after.kind == OPEN and self.callee(i + 1) is token:
             return  # of the call
         last = last_of(token.text)
+        if self.joins_tail(i):
+            self.miss(i, i + 1)
+            return
         if token.text.startswith("is") and after.text in ASSIGNS and self.at(i + 2).text in ("true", "false"):
             return  # isBox2: true
+        changes = token.text.lower() in {*CHANGING_CALLS, "not"} and (after.kind == OPEN or not after.text)
+        if changes and self.is_data(i + 1):
+            self.miss(i, i)  # POLYGON mirror ((0 0, 4 0, 0 3))
+            return
         if self.is_variable(token):
             again = "." in token.text and after.text == "=" and root(token.text) in self.changed
             if again and self.at(i + 2).kind == NAME and self.at(i + 3).kind != OPEN:
@@ -413,12 +456,9 @@ class Account:
         elif token.text in ("if", "else", "elif") and (self.gives_value(i) or self.is_choice(i)):
             self.miss(i, i + 1)
         if not frame.data:
-            scales = (
-                token.text.lower() in CHANGING_CALLS and (after.kind == OPEN or not after.text) and self.is_data(i + 1)
-            )
             start, end = self.line(token)
             told = self.holds(start, end) or NAMED_SHAPE.search(self.text, start, end)
-            if scales or (token.text.lower() in CHANGING_WORDS and told):
+            if token.text.lower() in CHANGING_WORDS and told:
                 self.miss(i, i)  # A: rect(0, 0, 4, 4), twice as large
             if after.text in ASSIGNS and words(token.text) & CHANGING_KEYS and not self.takes_value(i + 1):
                 self.miss(i, i + 2)
@@ -430,6 +470,19 @@ class Account:
             return  # (def a [[0 0] [4 0] [4 3]])
         elif not (self.is_inside(token.text) or is_shape(token.text) or self.is_value(i)):
             self.miss(i, i)
+
+    def joins_tail(self, i: int) -> bool:
+        """Return whether a word touches the data before it, or joins it with one word at the end of a statement."""
+        token, before = self.at(i), self.at(i - 1)
+        if token.text == "or" and self.at(i - 2).text in ASSIGNS and self.is_written(i + 1):
+            return True  # a = size or Rect(0, 0, 4, 4)
+        if before.kind not in (CLOSE, NUMBER) or not self.is_written(i - 1):
+            return False
+        if token.text not in ("and", "or", "if", "unless", "when"):
+            return before.end == token.start
+        end = next(k for k in range(i, len(self.tokens) + 1) if self.at(k).kind == LINE or self.at(k).text == ";")
+        ends = end == i + 2 or self.at(end).text == ";" or self.at(i + 2).kind == CLOSE or self.at(i + 2).text == ","
+        return ends and not self.holds(token.start, self.at(end - 1).end)
 
     def is_inside(self, name: str) -> bool:
         """Return whether a name among numbers is that of a color, a body, a type; also by what it stands for."""
@@ -468,6 +521,8 @@ class Account:
     def is_value(self, i: int) -> bool:
         """Return whether a word is the value of a known key: type: Polygon."""
         before = self.at(i - 2)
+        if self.at(i + 1).kind in (OPEN, NUMBER) and self.is_data(i + 1):
+            return False  # mins: not [0, 0]
         known = before.text.strip("\"'")
         known_key = key(known) or words(known) & KEYS
         return (
@@ -509,17 +564,14 @@ class Account:
             i += 1
         return self.at(i).end
 
-    def check_field(self, i: int) -> None:
+    def check_field(self, i: int, frame: Frame) -> None:
         """Name an unknown field or method behind a shape."""
         before, after = self.at(i - 1), self.at(i + 1)
-        before_line = next((self.tokens[k] for k in range(i - 1, -1, -1) if self.tokens[k].kind != LINE), NOTHING)
         name = self.at(i).text.lstrip(".->:")
         if (after.text in ASSIGNS and before.kind != CLOSE) or (before.kind == LINE and after.text == "{"):
             return  # {.x = 1}, or a rule of CSS
-        k = i - 1
-        while k > 0 and self.tokens[k].kind == LINE:
-            k -= 1
-        behind = before_line.kind in (NUMBER, TEXT) or (before_line.kind == CLOSE and self.is_data(k))
+        k = self.before(i)
+        behind = self.at(k).kind in (NUMBER, TEXT) or (self.at(k).kind == CLOSE and (frame.data or self.is_data(k)))
         if not behind:
             return
         if after.kind == OPEN and self.callee(i + 1):
@@ -542,7 +594,7 @@ class Account:
                 begin = token.start + 1
                 plain = inner.replace('\\"', ' "')
                 found = [t._replace(start=t.start + begin, end=t.end + begin) for t in tokens(plain)]
-                within_text = Account(self.text, found, self.places, self.variables)
+                within_text = Account(self.text, found, self.shapes, self.variables)
                 within_text.nested = True
                 self.parts += within_text.run()
             return
@@ -564,13 +616,26 @@ class Account:
         if token.text == "'" and self.transposes(i):
             self.miss(i - 1, i)  # [0 4 4; 0 0 3]' of MATLAB
             return
-        known = token.text in PUNCTUATION or token.text[0] == "\\" or self.is_of_code(i)
-        if known or (not frame.data and (self.is_of_text(i) or self.is_test(token))):
+        after = self.at(i + 1)
+        if token.text == "+" and after.kind == NUMBER and after.value == self.variables.get(before.text, -1) > 2:
+            self.counts.add(after.end)  # a range of C++: Polygon p(points, points + 4)
             return
-        if token.text in "<>!|&" and not frame.data and before.kind != NUMBER and not self.is_operator(i):
+        escapes = token.text[0] == "\\" and token.text != "\\ "
+        known = token.text in PUNCTUATION or escapes or self.is_of_code(i, frame)
+        if known or (not frame.data and self.is_of_text(i)):
+            return
+        joins = self.is_written(i - 1) or self.is_written(i + 1) or self.is_operator(i)
+        if token.text in "<>!|&" and not frame.data and not joins:
             return  # a comparison, or a logical sign
-        if frame.data or self.is_data(i - 1) or self.is_data(i + 1):
+        if frame.data or self.is_data(i - 1) or self.is_data(i + 1) or self.is_written(i + 1):
             self.miss(i - 1 if before.kind == NAME or (before.kind == NUMBER and before.text) else i, i + 1)
+
+    def is_written(self, i: int) -> bool:
+        """Return whether a number of a shape, or a bracket or call with one that is no test, stands here."""
+        while self.at(i).text == "new" or (self.at(i).kind == NAME and self.callee(i + 1) is self.at(i)):
+            i += 1
+        kind, bracket = self.at(i).kind, self.at(i).kind in (OPEN, CLOSE)
+        return (kind == NUMBER or bracket) and self.holds(*self.span(i)) and not (bracket and self.is_tested(i))
 
     def transposes(self, i: int) -> bool:
         """Return whether a quote stands behind data; it can open or close a text of several lines as well."""
@@ -582,7 +647,7 @@ class Account:
         row = before.kind == NUMBER and self.holds(before.start, before.end)
         return self.is_variable(before) or row or (before.kind == CLOSE and self.is_data(i - 1))
 
-    def is_of_code(self, i: int) -> bool:
+    def is_of_code(self, i: int, frame: Frame) -> bool:
         """Return whether a sign is a reference, a bullet, or a mark of a language that changes no value."""
         token, before, after = self.at(i), self.at(i - 1), self.at(i + 1)
         tight = token.end == after.start
@@ -592,14 +657,15 @@ class Account:
             return named or (first and after.kind == OPEN)
         if token.text == "-" and first and after.kind == NUMBER and self.at(i + 2).text in (",", ")", "]", "}", ";"):
             return True  # - 4
-        if before.kind == LINE and token.text in "-*+>|\u2022":  # a bullet, or a quoted line
+        if before.kind == LINE and token.text in "-*+>|\u2022" and not frame.data:  # a bullet, or a quoted line
             return not self.is_variable(after) or self.at(i + 2).text in (":", "=")
-        if token.text == "?":  # f(x)?; of Rust, and a.hit?(b) of Ruby
-            ruby = tight and before.end == token.start and before.kind == NAME and is_call(before.text)
-            return after.text in (";", ")", ",") or (ruby and after.text == "(")
+        if token.text == "!" and self.at(i + 2).text == "(" and is_test(after.text):
+            return True  # if (!overlaps(a, b))
+        if token.text == "?":  # f(x)?; of Rust
+            return after.text in (";", ")", ",")
         if token.text == "<" and tight and notation(after.text):
             return True  # <POLYGON ((0 0, 4 0, 0 3))>
-        closes = token.text == ">" and before.kind == CLOSE and before.end == token.start
+        closes = token.text == ">" and before.end == token.start and (before.kind == CLOSE or before.text == ">")
         return (closes and after.kind != NUMBER) or (token.text == "%" and tight and after.text == "{")  # of Elixir
 
     def is_of_text(self, i: int) -> bool:
@@ -607,14 +673,17 @@ class Account:
         token, before, after = self.at(i), self.at(i - 1), self.at(i + 1)
         tight = token.end == after.start
         if token.text == "|":
-            return bool(notation(after.text)) or after.kind in (LINE, NUMBER)
+            return after.kind in (LINE, NUMBER)
         if token.text in ".!?":
+            factorial = token.text == "!" and before.kind == NUMBER and before.end == token.start
+            if (factorial and self.is_written(i - 1)) or before.text == "?":  # 6!, size ?? box
+                return False
             chooses = token.text == "?" and (self.is_ternary(i) or after.kind == NUMBER)
             return not chooses and after.text not in (":", "[") and (after.kind == LINE or not tight)
         if token.text in "-\u2013\u2014":
             prose = after.kind == NAME and not self.is_variable(after) and self.at(i + 2).kind == NAME
             dash = prose and before.end < token.start and not tight
-            return dash or (token.text == "-" and before.text == ")" and after.text == "(")  # (0, 0)-(10, 10)
+            return dash
         return False
 
     def is_operator(self, i: int) -> bool:
@@ -628,14 +697,8 @@ class Account:
         shifts = after.text == token.text and self.at(i + 2).kind == NUMBER
         return shifts and self.is_data(i - 1) and not STREAM.search(self.text, *self.line(token))
 
-    def is_test(self, token: Token) -> bool:
-        """Return whether a line compares names and gives none a value: return a.x < b.x + b.w."""
-        start, end = self.line(token)
-        line = self.text[start:end]
-        return not self.holds(start, end) and bool(COMPARES.search(line)) and not SETS.search(line)
-
     def is_tested(self, i: int) -> bool:
-        """Return whether a bracket closes the call of a test."""
+        """Return whether a bracket is that of the call of a test."""
         word = self.callee(self.open.get(i, i))
         return word is not None and is_test(word.text)
 

@@ -144,6 +144,8 @@ def _pair(name: str, value: list[Token]) -> Iterator[Token]:
 
 def _changes(text: str, at: int) -> Iterator[Token]:
     """Yield the calls behind a shape that its transform stands for: a move is applied, all else is refused."""
+    if not _BETWEEN.fullmatch(_TRANSFORM.sub("", text)):
+        yield from _call("transform", [_broken(text, at)])
     for m in _TRANSFORM.finditer(text):
         inside, begin = m[2], at + m.start(2)
         values = _inner(inside, begin) if _are_numbers(inside) else [_broken(inside, begin)]

@@ -35,7 +35,7 @@ NOTATIONS = (
         "coord coordinate position c2v b2vec2 cpv v2 v pt xy float2 double2 make_point make_float2 pvector "
         "vector.create point! coord! cgpoint qpoint qpointf offset latlng vector3 vector3f vec3 point3d "
         "cgsize qsize qsizef size size2 vector! vertex ccp point64 pointd intpoint offset.new vec2.new "
-        "vector.new pointsingle corner pvec2 makepoint st_point st_makepoint p",
+        "vector.new pointsingle corner pvec2 makepoint st_point st_makepoint p point_2 fvector2d",
         POINT,
     ),
     # polygons, and the lists that hold their points
@@ -52,7 +52,7 @@ NOTATIONS = (
         "zip column_stack rbind newpolygonshape "
         "edgecollider polygoncollider2d addpoly "
         "seq set z zm tensor torch.tensor double[][] float32array float64array makepolygon fromvertices "
-        "create_polygon convex newpolygon",
+        "create_polygon convex newpolygon polygon_2",
         RING,
     ),
     Notation(
@@ -76,7 +76,7 @@ NOTATIONS = (
     Notation(
         "rectangle rectanglef rect2 rect2i newrect qrect qrectf cgrect cgrectmake sf::floatrect "
         "sf::rect floatrect intrect "
-        "sf::intrect pygame.rect "
+        "sf::intrect pygame.rect frect "
         "ccrectmake ccrect "
         "svg.rect rect.fromltwh makerect rectmake qrect.new fillrect strokerect rect2.new rectangle.new "
         "graphics.rectangle drawrectangle newrectanglecollider "
@@ -87,7 +87,7 @@ NOTATIONS = (
     Notation(
         "shapely.box geometry.box shapely.geometry.box st_makeenvelope makeenvelope bbox boundingbox ltrb "
         "pixel.r image.rect rect64 rectd rect.fromltrb rect.frompoints rect::from_corners create_rectangle "
-        "RECT RECTL lnglatbounds latlngbounds rectf bb pymunk.bb box2.new three.box2",
+        "RECT RECTL lnglatbounds latlngbounds rectf bb pymunk.bb box2.new three.box2 fbox2d",
         BOX,
         CORNER_CORNER,
     ),

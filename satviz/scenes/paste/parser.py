@@ -44,7 +44,8 @@ ARROWS = frozenset(["->", "-->", "<->", "\u2192", "\u2194", "\u21d2"])
 
 class Tree(NamedTuple):
     """A text as one group of lines; sentences about brackets; where indices and lengths end; all its numbers;
-    its tokens as they stand; and the parts that rows of tables, of markup and of sentences have."""
+    its tokens as they stand; the parts that rows of tables, of markup and of sentences have, and signs that mean
+    something."""
 
     root: Group
     remarks: list[str]
@@ -63,7 +64,7 @@ def parse(text: str) -> Tree:
     root = Group(0, len(text), parser.items("", 0))
     written = (token for token in found if token.kind == NUMBER or (token.kind == TEXT and is_numeral(token)))
     numbers = [token for token in written if token.start < token.end]
-    return Tree(root, parser.remarks, frozenset(parser.indices), numbers, plain, parts)
+    return Tree(root, parser.remarks, frozenset(parser.indices), numbers, plain, [*parts, *parser.signs])
 
 
 class _Parser:
@@ -75,6 +76,7 @@ class _Parser:
         self.at = 0
         self.remarks: list[str] = []
         self.indices: set[int] = set()  # where numbers end that count: v[2], float[3]
+        self.signs: list[tuple[int, int]] = []  # that a rule gives a meaning: poly << P(0, 0) << P(1, 0)
         self.ended: set[int] = set()  # places of brackets with semicolons in them
 
     def items(self, bracket: str, depth: int) -> list[Any]:
@@ -151,6 +153,9 @@ class _Parser:
                     self.ended.add(self.tokens[opened].start)
                 else:
                     end_line()
+            elif not bracket and self.ends_list(token, atoms, row):
+                self.signs.append((token.start, token.end))
+                end_item()
             elif not bracket and self.separates(token, atoms, row):
                 end_line()
                 items.append(None)
@@ -174,11 +179,22 @@ class _Parser:
         arrow = token.kind == MARK and token.text in ARROWS
         if not arrow and not (token.kind == NAME and token.text.lower() in SEPARATORS):
             return False
+        if token.text == "and" and self.next_is(NUMBER) and atoms and isinstance(atoms[-1], Token):
+            return False  # 1, 2, 3 and 4
         near = atoms[-MAX_WORDS_BETWEEN:]
         said = any(isinstance(a, Group) or (isinstance(a, Token) and a.kind in (NUMBER, TEXT)) for a in near)
         if said and self.at < len(self.tokens) and self.tokens[self.at].text == ".":
             self.at += 1  # vs.
         return (said or bool(row)) and not (atoms and is_mark(atoms[-1], ("=", ":", ":=")))
+
+    def ends_list(self, token: Token, atoms: Sequence[Any], row: Sequence[Any]) -> bool:
+        """Return whether a word stands before the last of several points: (0, 0), (4, 0) and (0, 3)."""
+        before = [*row, *atoms][-2:]
+        if token.text != "and" or not before or not is_pair(before[-1]) or not self.next_is(OPEN):
+            return False
+        rest = self.tokens[self.at : self.at + 6]
+        point = [each.kind for each in rest[:5]] == [OPEN, NUMBER, MARK, NUMBER, CLOSE]
+        return point and bool(row) and (len(rest) < 6 or rest[5].kind == LINE or rest[5].text in (".", ";"))
 
     def next_is(self, kind: str) -> bool:
         """Return whether the next token is of this kind."""
@@ -213,6 +229,7 @@ class _Parser:
         parser = _Parser(self.text, [t._replace(start=t.start + begin, end=t.end + begin) for t in tokens(inner)])
         items = [item for item in parser.items("", depth + 1) if item is not None]
         self.indices |= parser.indices
+        self.signs += parser.signs
         self.remarks += [r for r in parser.remarks if r not in self.remarks]
         return items[0] if len(items) == 1 else Group(token.start, token.end, items, '"')
 
@@ -284,7 +301,8 @@ class _Parser:
     def plain(self, atoms: list[Any], *, is_line: bool) -> Any:
         """Return the value of atoms that contain no `=` and no `:`; a line can begin with a bullet."""
         first = next((i for i, a in enumerate(atoms) if not says_nothing(a)), len(atoms))
-        atoms = atoms[first:]
+        last = len(atoms) - (isinstance(atoms[-1], Token) and atoms[-1].text == ".")  # the end of a sentence
+        atoms = atoms[first:last]
         start, end = (start_of(atoms[0]), end_of(atoms[-1])) if atoms else (0, 0)
         degrees = angle(self.text[start:end]) if 0 < end - start < MAX_ANGLE else None
         if degrees is not None:
@@ -309,6 +327,7 @@ class _Parser:
                 and len(values) == 2
                 and all(is_pair(v) and v.bracket == "(" and not v.name for v in values)
             ):
+                self.explain(atoms)
                 return Group(start, end, values, " ")  # (0, 0)-(10, 10), as Go prints a box
             if (
                 set(operators) == {"<"}
@@ -316,6 +335,7 @@ class _Parser:
                 and isinstance(values[0], Name)
                 and _are_points(values[1:])
             ):
+                self.explain(atoms)
                 return Pair(
                     start, end, (values[0].text,), Group(values[1].start, end, values[1:], "[")
                 )  # poly << P(0, 0)
@@ -335,6 +355,10 @@ class _Parser:
         inside = [v for v in values if not isinstance(v, (Name, Bad))]
         apart = len(inside) > 1 and all(isinstance(v, Num) for v in inside)  # 780 mod 2
         return Bad(start, end, "words", [] if apart else inside)
+
+    def explain(self, atoms: Sequence[Any]) -> None:
+        """Note that a rule gives the signs among these atoms a meaning."""
+        self.signs += [(atom.start, atom.end) for atom in atoms if isinstance(atom, Token) and atom.kind == OTHER]
 
     def joined(self, atoms: list[Any]) -> tuple[list[Any], list[str]]:
         """Return the values among the atoms, each name joined with the brackets behind it, and the operators."""
@@ -405,6 +429,7 @@ class _Parser:
         while begin > 1 and is_hyphen(atoms, begin - 1):  # border-radius is no radius
             begin -= 2
         if begin < (names[-1] if names else 0):
+            self.signs.append((start_of(atoms[begin]), start_of(atoms[names[-1]])))
             return (self.text[start_of(atoms[begin]) : end_of(atoms[names[-1]])],)
         for atom in atoms[begin:]:
             if isinstance(atom, Token) and atom.kind in (NAME, TEXT, FIELD):

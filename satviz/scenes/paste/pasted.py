@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from itertools import combinations
 from typing import Any, NamedTuple
 
-from ...engine import number_format, text_table
+from ...engine import convex_parts, number_format, text_table
 from ...engine.describe import Names
 from ...engine.geometry import InvalidScene, InvalidShape, Relation
 from ...engine.relate import relate
@@ -28,6 +28,7 @@ from .unused import rest
 
 MAX_SHAPES = 40
 MAX_TRACES = 60
+MAX_PART_PAIRS = 4_000  # pairs of convex parts in all traces together; a second of work
 MAX_NAMED = 5  # parts that are not understood, in one line
 # Points with decimal commas: (0,5; 1,5), POLYGON((0,5 1,5, 2,5 0,5, ...)), three of (0,5, 1,5), x;y;r over 0,5;1,5;2
 _N = r"[-+]?\d+,\d+"
@@ -413,22 +414,25 @@ def _gives(root: Group, text: str, chosen: tuple[str, ...], *, keeps: bool) -> s
 
 
 def _pairs(shapes: Sequence[PastedShape]) -> list[Pair]:
-    """Return the pairs that meet, the deepest first; if none meets, the nearest pair."""
-    apart: list[tuple[float, PastedShape, PastedShape]] = []
-    met = []
+    """Return the pairs that meet, the deepest first; if none meets, the nearest pair.
+
+    Concave outlines have so many pairs of convex parts that only the pairs are shown whose boxes overlap most.
+    """
+    near = []
     for a, b in combinations(shapes, 2):
         p, q = a.usable, b.usable
-        if p is None or q is None:
-            continue
-        if relate(p, q):
-            met.append((a, b))
-        else:
-            apart.append((_distance_of_boxes(p, q), a, b))
-    wanted = met[: 4 * MAX_TRACES]
-    if not wanted:
-        apart.sort(key=lambda each: each[0])
-        wanted = [(a, b) for _, a, b in apart[:8]]
-    made = sorted((_pair(a, b) for a, b in wanted), key=lambda pair: pair.gap)
+        if p is not None and q is not None:
+            size = len(convex_parts.parts(p)) * len(convex_parts.parts(q))
+            near.append((relate(p, q) is Relation.APART, _distance_of_boxes(p, q), size, a, b))
+    near.sort(key=lambda each: each[:2])
+    met = sum(not apart for apart, *_ in near)
+    made: list[Pair] = []
+    left = MAX_PART_PAIRS
+    for _, _, size, a, b in near[: min(met, 4 * MAX_TRACES) or 8]:
+        left -= size
+        if left >= 0 or not made:
+            made.append(_pair(a, b))
+    made.sort(key=lambda pair: pair.gap)
     return made[:MAX_TRACES] if met else made[:1]
 
 

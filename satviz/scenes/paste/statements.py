@@ -14,11 +14,14 @@ from .tree import Bad, Group, Name, Num, Pair
 ADDERS = frozenset(
     ["add", "push", "push_back", "emplace_back", "append", "addpoint", "addvertex", "add_point", "add_vertex"]
 )
+NUMBERED = frozenset(["setpoint", "setvertex", "set_point", "set_vertex"])
 PENS = frozenset(["moveto", "lineto", "vertex", "curvevertex"])
 PEN_STARTS = frozenset(["moveto", "beginpath", "beginshape", "endshape", "closepath", "endpath"])
 ATTACHERS = frozenset(["addshape", "add_shape", "createfixture", "create_fixture", "addfixture", "setshape"])
 # Calls that only sketches of Processing and p5.js have.
-_SKETCH = re.compile(r"\b(?:rectMode|ellipseMode|createCanvas|beginShape|noStroke|strokeWeight|ellipse|quad)\(")
+_SKETCH = re.compile(
+    r"\b(?:rectMode|ellipseMode|createCanvas|beginShape|noStroke|strokeWeight|ellipse|quad|background)\("
+)
 _MODE = re.compile(r"\b(rect|ellipse)Mode\(\s*(\w+)\s*\)")
 # Names such as x1, rect_w, ballRadius and bx: whose number it is, and which.
 _LETTERS = "x|y|w|h|r|cx|cy|width|height|radius|diameter"
@@ -134,7 +137,11 @@ class Statements(Names):
         """Take a call that changes something that has a name; return whether it is one."""
         words = item.name.replace("->", ".").replace("::", ".").split(".")
         last, owner = words[-1].lower(), tuple(words[:-1])
-        if item.bracket == "[" and item.name and len(item.methods) == 1 and item.methods[0][0].lower() in SETTERS:
+        if last in NUMBERED and owner and len(item.items) == 2 and isinstance(item.items[0], Num):
+            index, point = item.items  # shape.setPoint(0, Vector2f(1, 2))
+            self.counts.add(index.end)
+            self._insert(Pair(item.start, item.end, (*owner, int(index.value or 0)), point))
+        elif item.bracket == "[" and item.name and len(item.methods) == 1 and item.methods[0][0].lower() in SETTERS:
             index = item.items[0] if item.items else None
             number = int(index.value or 0) if isinstance(index, Num) else 0
             self.counts |= {index.end} if isinstance(index, Num) else set()

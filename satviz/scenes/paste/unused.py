@@ -57,7 +57,8 @@ def rest(tree: Tree, reads: Sequence[Read], text: str, reader: Names) -> Rest:
         for name, value in names.items()
         if isinstance(said := getattr(value, "text", getattr(value, "name", "")), str)
     }
-    account = Account(text, tree.tokens, places, variables, [*tree.parts, *reader.parts], changed, aliases)
+    shapes = [read.used - tree.indices for read in reads]
+    account = Account(text, tree.tokens, shapes, variables, [*tree.parts, *reader.parts], changed, aliases)
     parts = account.run()
     quoted = within(reader.named, parts)
     parts = [part for part in parts if part not in quoted]
@@ -133,10 +134,12 @@ def _walk(tree: Tree, value: Any, name: str) -> Iterator[Left]:
 def _is_harmless(left: Left) -> bool:
     """Return whether a number that no shape has changes none, by its key: a mass, or a scale of 1."""
     said, last = words(left.key.removeprefix("svg.")), words(left.key.split(".")[-1])
-    if "moment" in said or left.key == "pymunk.Body" or not {"bounds", "properties"}.isdisjoint(left.key.split(".")):
+    path = left.key.split(".")
+    aside = not {"bounds", "properties"}.isdisjoint(path) and key(path[-1]) not in ("center", "half", "size")
+    if "moment" in said or left.key == "pymunk.Body" or aside:
         return True
     if any(word.startswith(SHAPE_STEMS) for word in last) and not last & CHANGING_NUMBERS:
-        return False
+        return "count" in last
     same = left.value == (1 if any("scal" in word or word == "zoom" for word in said) else 0)
     return bool(said & OTHER_NUMBERS) or (same and bool(said & CHANGING_NUMBERS))
 
