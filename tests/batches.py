@@ -24,19 +24,19 @@ def ngons(rng, n, v, spread=1.5):
 
 
 def regular(rng, n, v, spread=0.1):
-    """Regular polygons of one size, turned any way."""
+    """Return regular polygons of one size, rotated by random angles."""
     turns = rng.uniform(0, 2 * np.pi, (n, 1)) + 2 * np.pi * np.arange(v) / v
     return rng.uniform(-spread, spread, (n, 1, 2)) + np.stack([np.cos(turns), np.sin(turns)], axis=2)
 
 
 def kernels_of(name):
-    """One of numba's modules, where numba is installed."""
+    """Return a module of numba kernels; skip the test if numba is not installed."""
     pytest.importorskip("numba", reason="needs numba: python -m pip install '.[fast]'")
     return importlib.import_module(f"satviz.batch.with_numba.{name}")
 
 
 def in_python(kernel):
-    """A kernel as Python, which asks what stands in its module."""
+    """Return a kernel as a Python function, which reads the globals of its module at each call."""
     return getattr(kernel, "py_func", kernel)
 
 
@@ -46,7 +46,7 @@ def numba_modules():
 
 
 def as_python(monkeypatch, module, *names):
-    """Run as Python what has these names in a module of kernels, and each kernel that names or calls it.
+    """Replace the kernels with these names, and each kernel that uses one of them, by their Python functions.
 
     No kernel that is left compiled then names what a test replaces: compiled for the first time in that test, it
     would fail, or be kept on disk with the value that the test put there.
@@ -61,12 +61,12 @@ def as_python(monkeypatch, module, *names):
 
 
 def compiled_kernels():
-    """Return what stands in the modules of numba's kernels and is not Python."""
+    """Return the compiled functions in the modules of numba kernels."""
     return [value for m in numba_modules() for value in vars(m).values() if hasattr(value, "py_func")]
 
 
 def names_any(kernel, values):
-    """Return whether a kernel names any of these values, given by id, in its module."""
+    """Return whether a kernel uses any of these values of its module, given by id."""
     function = in_python(kernel)
     return any(id(function.__globals__.get(name)) in values for name in function.__code__.co_names)
 
@@ -76,7 +76,7 @@ def circles(rng, n, spread=2.0):
 
 
 def scalar(shapes):
-    """The same shapes one by one."""
+    """Return the shapes of a batch as scalar shapes, in order."""
     found = []
     for v, slot in zip(shapes.count.tolist(), shapes.slot.tolist()):
         group = shapes.groups[v]
@@ -90,14 +90,14 @@ def one_by_one(a, b):
 
 
 def batches_of(known):
-    """Scalar convex shapes as one mixed batch, in order."""
+    """Return scalar convex shapes as one mixed batch, in order."""
     return batch.concat(
         [batch.Circles([s.center], [s.radius]) if isinstance(s, sv.Circle) else batch.Polygons([s]) for s in known]
     )
 
 
 def beside_mirror(v, w):
-    """60 shapes, each beside one of another kind on whose leftmost corner or edge its rightmost corner lies."""
+    """Return 60 shapes and 60 others: the rightmost corner of each first one is on the leftmost corner of its other."""
     a, b = (np.round(ngons(RNG(v * w), 60, k) * 2.0**40) for k in (v, w))
     wall = a[:, :, 0].max(axis=1)
     low = b[:, :, 0].min(axis=1)
@@ -106,7 +106,7 @@ def beside_mirror(v, w):
 
 
 def tiles(edge, coordinate):
-    """A group of which only the largest numbers of its tiles are known."""
+    """Return a group without real shapes that has these tile maxima."""
     return arrays.Group(np.zeros((2, 3, 1)), np.array([edge, coordinate]))
 
 
@@ -118,7 +118,10 @@ def turned(vectors):
 
 
 def resting_exactly(rng, n, bits=10):
-    """The same on a grid: edges along whole-number triples, the corner of a right angle or the middle of its edge."""
+    """Return circles that exactly touch a triangle on a grid, at a right-angled corner or at the middle of an edge.
+
+    The edges run along Pythagorean triples.
+    """
     x, y, z = TRIPLES[rng.integers(0, len(TRIPLES), n)].T
     along = np.stack([x, y], axis=1)
     p = rng.integers(-(2**bits), 2**bits, (n, 2)).astype(float)
@@ -130,7 +133,7 @@ def resting_exactly(rng, n, bits=10):
 
 
 def resting_on_boxes(rng, n):
-    """Below boxes, then mirrored and turned to each of the four sides."""
+    """Return circles that touch boxes from below, mirrored and rotated to each of the four sides."""
     low = rng.uniform(-2, 2, (n, 2))
     high = low + rng.uniform(0.1, 3, (n, 2))
     corners = [low, np.c_[high[:, 0], low[:, 1]], high, np.c_[low[:, 0], high[:, 1]]]
@@ -142,7 +145,7 @@ def resting_on_boxes(rng, n):
 
 
 def jolt(rng, values, most):
-    """Each up to `most` floats up or down."""
+    """Return the values, each moved up or down by at most `most` floats."""
     steps = rng.integers(-most, most + 1, values.shape)
     for k in range(1, most + 1):
         values = np.where(np.abs(steps) >= k, np.nextafter(values, np.where(steps > 0, np.inf, -np.inf)), values)
@@ -158,7 +161,7 @@ def a_float_off(make):
 
 
 def moved(make):
-    """Scaled by 2**-300 to 2**300, or shifted by up to 2**40: what is then rounded is the question."""
+    """Return a function that scales the shapes of `make` by 2**-300 to 2**300, or shifts and so rounds them."""
 
     def made(rng, n):
         made = make(rng, n)
@@ -175,7 +178,7 @@ def batches_from(made):
 
 
 class Elsewhere(Executor):
-    """Does what it is handed at once and on a copy, as another process would; keeps what was sent."""
+    """An executor that runs each task at once on a pickled copy, as another process would, and keeps what was sent."""
 
     def __init__(self):
         self.sent = []

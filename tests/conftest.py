@@ -1,4 +1,4 @@
-"""What all tests share: the browser, and how many run at a time."""
+"""Fixtures that all tests share, and how many tests run at a time."""
 
 import os
 from fcntl import LOCK_EX, flock

@@ -1,4 +1,4 @@
-"""Every form in which satviz answers how two shapes stand, as a function from pairs to answers.
+"""Every form in which satviz computes the relation of two shapes, as a function from pairs to answers.
 
 A new form is one line: FORMS["its name"] = Form(lambda pairs: ...).  It returns one answer a pair, in their
 order (None where it does not accept such a pair).  Batch forms get all pairs at once.
@@ -44,9 +44,9 @@ def misses_nothing(answer: Any, truth: Relation) -> bool:
 
 
 class Form(NamedTuple):
-    """One way to ask for an answer: `ask(pairs)` returns the answers, `fits(answer, truth)` checks one of them.
+    """One way to compute answers: `ask(pairs)` returns them, `fits(answer, truth)` checks one of them.
 
-    `one_in`: a slow form is asked about one pair in so many.  `overflows`: the form may have no answer about a
+    `one_in`: a slow form is run for one pair in so many.  `overflows`: the form may have no answer about a
     pair although it has one about the same pair scaled down.
     """
 
@@ -57,11 +57,11 @@ class Form(NamedTuple):
 
 
 FORMS: dict[str, Form] = {}
-RARE: dict[str, Form] = {}  # slow to start: asked once, about pairs of all kinds
+RARE: dict[str, Form] = {}  # slow to start: run once, for pairs of all kinds
 
 
 def one_by_one_with(ask: Callable[[Shape, Shape], Any]) -> Callable[[Pairs], list]:
-    """Return a function that asks about each pair by itself."""
+    """Return a function that computes the answer of each pair by itself."""
     return lambda pairs: [ask(a, b) for a, b in pairs]
 
 
@@ -157,12 +157,12 @@ def both_batches(pairs: Pairs) -> tuple[Shapes, Shapes]:
 
 
 def batched(ask: Callable[..., Sequence], **options: Any) -> Callable[[Pairs], Sequence]:
-    """Return a function that asks about all pairs in one call."""
+    """Return a function that computes the answers of all pairs in one call."""
     return lambda pairs: ask(*both_batches(pairs), **options)
 
 
 def grouped(ask: Callable[[Pairs], Sequence], key: Callable[[int, Shape, Shape], Hashable]) -> Callable[[Pairs], list]:
-    """Return a function that asks about the pairs of each key in one call; its answer is None where the key is None."""
+    """Return a function that computes the pairs of each key in one call; the answer is None where the key is None."""
 
     def answers(pairs: Pairs) -> list:
         groups: dict[Hashable, list[int]] = {}
@@ -224,7 +224,7 @@ def of_shapely(rings: list) -> Shapes:
 
 
 def laid_out(make: Callable[[list], Shapes], engine: str) -> Callable[[Pairs], list]:
-    """Return a function that asks about raw vertices in one memory layout, side by side and by index."""
+    """Return a function that relates raw vertices in one memory layout, side by side and by index."""
 
     def answers(pairs: Pairs) -> list:
         a, b = (make([pair[k].vertices for pair in pairs]) for k in (0, 1))
@@ -237,7 +237,7 @@ def laid_out(make: Callable[[list], Shapes], engine: str) -> Callable[[Pairs], l
 
 
 def picked(pick: Callable[[Shapes], Shapes], around: Callable[[list], list]) -> Callable[[Pairs], Sequence]:
-    """Return a function that asks about batches with more shapes (`around`), of which `pick` selects the pairs."""
+    """Return a function that relates batches with more shapes (`around`), of which `pick` selects the pairs."""
 
     def answers(pairs: Pairs) -> Sequence:
         a, b = (batch_of(around([pair[k] for pair in pairs])) for k in (0, 1))
@@ -257,7 +257,7 @@ def every_second(shapes: Shapes) -> np.ndarray:
 
 
 def shuffled(pairs: Pairs) -> list:
-    """Return the relations of the pairs, asked in a random order."""
+    """Return the relations of the pairs, computed in a random order."""
     a, b = both_batches(pairs)
     order = np.random.default_rng(len(pairs)).permutation(len(pairs))
     answers = batch.relate(a[order], b[order.tolist()])
@@ -265,14 +265,14 @@ def shuffled(pairs: Pairs) -> list:
 
 
 def from_the_end(pairs: Pairs) -> Sequence:
-    """Return the relations of the pairs, asked from the last to the first."""
+    """Return the relations of the pairs, computed from the last to the first."""
     a, b = both_batches(pairs)
     back = -1 - np.arange(len(pairs))
     return batch.relate(a[back], b[::-1])[::-1]
 
 
 def one_by_one(pairs: Pairs) -> list:
-    """Return the relations of the pairs, each asked with one shape of either batch."""
+    """Return the relations of the pairs, each computed with one shape of either batch."""
     a, b = both_batches(pairs)
     return [int(batch.relate(a[i], b[i - len(pairs)])[0]) for i in range(len(pairs))]
 

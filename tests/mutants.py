@@ -1,4 +1,4 @@
-"""What no test would notice: small faults sown into the exact core one at a time, and the tests run against each.
+"""Mutation tests: small faults are sown into the exact core one at a time, and the tests run against each.
 
     python -m pip install 'mutmut>=3.8' && python tests/mutants.py engine/axes:same_axis batch/exact_signs
 
@@ -76,19 +76,19 @@ ABOUT = {  # of those files only these tests, as pytest -k takes them, since eac
     "batch/with_numba/outlines": "bad or circles or layout or number or outline or padded or pose or radi or repeats"
     " or tile or zero",
     "engine/axis_count": "axes or axis or enough or touch",
-    "batch/with_numba/filter": "circles or columns or filter or float32 or hard_pairs or look or plain or scalar"
+    "batch/with_numba/filter": "circles or columns or filter or float32 or hard_pairs or ordinary or scalar or upright",
+    "batch/with_numba/indexed": "columns or hard_pairs or index or lanes or many_corners or ordinary or picked"
     " or upright",
-    "batch/with_numba/indexed": "columns or hard_pairs or index or lanes or many_corners or picked or plain or upright",
-    "batch/with_numpy/indexed": "hard_pairs or index or many_corners or picked or plain or side_by_side or upright",
-    "batch/with_numpy/circle_polygons": "circle or foot or forgotten or hard_pairs or scalar_answers or tiny",
+    "batch/with_numpy/indexed": "hard_pairs or index or many_corners or ordinary or picked or side_by_side or upright",
+    "batch/with_numpy/circle_polygons": "circle or foot or hard_pairs or relations_are_the_scalar or tiny",
 }
 # what kernels run as Python cannot do: number cells beyond 2**63, pass by 1e308 without a warning, and be quick
 COMPILED_ONLY = [
     "are_candidates",
     "every_layout",
     "little_memory",
-    "looks_of_the_grid",
-    "of_whatever_size",
+    "comparisons_of_the_grid",
+    "of_every_size",
     "warn_of_nothing",
 ]
 FATES = "killed", "timed out", "equivalent", "survived"
@@ -346,19 +346,19 @@ class Field:
         pid, status = os.wait()
         line, key = self.running.pop(pid)
         note = self.folder / str(pid)
-        told = json.loads(note.read_text()) if note.exists() else {"at": "", "times": {}}
+        report = json.loads(note.read_text()) if note.exists() else {"at": "", "times": {}}
         code = os.waitstatus_to_exitcode(status)
         fate = "timed out" if code < 0 else "killed" if code else "equivalent" if key in self.known else "survived"
-        assert line or not code, f"{told['at'] or self.tests} fails without any mutant"
+        assert line or not code, f"{report['at'] or self.tests} fails without any mutant"
         if line:
-            self.kills[told["at"]] += bool(code)
-            self.kills_in[key.partition(":")[0]][told["at"]] += bool(code)
+            self.kills[report["at"]] += bool(code)
+            self.kills_in[key.partition(":")[0]][report["at"]] += bool(code)
             self.score[fate] += 1
             if fate == "survived":
                 print(f"line {line}: {key}", flush=True)
             elif code and key in self.known:
                 print(f"line {line}: {key} is listed as equivalent, but {fate}", flush=True)
-        return told
+        return report
 
     def sow(self, functions: list[str], most: int) -> None:
         """Judge every mutant, or a sample of so many, of some functions only if any are named, after none at all."""

@@ -1,4 +1,4 @@
-"""Whether a process has come to its end."""
+"""A check of whether a process has ended."""
 
 import time
 from pathlib import Path

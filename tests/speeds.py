@@ -1,4 +1,4 @@
-"""The two speeds of tests: which of many like cases run at once, and which with -m slow."""
+"""The two speeds of tests: which of many similar cases run by default, and which only with -m slow."""
 
 from collections.abc import Iterable
 from typing import Any

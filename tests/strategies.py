@@ -650,9 +650,9 @@ def needles(rng: Random) -> Pair:
         t = rng.random()
         middle = (far + dx * t, nudged(far + dy * t, rng.choice((-9, -3, -2, -1, 1, 2, 3, 9))))
     needle = [tip, end, middle]
-    if rng.random() < 0.4:  # a twin that shares a corner or lies a few floats beside
-        twin = [(x, nudged(y, rng.randint(-6, 6))) for x, y in needle]
-        return convex(needle), convex(twin)
+    if rng.random() < 0.4:  # a copy that shares a corner or lies a few floats beside
+        copy = [(x, nudged(y, rng.randint(-6, 6))) for x, y in needle]
+        return convex(needle), convex(copy)
     other = round_ring(rng, 0.0, 0.0, rng.uniform(0.5, 5))
     px, py = rng.choice((tip, end, middle, ((tip[0] + end[0]) / 2, (tip[1] + end[1]) / 2)))
     if rng.random() < 0.5:
@@ -699,7 +699,7 @@ def shortest_edge(rng: Random) -> Pair:
     x, y = ring[0]
     ring = [(px - x, py - y) for px, py in ring]
     before, after = ring[-1], ring[1]
-    twin = after[0] - before[0], after[1] - before[1]
+    along = after[0] - before[0], after[1] - before[1]
     (qx, qy), (rx, ry) = rng.choice(((before, ring[0]), (after, ring[2])))
     nx, ny = ry - qy, qx - rx
     other = few_corners(rng)
@@ -708,7 +708,7 @@ def shortest_edge(rng: Random) -> Pair:
     other = moved(other, qx - px + nx * step // part, qy - py + ny * step // part)
     power = -rng.randint(40, 400)
     a, b = ([(math.ldexp(x, power), math.ldexp(y, power)) for x, y in whole] for whole in (ring, other))
-    a.insert(1, (math.ldexp(twin[0], -1074), math.ldexp(twin[1], -1074)))
+    a.insert(1, (math.ldexp(along[0], -1074), math.ldexp(along[1], -1074)))
     start = rng.randrange(len(a))
     return convex((a[start:] + a[:start])[:: rng.choice((-1, 1))]), convex(b)
 
@@ -938,9 +938,9 @@ def one_out_of_range(rng: Random) -> Pair:
 
 
 def circle_by_a_bent_side(rng: Random) -> Pair:
-    """Return a small circle inside or outside a side that is hardly bent, about as far as rounding hides its place.
+    """Return a small circle beside a slightly bent side, at about the distance that rounding can hide.
 
-    One of the two parts of the side can look as if the center lay on its line, the other as if it did not.
+    Floats can place the center on the line through one part of the side, and beside the line through the other.
     """
     turn = rng.uniform(0, math.tau)
     along, inward = (math.cos(turn), math.sin(turn)), (-math.sin(turn), math.cos(turn))

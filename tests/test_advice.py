@@ -1,4 +1,4 @@
-"""The recommended model: what it claims is proven, and never wrong."""
+"""Tests of recommendations: every claim about the recommended model is proven, and none is wrong."""
 
 import json
 import math
@@ -47,7 +47,7 @@ def sign_of(relation):
     return {Relation.APART: 1, Relation.TOUCHING: 0, Relation.OVERLAPPING: -1}[relation]
 
 
-def test_relative_margin_of_two_squares_is_the_gap_in_roundings_of_span_times_reach():
+def test_relative_margin_of_two_squares_is_the_gap_in_roundings_of_edge_times_coordinate():
     a = sv.Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
     b = sv.Polygon([(3, 0), (4, 0), (4, 1), (3, 1)])
     assert relative_margin(a, b) == 2 / (2**-53 * 1 * 4)  # the turn 2 of a unit edge, the largest coordinate 4
@@ -58,7 +58,7 @@ def test_relative_margin_of_two_squares_is_the_gap_in_roundings_of_span_times_re
     )  # half a unit to the nearest side, and the radius
 
 
-def test_relative_margin_has_the_sign_of_the_relation_and_only_touching_has_none():
+def test_relative_margin_has_the_sign_of_the_relation_and_is_zero_only_at_a_touch():
     for kind, a, b in pairs(11, 120):
         assert np.sign(signed_relative_margin(a, b)) == sign_of(sv.relate(a, b)), kind
 
@@ -69,7 +69,7 @@ def test_relative_margin_does_not_depend_on_the_order():
 
 
 def moved_in_scale(a, b, power):
-    """The pair times a power of two; None where float64 cannot hold that."""
+    """Return the pair scaled by a power of two, or None where float64 cannot hold the result."""
     try:
         found = scaled(a, power), scaled(b, power)
         return found if (scaled(found[0], -power), scaled(found[1], -power)) == (a, b) else None
@@ -87,7 +87,7 @@ def test_relative_margin_is_unchanged_by_powers_of_two():
     assert compared > 300
 
 
-def test_many_relative_margins_are_those_one_by_one():
+def test_relative_margins_of_batches_are_those_of_single_pairs():
     found = list(pairs(14, 90))
     many = relative_margins(batch_of([a for _, a, _ in found]), batch_of([b for _, _, b in found]))
     for (kind, a, b), some in zip(found, many.tolist(), strict=True):
@@ -95,7 +95,7 @@ def test_many_relative_margins_are_those_one_by_one():
 
 
 @pytest.mark.parametrize("kind", ["smallest scale", "needles pointed at circles"])
-def test_many_relative_margins_are_those_one_by_one_where_rounding_could_hide_all(kind):
+def test_relative_margins_of_batches_are_those_of_single_pairs_within_rounding_of_a_touch(kind):
     found = list(pairs(16, 250, [kind]))
     found += [(kind, a, b) for a, b in few_units(Random(16), 50)] if kind == "smallest scale" else []
     many = relative_margins(batch_of([a for _, a, _ in found]), batch_of([b for _, _, b in found]))
@@ -104,7 +104,7 @@ def test_many_relative_margins_are_those_one_by_one_where_rounding_could_hide_al
 
 
 def few_units(rng, count):
-    """Pairs of triangles whose coordinates are up to nine of the smallest float."""
+    """Return pairs of triangles whose coordinates are at most nine times the smallest float."""
     made = []
     while len(made) < 2 * count:
         try:
@@ -114,7 +114,7 @@ def few_units(rng, count):
     return list(zip(made[::2], made[1::2], strict=True))
 
 
-def test_relative_margin_of_a_gap_that_is_nothing_beside_the_reach_is_next_to_nothing():
+def test_relative_margin_of_a_tiny_gap_between_huge_shapes_is_tiny():
     assert 0 < relative_margin(sv.Circle((0, 0), 1e300), sv.Circle((1e300, 0), 5e-324)) < 1e-320
 
 
@@ -126,7 +126,7 @@ def test_relative_margins_by_index_are_those_side_by_side():
 
 
 @pytest.mark.parametrize("wrong", [[[0, 1, 2]], [[0, 9]], [[0.5, 0]]])
-def test_pairs_that_are_none_are_refused(wrong):
+def test_invalid_pairs_are_refused(wrong):
     coins = sv.batch.Circles([(0, 0), (1, 1)], 1)
     with pytest.raises((ValueError, IndexError), match="pairs"):
         relative_margins(coins, coins, wrong)
@@ -160,7 +160,7 @@ def test_relations_certified_for_many_pairs_are_certified_by_fractions_and_found
 
 
 @pytest.mark.parametrize("engine", ["numpy", "numba"])
-def test_a_circle_too_small_for_float32_is_one_in_it_still(engine):
+def test_a_circle_too_small_for_float32_remains_a_circle_in_float32(engine):
     dot, model = sv.Circle((0.5, 0.5), 1e-50), Model("float32", 5)
     kite = sv.Polygon([(0, 0), (1, 0), (1.25, 1), (0, 1.5)])
     for other, truth in (
@@ -179,7 +179,7 @@ def test_a_circle_too_small_for_float32_is_one_in_it_still(engine):
 
 
 def tiles(rng):
-    """Boxes on a grid that share edges and corners, or cut each other, whole or not."""
+    """Return pairs of boxes on a grid that share edges and corners or overlap; coordinates are whole or rounded."""
     unit, far = rng.choice((1.0, 0.1, 2.0**-20, 1e6)), rng.choice((0, 0, 2**12, 2**40))
     at = [(far + rng.randint(0, 4), far + rng.randint(0, 4)) for _ in range(4)]
     size = [(rng.randint(1, 2), rng.randint(1, 2)) for _ in range(4)]
@@ -191,7 +191,7 @@ def tiles(rng):
 
 
 def turned_alike(rng):
-    """Boxes with common directions, whole or rounded, side by side or not."""
+    """Return pairs of boxes with common directions; coordinates are whole or rounded."""
     (p, q), unit = rng.choice(((3, 4), (1, 1), (5, 12), (0.6, 0.8), (0.31, 0.77))), rng.choice((1.0, 2.0**-30, 0.1))
     made = []
     for _ in range(3):
@@ -202,7 +202,7 @@ def turned_alike(rng):
 
 
 def coins(rng):
-    """Circles, many of them tangent; and polygons among them."""
+    """Return pairs of circles, many of them tangent, and of polygons among them."""
     unit, far = rng.choice((1.0, 0.1, 2.0**-9)), rng.choice((0, 2**10, 2**30))
     made = [
         sv.Circle(((far + rng.randint(0, 8)) * unit, (far + rng.randint(0, 8)) * unit), rng.randint(1, 3) * unit)
@@ -214,7 +214,7 @@ def coins(rng):
 
 
 def ordinary(rng):
-    """Shapes strewn about, of sizes up to 2**60 apart, in pairs of all kinds."""
+    """Return pairs of several random kinds, whose sizes differ by a factor of up to 2**60."""
     kinds = rng.sample(("random polygons", "random circles", "concave", "few corners", "near touching, offset 1"), 3)
     found = [drawn(rng, kind) for kind in kinds]
     power = rng.choice((0, 0, 3, 20, 60))
@@ -222,12 +222,12 @@ def ordinary(rng):
 
 
 def hard(rng):
-    """Pairs of one of the kinds that the engine is held against."""
+    """Return one or two pairs of the kinds that the engine is tested with."""
     return [drawn(rng, rng.choice(list(KINDS))) for _ in range(rng.choice((1, 1, 2)))]
 
 
 def scenes(seed, count):
-    """Lists of pairs; what satviz refuses to build is drawn again."""
+    """Yield lists of pairs; invalid shapes are drawn again."""
     rng, made = Random(seed), 0
     while made < count:
         try:
@@ -251,11 +251,11 @@ def wrong_recommendations(seed, count, engines=("numpy",)):
             many = recommendation.given.batches()
         model = recommendation.model
         advised[model.kind] += 1
-        surely = [certify(model, a, b) for a, b in scene]
+        proven = [certify(model, a, b) for a, b in scene]
         with np.errstate(all="ignore"):
             ready = prepare(model, many.a), prepare(model, many.b)
             said = [evaluate(model, many, *ready, engine=engine).tolist() for engine in engines]
-        if any(found != truth for found in (surely, *said)):
+        if any(found != truth for found in (proven, *said)):
             wrong.append((recommendation, scene))
     return wrong, advised
 
@@ -310,7 +310,7 @@ def test_the_sentence_counts_the_axes_that_touch():
     )
 
 
-def test_what_is_enough_wherever_shapes_are_moved_is_so_where_the_nearest_vertex_gives_no_axis_of_its_own():
+def test_enough_axes_for_all_moves_hold_where_the_nearest_vertex_gives_no_axis_of_its_own():
     square = sv.Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
     for y in (5.0, 5.5):
         many, said = count_axes(square, sv.Circle((1, y), 1))
@@ -431,7 +431,7 @@ NOT_ALL = "The axes of this scene are not all that are needed: without a gap on 
     ],
 )
 def test_a_hint_says_how_many_axes_are_enough_and_no_gap(trace, hint):
-    """Beside a shortcut's run it says nothing, and where no one gap proves anything what is said of the shapes."""
+    """The hint is empty beside a trace of a shortcut; where one gap proves nothing, it is that of the shapes."""
     assert axes_hint(trace) == (count_axes(trace)[1] if hint is None else hint)
 
 
@@ -507,7 +507,7 @@ def test_a_failure_of_the_circles_around_shapes_can_be_drawn():
 CORNER_ON_EDGE = [(0, 0), (6, 2), (2, 6)], [(4, 4), (9, 3), (8, 9)]
 
 
-def test_what_touches_on_a_grid_is_right_in_float32_as_nothing_is_rounded():
+def test_touching_shapes_on_a_grid_are_right_in_float32_since_nothing_is_rounded():
     recommendation = sv.advise(batch.Polygons(np.array(CORNER_ON_EDGE, float)))
     assert recommendation.model.kind == "float32"
     assert recommendation.scope.kind == "on a grid"
@@ -599,9 +599,9 @@ def test_a_recommendation_with_any_wrong_claim_does_not_pass_its_check():
     rng, seen = np.random.default_rng(8), set()
     rings = rng.integers(1, 2**20, (40, 3, 2)) * 2.0**-20 + 2.0**13 + rng.integers(0, 3, (40, 1, 2)) / 2
     far = batch.Polygons(rings)
-    asked = batch.candidate_pairs(far.bounds)
-    nearest = np.argsort(relative_margins(far, far, asked))[:5]
-    some = [sv.advise(far, pairs=asked[nearest]), sv.advise(batch.Polygons(np.array(CORNER_ON_EDGE, float)))]
+    candidates = batch.candidate_pairs(far.bounds)
+    nearest = np.argsort(relative_margins(far, far, candidates))[:5]
+    some = [sv.advise(far, pairs=candidates[nearest]), sv.advise(batch.Polygons(np.array(CORNER_ON_EDGE, float)))]
     some += [sv.advise(boxes_at([(0, 0), (0.9, 0.1), (1, 1)])), sv.advise("triangles"), sv.advise("concave")]
     some += [sv.advise(sv.Circle((0.1, 0.2), 1), sv.Circle((0.1, 2.2), 1)), sv.advise("circle-polygon")]
     for recommendation in some:
@@ -693,7 +693,7 @@ def test_concave_shapes_are_advised_on_whole():
         (sv.Circle((0, 0), 1), sv.Circle((0, 0), 1), [[0, 1]]),
     ],
 )
-def test_what_is_no_scene_is_refused(wrong):
+def test_advise_refuses_an_invalid_scene(wrong):
     with pytest.raises((TypeError, ValueError), match=r"satviz|batch|scene"):
         sv.advise(*wrong)
 
@@ -794,7 +794,7 @@ def test_a_file_that_holds_no_shapes_gives_one_clear_line(arrays, says, tmp_path
     assert says in line and line.count("\n") == 1
 
 
-def test_what_is_no_file_of_shapes_gives_one_clear_line(tmp_path, capsys):
+def test_an_invalid_file_of_shapes_gives_one_clear_line(tmp_path, capsys):
     bad = tmp_path / "bad.npz"
     bad.write_text("no arrays")
     for name in (str(bad), str(tmp_path / "none.npz"), "nonsense", "pentagram"):
@@ -806,7 +806,7 @@ def test_what_is_no_file_of_shapes_gives_one_clear_line(tmp_path, capsys):
 
 
 def by_the_squared_turn(circle, polygon, dtype):
-    """A circle and a polygon as many write it: the turn squared over the edge squared."""
+    """Return the relation of a circle and a polygon as many write it: the squared cross product by the squared edge."""
     x, y, r = (dtype(c) for c in (*circle.center, circle.radius))
     ring = [(dtype(p) - x, dtype(q) - y) for p, q in polygon.core]
     inside, nearest = True, dtype(math.inf)
@@ -821,9 +821,9 @@ def by_the_squared_turn(circle, polygon, dtype):
 
 
 @pytest.mark.parametrize(("kind", "dtype", "far"), [("float32", np.float32, 60), ("float64", np.float64, 500)])
-def test_plain_floats_are_certified_only_where_no_order_of_products_under_or_overflows(kind, dtype, far):
+def test_floats_are_certified_only_where_products_underflow_and_overflow_in_no_order(kind, dtype, far):
     rng = Random(61)
-    sure_of = 0
+    certified = 0
     for _ in range(600):
         unit = 2.0 ** rng.randint(-far, far)
         ring = [(rng.uniform(-9, 9) * unit, rng.uniform(-9, 9) * unit) for _ in range(3)]
@@ -831,14 +831,14 @@ def test_plain_floats_are_certified_only_where_no_order_of_products_under_or_ove
         polygon = sv.Polygon(ring)
         said = certify(Model(kind, 4), circle, polygon)
         if said is not None:
-            sure_of += 1
+            certified += 1
             with np.errstate(all="ignore"):
                 assert by_the_squared_turn(circle, polygon, dtype) is said, (circle, polygon)
-    assert sure_of > 200
+    assert certified > 200
 
 
 def hardly_apart(seed, count):
-    """Triangles at a corner of which another begins, some roundings away, at sizes that differ by axis."""
+    """Yield pairs of triangles with corners some roundings apart, whose scale differs between the axes."""
     rng = np.random.default_rng(seed)
     for _ in range(count):
         ring, other = rng.uniform(1, 2, (2, 3, 2))
@@ -874,7 +874,7 @@ def test_a_recommendation_on_a_pair_is_the_same_for_many_as_for_two():
 
 
 @pytest.mark.slow
-def test_every_failure_can_be_drawn_and_tells_the_truth():
+def test_every_failure_can_be_drawn_with_the_true_relation():
     seen = Counter()
     for kind, a, b in pairs(63, 2 * len(KINDS)):
         for recommendation in (sv.advise(a, b), sv.advise(batch_of([a]), batch_of([b]))):

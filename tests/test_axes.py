@@ -1,4 +1,4 @@
-"""Which axes a choice takes, where they come from and which it leaves out."""
+"""Tests of choices of axes: which axes they contain, their sources, and which axes they skip."""
 
 from fractions import Fraction
 from math import hypot, ldexp
@@ -30,7 +30,7 @@ PAIRS = {
 
 
 def sized(shape: sv.Polygon | sv.Circle, e: int) -> sv.Polygon | sv.Circle:
-    """The shape times 2**e."""
+    """Return the shape scaled by 2**e."""
     if isinstance(shape, sv.Circle):
         return sv.Circle([ldexp(c, e) for c in shape.center], ldexp(shape.radius, e))
     return sv.Polygon([[ldexp(c, e) for c in v] for v in shape.vertices])
@@ -58,7 +58,7 @@ def test_every_axis_runs_along_its_source_to_the_right_or_up_and_has_its_length(
 
 
 def found_in(source: axes.Source, a: sv.Polygon | sv.Circle, b: sv.Polygon | sv.Circle) -> tuple[Fraction, Fraction]:
-    """The direction of a source in fractions, to the right or up."""
+    """Return the direction of a source in fractions, to the right or up."""
     own, other = (b, a) if source.shape == "B" else (a, b)
     if source.kind == axes.CENTERS:
         ends = a.center, b.center
@@ -72,7 +72,7 @@ def found_in(source: axes.Source, a: sv.Polygon | sv.Circle, b: sv.Polygon | sv.
 
 
 @pytest.mark.parametrize("name", ["needed", "edge-normals", "hull-normals", "centers", "nearest-vertex"])
-def test_the_integers_of_a_direction_are_exactly_its_sources(name):
+def test_the_exact_integers_of_a_direction_follow_from_its_source(name):
     rng, kinds = Random(6), set()
     for _ in range(200):
         sizes = [2.0 ** rng.randint(-40, 40) for _ in "ab"]
@@ -97,11 +97,11 @@ def test_the_worlds_axes_are_y_and_x():
 
 
 @pytest.mark.parametrize("name", axes.NAMED)
-def test_a_normal_is_as_long_as_its_edge_unless_float64_can_hardly_hold_it(name):
+def test_a_normal_is_as_long_as_its_edge_unless_that_nearly_overflows_or_underflows(name):
     for pair in PAIRS.values():
-        plain = axes.NAMED[name](*pair).axes
+        unscaled = axes.NAMED[name](*pair).axes
         for e, change in ((-250, -250), (250, 250), (-320, None), (310, None), (-1000, None), (1000, None)):
-            for axis, first in zip(axes.NAMED[name](*(sized(shape, e) for shape in pair)).axes, plain, strict=True):
+            for axis, first in zip(axes.NAMED[name](*(sized(shape, e) for shape in pair)).axes, unscaled, strict=True):
                 if change and axis.source.kind not in (axes.WORLD, axes.ANY):
                     assert axis.normal == (ldexp(first.normal.x, change), ldexp(first.normal.y, change))
                 else:
@@ -141,7 +141,7 @@ SOURCES = [
 
 
 @pytest.mark.parametrize("source", SOURCES, ids=str)
-def test_a_source_that_the_shapes_do_not_have_is_not_among_theirs(source):
+def test_a_source_that_the_shapes_do_not_have_is_rejected(source):
     assert source not in axes.axes_by_source(A, COIN)
 
 
@@ -167,7 +167,7 @@ def test_the_hull_distinguishes_edges_of_the_outline_from_those_across_a_notch()
         assert {turned.vertices[i] for i in across[0].source.ids} == {(4, 2), (2, 4)}
 
 
-def test_teeth_on_one_line_make_one_edge_of_the_hull():
+def test_collinear_teeth_make_one_edge_of_the_hull():
     comb = sv.Polygon([(0, 0), (8, 0), (8, 4), (6, 1), (4, 4), (2, 1), (0, 4)])
     found = {axis.source.ids: axis.source.kind for axis in axes.hull_normals(comb, COIN).axes}
     assert found == {(0, 1): axes.EDGE, (1, 2): axes.EDGE, (2, 6): axes.HULL, (0, 6): axes.EDGE}
@@ -182,12 +182,12 @@ def test_the_normals_of_a_shape_are_computed_once():
 # -- choices ---------------------------------------------------------------------------------------
 
 
-def test_a_star_import_brings_every_choice_and_what_one_is_made_of():
+def test_a_star_import_provides_every_choice_and_the_types_of_choices():
     choices = {choose.__name__ for choose in axes.NAMED.values()}
     assert set(axes.__all__) == choices | {"Axis", "Choice", "Skip", "Source", "directions"}
 
 
-def test_upright_boxes_need_y_and_x_and_say_which_each_side_is_parallel_to():
+def test_upright_boxes_need_y_and_x_and_each_side_names_its_parallel_axis():
     choice = axes.needed(*PAIRS["boxes"])
     assert choice.axes == axes.WORLD_AXES and choice.complete
     reasons = {(axis.source.shape, axis.direction, why, number) for axis, why, number in choice.skipped}
@@ -202,7 +202,7 @@ def test_a_box_beside_another_polygon_gives_its_own_normals():
     assert [skip[1:] for skip in choice.skipped] == [(axes.PARALLEL, 4), (axes.PARALLEL, 5)]
 
 
-def test_an_axis_to_the_nearest_vertex_is_left_out_where_an_edges_normal_is_parallel():
+def test_an_axis_to_the_nearest_vertex_is_skipped_where_an_edge_normal_is_parallel():
     choice = axes.needed(box(0, 0, 2, 2), sv.Circle((2, 5), 1))
     assert len(choice.axes) == 2 and choice.complete
     axis, why, number = choice.skipped[-1]
@@ -249,21 +249,21 @@ def test_which_choices_are_complete(pair):
     )
 
 
-def test_the_axis_through_the_centers_is_any_where_there_is_no_direction():
+def test_the_axis_through_coinciding_centers_is_arbitrary():
     assert axes.centers(COIN, sv.Circle((-1, 4), 2)).axes[0] == ((6, 2), hypot(6, 2), (axes.CENTERS, None, ()))
     assert axes.centers(COIN, sv.Circle((5, 6), 2)).axes == (((1, 0), 1, (axes.ANY, None, ())),)
     assert axes.centers(box(0, 0, 2, 2), box(3, 0, 5, 4)).axes[0] == ((3, 1), hypot(3, 1), (axes.CENTROIDS, None, ()))
     assert axes.centers(box(0, 0, 2, 2), sv.Circle((1, 1), 4)).axes[0].source.kind == axes.ANY
 
 
-def test_normals_of_one_shape_are_that_shapes():
+def test_normals_of_one_shape_have_that_shape_as_source():
     assert {axis.source.shape for axis in axes.edge_normals_of_a(A, B).axes} == {"A"}
     assert {axis.source.shape for axis in axes.edge_normals_of_b(A, B).axes} == {"B"}
     assert [axis.source.shape for axis in axes.edge_normals(A, B).axes] == ["B"] * 3 + ["A"] * 3
     assert axes.edge_normals_of_a(COIN, B).axes == ()
 
 
-def test_given_directions_keep_their_way_and_their_number():
+def test_given_directions_keep_their_orientation_and_their_number():
     found = axes.directions((1, 2), (-3, 0.25), (0, -1))(A, B)
     assert [axis.normal for axis in found.axes] == [(1, 2), (-3, 0.25), (0, -1)]
     assert [axis.source for axis in found.axes] == [(axes.GIVEN, None, (i,)) for i in range(3)]
@@ -273,19 +273,19 @@ def test_given_directions_keep_their_way_and_their_number():
 
 
 @pytest.mark.parametrize("vector", [(1e300, 5e-324), (5e-324, -1e300), (1.7e308, 3e-310), (5e-324, 0), (2.0**1000, 3)])
-def test_a_direction_keeps_both_its_parts_whatever_their_sizes(vector):
+def test_a_direction_keeps_both_its_components_at_every_size(vector):
     (axis,) = axes.directions(vector)(A, B).axes
     (nx, ny), (x, y) = map(Fraction, axis.normal), map(Fraction, vector)
     assert nx * y == ny * x and nx * x + ny * y > 0
 
 
-def test_the_gap_on_a_direction_is_that_of_the_direction_given():
+def test_the_gap_on_a_given_direction_is_measured_along_exactly_that_direction():
     a, b = sv.Polygon([(0, 0), (1, 0), (0, 1)]), sv.Polygon([(1 - 2**-53, 1e308), (3, 1e308), (3, 1.5e308)])
     (test,) = axis_tests(a, b, axes.directions((1e300, 5e-324))(a, b).axes)
     assert test.gap == -(2.0**-53)
 
 
-def test_a_direction_of_any_size_is_taken():
+def test_a_direction_of_any_length_is_accepted():
     for vector in ((5e-324, 0), (0, -1.7e308), (1e300, 1e-300), (-5e-324, 1.7e308)):
         (axis,) = axes.directions(vector)(A, B).axes
         assert axis.direction == pytest.approx([c / max(map(abs, vector)) for c in vector])

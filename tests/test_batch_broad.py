@@ -1,4 +1,4 @@
-"""The broad phase: candidate pairs and colliding pairs of many boxes, whatever their sizes and places."""
+"""Tests of the broad phase: candidate pairs and colliding pairs of boxes of every size at every place."""
 
 import importlib
 import pickle
@@ -17,13 +17,15 @@ from satviz.batch.with_numpy import grid as grid_numpy
 broad_phase = importlib.import_module("satviz.batch.broad_phase")
 
 
-def brute(bounds):
+def all_candidates(bounds):
+    """Return the pairs of boxes that overlap or touch, found by comparing all."""
     i, j = np.triu_indices(len(bounds), 1)
     p, q = bounds[i], bounds[j]
     return np.stack([i, j], axis=1)[((p[:, :2] <= q[:, 2:]) & (q[:, :2] <= p[:, 2:])).all(axis=1)]
 
 
 def layouts(n, rng):
+    """Yield layouts of n boxes as (name, lower corners, sizes)."""
     at, size = rng.uniform(0, np.sqrt(n) * 1.5, (n, 2)), rng.uniform(0.3, 1, (n, 2))
     yield "even", at, size
     yield "whole numbers", np.floor(at), np.ceil(size)
@@ -56,23 +58,24 @@ def test_candidate_pairs_are_the_boxes_that_meet_in_every_layout(n):
     for name, at, size in layouts(n, RNG(n)):
         bounds = np.c_[at, at + size]
         for engine in ENGINES:
-            assert np.array_equal(batch.candidate_pairs(bounds, engine=engine), brute(bounds)), (name, engine)
+            assert np.array_equal(batch.candidate_pairs(bounds, engine=engine), all_candidates(bounds)), (name, engine)
 
 
 @pytest.mark.parametrize("engine", ENGINES)
-def test_candidates_beyond_a_block_are_found_as_those_in_it(engine):
-    """A crowd of more pairs than the grid takes at a time."""
+def test_candidates_are_found_in_every_block(engine):
+    """The boxes form more pairs than the grid evaluates at a time."""
     at = RNG(1).uniform(0, 1, (1800, 2))
     bounds = np.c_[at, at + 0.9]
-    pairs = brute(bounds)
+    pairs = all_candidates(bounds)
     assert len(pairs) > 1 << 20
     assert np.array_equal(batch.candidate_pairs(bounds, engine=engine), pairs)
 
 
 def in_cells(rng):
-    """Boxes of like sizes in a few cells of any width and height, far from 0 or not; one half of them and the other.
+    """Return boxes of similar sizes, indices of one half and of the other, and the size of a grid's cells.
 
-    Some sides lie a float beside the borders of cells, so that lengths and places are rounded over them.
+    The boxes cover a few cells, near 0 or far from it. Some sides lie one float beside the borders of cells, so
+    that rounding moves lengths and places across them.
     """
     n, (wide, high) = int(rng.integers(4, 40)), 2.0 ** rng.integers(-2, 7, 2)
     low = rng.integers(-100, 100, (n, 2)) + rng.choice([0, 0, 1000, -1000], 2)
@@ -89,25 +92,25 @@ def in_cells(rng):
 
 @pytest.mark.parametrize("seed", range(12))
 @pytest.mark.parametrize("engine", ENGINES)
-def test_cells_of_any_size_find_what_meets_and_each_pair_once(engine, seed, monkeypatch):
+def test_cells_of_any_size_find_each_candidate_pair_once(engine, seed, monkeypatch):
     grid, rng = importlib.import_module(f"satviz.batch.with_{engine}.grid"), RNG(seed)
     for n in range(16):
         monkeypatch.setattr(grid, "BLOCK_PAIRS", int(rng.choice([1, 7, 1 << 20])))
         bounds, one, other, cell = in_cells(rng)
-        everything, all_pairs = np.arange(len(bounds)), brute(bounds)
+        everything, all_pairs = np.arange(len(bounds)), all_candidates(bounds)
         for these, those in (everything, None), (one, other), (everything[1:], everything[:1]):
-            right = all_pairs if those is None else all_pairs[np.isin(all_pairs, those).sum(axis=1) == 1]
+            expected = all_pairs if those is None else all_pairs[np.isin(all_pairs, those).sum(axis=1) == 1]
             found = np.concatenate([np.empty((0, 2), int), *grid.meeting_pairs(bounds, these, those, cell, np.inf)])
-            assert np.array_equal(found[np.lexsort(found.T[::-1])], right), n
+            assert np.array_equal(found[np.lexsort(found.T[::-1])], expected), n
 
 
-def grid_alone(grid):
-    """An engine that finds all candidates by this grid, however few the boxes."""
+def engine_with_grid(grid):
+    """Return an engine that finds all candidates by this grid, also those of few boxes."""
     return engines.engine_of("numpy")._replace(grid=grid, candidate_pairs=lambda _: (None, None, None))
 
 
 @pytest.mark.parametrize("seed", range(6))
-def test_candidates_that_take_too_many_looks_are_split_until_alike_and_compared_once_each(seed):
+def test_boxes_with_too_many_candidates_are_split_until_similar_and_compared_once_each(seed):
     rng, sets = RNG(seed), []
     low = rng.uniform(-100, 100, (60, 2))
     bounds = np.hstack([low, low + 2.0 ** rng.uniform(0, [3, 20] if seed % 2 else [20, 3], (60, 2))])
@@ -116,7 +119,7 @@ def test_candidates_that_take_too_many_looks_are_split_until_alike_and_compared_
     size, farthest = bounds[:, 2:] - bounds[:, :2], np.abs(bounds).max()
 
     def too_many(given, one, other, cell, most):
-        """Before nothing is left to split, whatever is asked is too much."""
+        """Refuse every set of boxes that can still be split."""
         assert given is bounds or np.array_equal(given, bounds)
         both = one if other is None else np.concatenate([one, other])
         assert most in (broad_phase.MAX_CANDIDATES_PER_BOX * len(both), np.inf)
@@ -128,7 +131,7 @@ def test_candidates_that_take_too_many_looks_are_split_until_alike_and_compared_
         assert np.array_equal(cell, np.maximum(size[both].max(axis=0), even))
         return None
 
-    assert list(broad_phase.candidate_blocks(bounds, grid_alone(too_many))) == []
+    assert list(broad_phase.candidate_blocks(bounds, engine_with_grid(too_many))) == []
     times = np.zeros((60, 60), int)
     for one, other in sets:
         assert len(one) and (other is None or len(other))
@@ -145,17 +148,17 @@ def test_candidates_that_take_too_many_looks_are_split_until_alike_and_compared_
 
 
 @pytest.mark.parametrize(("x", "y"), [(1e9, 3), (-1e9, 3), (2, 1e9), (2, -1e9), (-1e9, -5), (0.25, 0.5), (-0.25, 0)])
-def test_cells_of_boxes_on_one_spot_are_as_fine_as_numbers_of_cells_can_be_told_apart(x, y):
+def test_cells_of_equal_boxes_are_as_small_as_cell_numbers_remain_distinct(x, y):
     cells = []
     bounds = np.tile([x, y, x, y], (20, 1)).astype(float)
-    assert list(broad_phase.candidate_blocks(bounds, grid_alone(lambda *given: cells.append(given[3:])))) == []
+    assert list(broad_phase.candidate_blocks(bounds, engine_with_grid(lambda *given: cells.append(given[3:])))) == []
     far = max(abs(x), abs(y))
     assert cells == [([far * 2.0**-1000] * 2, broad_phase.MAX_CANDIDATES_PER_BOX * 20), ([far * 2.0**-48] * 2, np.inf)]
 
 
 @pytest.mark.parametrize("n", [100, 3000])
-def test_even_cells_are_as_many_as_the_boxes_would_be_spread_like_their_middle_half(n):
-    """Whatever lies far outside; and where the middle half is wider than a float, the number is finite."""
+def test_the_cell_size_follows_from_the_middle_half_of_the_boxes(n):
+    """Outliers do not change it, and it stays finite where the middle half is wider than the float range."""
     low = np.sort(RNG(n).permutation(n) + 0.5) * (7 / n) - 3
     which = RNG(1).permutation(n)
     assert broad_phase._cell_size_if_even(low, which) == pytest.approx(7 / np.sqrt(n), rel=0.1)
@@ -170,7 +173,7 @@ def test_even_cells_are_as_many_as_the_boxes_would_be_spread_like_their_middle_h
 
 @pytest.mark.parametrize("engine", ENGINES)
 @pytest.mark.parametrize("swap", [[0, 1, 2, 3], [1, 0, 3, 2]])
-def test_a_length_that_is_rounded_hides_no_box_that_begins_a_float_before_its_cells_border(engine, swap):
+def test_a_rounded_length_hides_no_box_that_begins_a_float_before_the_border_of_its_cells(engine, swap):
     grid, rng = importlib.import_module(f"satviz.batch.with_{engine}.grid"), RNG(6)
     for border in np.arange(-20, 20) / 4:
         begins = np.nextafter(border, -np.inf)
@@ -185,14 +188,14 @@ def test_a_length_that_is_rounded_hides_no_box_that_begins_a_float_before_its_ce
 @pytest.mark.parametrize("engine", ENGINES)
 @pytest.mark.parametrize("about", [0, 1])
 def test_boxes_so_far_apart_that_numbers_of_cells_multiplied_overflow_are_found(engine, about):
-    """The last cell of a row that has 2**32, in row 2**31: the next number would be 2**63; from 0 on or about it."""
+    """Two boxes are in the last cell of a row of 2**32 cells, in row 2**31: the next cell number would be 2**63."""
     grid = importlib.import_module(f"satviz.batch.with_{engine}.grid")
     low = np.array([(0, 0), (2**32 - 3, 2**31 - 2), (2**32 - 3, 2**31 - 2)]) - np.array([2**31, 2**30]) * about
     (found,) = grid.meeting_pairs(np.hstack([low, low + 1.0]), np.arange(3), None, (1.0, 1.0), np.inf)
     assert found.tolist() == [[1, 2]]
 
 
-def test_the_grid_of_numpy_keeps_no_table_of_cells_in_which_hardly_anything_lies():
+def test_the_grid_of_numpy_keeps_no_table_of_cells_that_are_nearly_all_empty():
     x = np.arange(2000.0)
     bounds = np.c_[x, x, x + 1, x + 1] * 2
     tracemalloc.start()
@@ -203,31 +206,31 @@ def test_the_grid_of_numpy_keeps_no_table_of_cells_in_which_hardly_anything_lies
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_the_grid_of_numba_looks_as_often_as_it_says(seed, monkeypatch):
+def test_the_grid_of_numba_counts_the_candidates_in_cells_that_it_compares(seed, monkeypatch):
     grid, rng = kernels_of("grid"), RNG(seed)
     as_python(monkeypatch, grid, "_stored_range", "_cell_number")
-    places, asked = grid._stored_range, []
-    monkeypatch.setattr(grid, "_stored_range", lambda *given: asked.append(places(*given)) or asked[-1])
+    real, ranges = grid._stored_range, []
+    monkeypatch.setattr(grid, "_stored_range", lambda *given: ranges.append(real(*given)) or ranges[-1])
     for _ in range(15):
         bounds, one, other, cell = in_cells(rng)
         size = 1 << int(3 * len(other) // 2).bit_length()
         table = grid.build_table(bounds, other, *cell, size)
-        told = grid.count_candidates(bounds[one], False, table)
-        asked.clear()
+        count = grid.count_candidates(bounds[one], False, table)
+        ranges.clear()
         pairs = sum(map(len, grid._pair_blocks(one, bounds[one], False, table, 100)))
-        assert told == sum(last - first for first, last in asked) >= pairs
-        assert grid.meeting_pairs(bounds, one, other, cell, told) is not None
-        assert told == 0 or grid.meeting_pairs(bounds, one, other, cell, told - 1) is None
-        # among themselves in rows from a box's own on, so some more than are needed
+        assert count == sum(last - first for first, last in ranges) >= pairs
+        assert grid.meeting_pairs(bounds, one, other, cell, count) is not None
+        assert count == 0 or grid.meeting_pairs(bounds, one, other, cell, count - 1) is None
+        # a set with itself is compared in the rows from a box's own on, so the count is larger than needed
         table = grid.build_table(bounds, one, *cell, size)
-        told = grid.count_candidates(bounds[one], True, table)
-        asked.clear()
+        count = grid.count_candidates(bounds[one], True, table)
+        ranges.clear()
         pairs = sum(map(len, grid._pair_blocks(table[1], table[2], True, table, 100)))
-        looked = sum(last - first for first, last in asked)
-        assert 2 * looked + 9 * len(one) >= told >= looked >= pairs
+        compared = sum(last - first for first, last in ranges)
+        assert 2 * compared + 9 * len(one) >= count >= compared >= pairs
 
 
-def test_of_many_boxes_the_grid_of_numba_asks_some_how_often_all_will_be_looked_at(monkeypatch):
+def test_the_grid_of_numba_estimates_the_candidates_of_many_boxes_from_a_sample(monkeypatch):
     grid = kernels_of("grid")
     x, y = (c.ravel()[:1000] for c in np.meshgrid(np.arange(33.0), np.arange(33.0)))
     bounds = np.c_[x, y, x + 1, y + 1]
@@ -240,24 +243,24 @@ def test_of_many_boxes_the_grid_of_numba_asks_some_how_often_all_will_be_looked_
         grid.count_candidates(bounds[:n], False, table)
         assert len(queried) == 2 * -(-n // each)
     monkeypatch.undo()
-    exact, told = grid.count_candidates(bounds[:999], True, table), grid.count_candidates(bounds, True, table)
-    assert 0.9 < told / exact < 1.1
+    exact, estimate = grid.count_candidates(bounds[:999], True, table), grid.count_candidates(bounds, True, table)
+    assert 0.9 < estimate / exact < 1.1
 
 
-def test_the_grid_of_numpy_looks_at_those_in_the_cells_that_a_box_can_meet():
+def test_the_grid_of_numpy_compares_a_box_only_with_those_in_cells_that_it_can_meet():
     rng = RNG(5)
     for _ in range(60):
         bounds, one, other, cell = in_cells(rng)
         longest = (bounds[other, 2:] - bounds[other, :2]).max(axis=0)
         first, last = np.floor((bounds[one, :2] - longest) / cell), np.floor(bounds[one, 2:] / cell)
         own = np.floor(bounds[other, :2] / cell)[:, None]
-        looks = int(((first <= own) & (own <= last)).all(axis=2).sum())
-        wider = int(((first - 1 <= own) & (own <= last)).all(axis=2).sum())  # where what is subtracted is rounded up
+        count = int(((first <= own) & (own <= last)).all(axis=2).sum())
+        wider = int(((first - 1 <= own) & (own <= last)).all(axis=2).sum())  # if the subtracted length is rounded up
         assert grid_numpy.meeting_pairs(bounds, one, other, cell, wider) is not None
-        assert looks == 0 or grid_numpy.meeting_pairs(bounds, one, other, cell, looks - 1) is None
+        assert count == 0 or grid_numpy.meeting_pairs(bounds, one, other, cell, count - 1) is None
 
 
-TURNED = -6.123233995736766e-17  # what a quarter turn leaves of 0
+TURNED = -6.123233995736766e-17  # a quarter turn computes this coordinate instead of 0
 
 
 @pytest.mark.parametrize(
@@ -272,14 +275,14 @@ TURNED = -6.123233995736766e-17  # what a quarter turn leaves of 0
     ids=["a grid", "sums", "quarter turns", "far away", "every size"],
 )
 @pytest.mark.parametrize("step", [1.0, 0.1, 1 / 3, 1e-9, 7e200, 1e-300])
-def test_boxes_that_touch_by_a_rounding_are_candidates(places, step):
+def test_boxes_that_touch_only_by_rounding_are_candidates(places, step):
     rng = RNG(8)
     for _ in range(60):
         n = int(rng.integers(2, 40))
         low = places(rng, n, step)
         bounds = np.hstack([low, low + rng.choice([0, step, 2 * step, 1000 * step, 1e-17, 1], (n, 2))])
         for engine in ENGINES:
-            assert np.array_equal(batch.candidate_pairs(bounds, engine=engine), brute(bounds))
+            assert np.array_equal(batch.candidate_pairs(bounds, engine=engine), all_candidates(bounds))
 
 
 def test_a_width_that_rounds_down_to_the_cell_hides_no_touch():
@@ -288,16 +291,19 @@ def test_a_width_that_rounds_down_to_the_cell_hides_no_touch():
     corners = np.stack([x, y, x + 1, y + 1], axis=1) - 20
     for turned in (corners * 1.0, corners * 0.1, corners + TURNED, np.where(corners == 0, TURNED, corners)):
         bounds = turned.astype(float)
-        right = brute(bounds)
+        expected = all_candidates(bounds)
         for engine in ENGINES:
-            assert np.array_equal(batch.candidate_pairs(bounds, engine=engine), right)
+            assert np.array_equal(batch.candidate_pairs(bounds, engine=engine), expected)
 
 
 MOST = sys.float_info.max
 
 
 def any_boxes(rng):
-    """Sizes and places over the whole of float64, sums of tenths, points, needles both ways, clusters far away."""
+    """Return boxes of one of six kinds.
+
+    They have sizes and places over the whole range of float64, or are points, sums of tenths, needles or far away.
+    """
     n = int(rng.integers(1, 120))
     decades = lambda low, high, *shape: 10.0 ** rng.uniform(low, high, shape)  # noqa: E731
     low, wide = rng.uniform(0, 30, (n, 2)), rng.uniform(0, 1, (n, 2))
@@ -319,11 +325,11 @@ def any_boxes(rng):
 
 
 @pytest.mark.parametrize("engine", ENGINES)
-def test_candidate_pairs_are_the_boxes_that_meet_of_whatever_size_and_place(engine):
+def test_candidate_pairs_are_the_boxes_that_meet_of_every_size_at_every_place(engine):
     rng = RNG(9)
     for _ in range(300):
         bounds = any_boxes(rng)
-        assert np.array_equal(batch.candidate_pairs(bounds, engine=engine), brute(bounds)), bounds.tolist()
+        assert np.array_equal(batch.candidate_pairs(bounds, engine=engine), all_candidates(bounds)), bounds.tolist()
 
 
 def test_circles_that_reach_beyond_float64_collide_with_what_they_reach():
@@ -334,7 +340,7 @@ def test_circles_that_reach_beyond_float64_collide_with_what_they_reach():
 
 
 @pytest.mark.parametrize("engine", ENGINES)
-def test_candidate_pairs_are_found_whatever_numpy_is_told_to_do_with_what_vanishes(engine):
+def test_candidate_pairs_are_found_also_where_numpy_raises_on_underflow(engine):
     low = [[0, 0, 1, 1], [1, 0, 2, 1e-320], [5e-324, 0, 1e-300, 1e300]]
     with np.errstate(all="raise"):
         assert batch.candidate_pairs(low, engine=engine).tolist() == [[0, 1], [0, 2]]
@@ -345,7 +351,9 @@ def test_candidate_pairs_are_found_whatever_numpy_is_told_to_do_with_what_vanish
 
 @pytest.mark.parametrize("side", [1, -1])
 @pytest.mark.parametrize("finer", [0, 6, 12])
-def test_the_grid_asks_few_rows_of_flat_boxes_so_far_out_that_floats_are_many_cells_apart(finer, side, monkeypatch):
+def test_the_grid_compares_few_rows_of_flat_boxes_where_neighboring_floats_are_many_cells_apart(
+    finer, side, monkeypatch
+):
     far, step, rows, real = side * 2.0**32, 2.0**-20, [], grid_numpy._pair_blocks
     assert abs(np.spacing(far)) == step
     x, s = np.arange(400.0) * 1e-3, 2e6 + np.arange(1600.0) * 20
@@ -357,7 +365,7 @@ def test_the_grid_asks_few_rows_of_flat_boxes_so_far_out_that_floats_are_many_ce
     bounds = np.r_[long, short]
     kernels = engines.engine_of("numpy")._replace(candidate_pairs=lambda _: (None, None, None))  # also of few boxes
     found = broad_phase.sort_pairs(list(broad_phase.candidate_blocks(bounds, kernels)))
-    assert np.array_equal(found, brute(bounds))
+    assert np.array_equal(found, all_candidates(bounds))
     assert max(rows) <= 4
 
 
@@ -366,22 +374,22 @@ def test_pairs_keep_their_order_where_an_index_has_32_bits():
     assert found.tolist() == [[1, 2], [50_000, 60_000]]
 
 
-def test_of_few_boxes_a_grid_of_numba_finds_all_pairs_whatever_its_samples_say():
-    """A row of cells with 16 boxes in each second one, so that every 17th, which is sampled, meets no other box."""
+def test_the_grid_of_numba_finds_all_pairs_of_few_boxes_also_where_its_sample_misleads():
+    """Each second cell of a row has 16 boxes, so that every 17th box, which is sampled, meets no other box."""
     grid, n = kernels_of("grid"), 17 * 300
     place = np.arange(n) // 17 * 6 + np.where(np.arange(n) % 17, 3.1, 0.1)
     bounds = np.stack([place, 0 * place, place + 0.8, 0 * place + 1], axis=1)
     pairs = np.stack(np.triu_indices(16, 1), axis=1) + np.arange(1, n, 17)[:, None, None]
     table = grid.build_table(bounds, np.arange(n), 0.8, 1.0, 1 << 14)
-    assert grid.count_candidates(table[2], True, table) == n  # it is said that each meets itself
+    assert grid.count_candidates(table[2], True, table) == n  # the estimate: each meets itself only
     for engine in ENGINES:
         assert np.array_equal(batch.candidate_pairs(bounds, engine=engine), pairs.reshape(-1, 2))
 
 
-def test_a_grid_of_numba_takes_few_blocks_whatever_its_samples_say(monkeypatch):
+def test_the_grid_of_numba_takes_few_blocks_also_where_its_estimate_is_zero(monkeypatch):
     grid = kernels_of("grid")
     monkeypatch.setattr(grid, "count_candidates", lambda *_: 0.0)
-    x, y = (c.ravel() for c in np.meshgrid(np.arange(130.0), np.arange(130.0)))  # more than are told in one call
+    x, y = (c.ravel() for c in np.meshgrid(np.arange(130.0), np.arange(130.0)))  # more pairs than fit into one block
     bounds, blocks, real = np.c_[x, y, x + 1, y + 1], [], grid.fill_pairs
     monkeypatch.setattr(grid, "fill_pairs", lambda *given: blocks.append(1) or real(*given))
     i = np.arange(130 * 130)
@@ -393,7 +401,7 @@ def test_a_grid_of_numba_takes_few_blocks_whatever_its_samples_say(monkeypatch):
     assert 0 < len(blocks) < 10
 
 
-def test_candidate_pairs_of_little_or_bad_input():
+def test_candidate_pairs_accept_few_boxes_and_refuse_invalid_ones():
     assert batch.candidate_pairs(np.empty((0, 4))).shape == (0, 2)
     assert batch.candidate_pairs([[0, 0, 1, 1]]).shape == (0, 2)
     for bad, words in (
@@ -406,25 +414,25 @@ def test_candidate_pairs_of_little_or_bad_input():
 
 
 @pytest.mark.parametrize("engine", ENGINES)
-def test_the_looks_of_the_grid_grow_like_shapes_and_pairs(monkeypatch, engine):
+def test_the_comparisons_of_the_grid_grow_linearly_with_shapes_and_pairs(monkeypatch, engine):
     grid = importlib.import_module(f"satviz.batch.with_{engine}.grid")
-    looked, blocks = [], grid._pair_blocks
+    counts, real = [], grid._pair_blocks
 
     def counted(queries, boxes, *more):
         if engine == "numpy":
-            looked.append(sum(int(many.sum()) for _, _, many in more[-1]))
+            counts.append(sum(int(many.sum()) for _, _, many in more[-1]))
         else:
-            looked.append(grid.count_candidates(boxes, *more[:2]))
-        return blocks(queries, boxes, *more)
+            counts.append(grid.count_candidates(boxes, *more[:2]))
+        return real(queries, boxes, *more)
 
     monkeypatch.setattr(grid, "_pair_blocks", counted)
     for name, at, size in layouts(1500, RNG(5)):
         if name == "every scale":  # 600 decades of sizes: as many size classes as shapes
             continue
-        looked.clear()
+        counts.clear()
         kernels = engines.engine_of(engine)._replace(candidate_pairs=lambda _: (None, None, None))  # also of few boxes
         found = sum(map(len, broad_phase.candidate_blocks(np.c_[at, at + size], kernels)))
-        assert 0 < sum(looked) <= 5 * broad_phase.MAX_CANDIDATES_PER_BOX * (1500 + found), (name, sum(looked), found)
+        assert 0 < sum(counts) <= 5 * broad_phase.MAX_CANDIDATES_PER_BOX * (1500 + found), (name, sum(counts), found)
 
 
 def test_colliding_pairs_are_those_of_every_pair():
@@ -444,40 +452,41 @@ BOX, KITE, WEDGE = map(np.array, ([(0, 0), (1, 0), (1, 1), (0, 1)], [(0, 0), (1,
 @pytest.mark.parametrize("come", ["as one list", "out of a larger one", "one by one"])
 @pytest.mark.parametrize("kinds", [[BOX], [KITE], [BOX, KITE], [KITE, BOX], [BOX, WEDGE], [WEDGE, BOX], [KITE, WEDGE]])
 def test_the_grid_alone_decides_only_where_all_are_upright_boxes(engine, come, kinds, monkeypatch):
-    asked, real = [], collide.hits
-    monkeypatch.setattr(collide, "hits", lambda *args, **how: asked.append(args) or real(*args, **how))
+    calls, real = [], collide.hits
+    monkeypatch.setattr(collide, "hits", lambda *args, **options: calls.append(args) or real(*args, **options))
     rings = [kinds[i % len(kinds)] + at for i, at in enumerate(RNG(3).uniform(0, 8, (30, 2)))]
     known = [sv.Polygon(ring) for ring in rings]
-    right = [[i, j] for i in range(30) for j in range(i + 1, 30) if sv.relate(known[i], known[j])]
+    expected = [[i, j] for i in range(30) for j in range(i + 1, 30) if sv.relate(known[i], known[j])]
     if come == "one by one":
         shapes = batch.concat([batch.Polygons([ring]) for ring in rings])
     elif come == "as one list":
         shapes = batch.Polygons(rings)
     else:
         shapes = batch.Polygons([WEDGE, *rings])[1:]
-    assert batch.colliding_pairs(shapes, engine=engine, chunk=1000).tolist() == right  # as many shapes take it
-    assert bool(asked) == (len(kinds) > 1 or kinds[0] is not BOX)
-    assert batch.colliding_pairs(shapes, engine=engine).tolist() == right
+    # with a chunk size, few shapes go through the grid as many do
+    assert batch.colliding_pairs(shapes, engine=engine, chunk=1000).tolist() == expected
+    assert bool(calls) == (len(kinds) > 1 or kinds[0] is not BOX)
+    assert batch.colliding_pairs(shapes, engine=engine).tolist() == expected
 
 
-def test_colliding_pairs_are_told_as_they_were_asked_for():
+def test_colliding_pairs_use_the_given_engine_executor_and_progress():
     rings = ngons(RNG(2), 60, 3, 6)
     expected = batch.colliding_pairs(batch.Polygons(rings), engine="numpy").tolist()
     for strip in (0, 20, 60):
-        pool, told = Elsewhere(), []
-        how = {"engine": "numpy", "executor": pool, "progress": lambda *at: told.append(at)}  # noqa: B023
+        pool, reported = Elsewhere(), []
+        options = {"engine": "numpy", "executor": pool, "progress": lambda *at: reported.append(at)}  # noqa: B023
         if strip:
-            blocks = list(batch.stream_colliding_pairs(rings, strip=strip, **how))
+            blocks = list(batch.stream_colliding_pairs(rings, strip=strip, **options))
             found = np.concatenate(blocks)[np.lexsort(np.concatenate(blocks).T[::-1])]
-            assert told == [(k + 1, 60 // strip) for k in range(60 // strip)]
+            assert reported == [(k + 1, 60 // strip) for k in range(60 // strip)]
         else:
-            found = batch.colliding_pairs(batch.Polygons(rings), chunk=10, **how)
-            assert len(told) == len(pool.sent) > 1 and told[0][0] == 10
+            found = batch.colliding_pairs(batch.Polygons(rings), chunk=10, **options)
+            assert len(reported) == len(pool.sent) > 1 and reported[0][0] == 10
         assert found.tolist() == expected
         assert pool.sent and {pickle.loads(sent)[1][-1] for sent in pool.sent} == {"numpy"}
 
 
-def test_upright_boxes_alone_need_no_look_beyond_the_grid():
+def test_upright_boxes_alone_need_no_evaluation_beyond_the_grid():
     boxes = RNG(2).uniform(0, 5, (30, 1, 2)) + np.array([(0, 0), (1, 0), (1, 1), (0, 1)])
     pool = Elsewhere()
     found = batch.colliding_pairs(batch.Polygons(boxes), executor=pool, engine="numpy")

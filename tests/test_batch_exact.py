@@ -1,4 +1,4 @@
-"""The exact rest: signs, circles and polygons that the float filters leave undecided."""
+"""Tests of exact evaluation: signs, circles and polygons that the float filters leave undecided."""
 
 import warnings
 from decimal import Decimal, localcontext
@@ -38,7 +38,7 @@ import satviz as sv
 from satviz import batch
 from satviz.batch import exact_signs
 from satviz.batch.codes import UNDECIDED
-from satviz.batch.with_numpy import circle_polygons, gjk, indexed
+from satviz.batch.with_numpy import circle_polygons, gjk
 from satviz.batch.with_numpy import exact as exact_numpy
 from satviz.batch.with_numpy import filter as filter_numpy
 from satviz.engine.relate import ERROR_FACTOR_F64
@@ -46,7 +46,7 @@ from satviz.study import truth as oracle
 
 
 @pytest.mark.parametrize(("v", "w"), [(3, 3), (3, 4), (8, 8), (9, 9), (17, 3), (40, 16)])
-def test_numba_leaves_nothing_ordinary_to_the_exact_twin(v, w, monkeypatch):
+def test_numba_classifies_touching_pairs_without_the_numpy_engine(v, w, monkeypatch):
     pytest.importorskip("numba", reason="needs numba: python -m pip install '.[fast]'")
     a, touching = beside_mirror(v, w)
     left = []
@@ -60,9 +60,9 @@ def test_numba_leaves_nothing_ordinary_to_the_exact_twin(v, w, monkeypatch):
 
 
 def corner_on_edge(rng):
-    """Outlines of some corners, one of the second's on the edge of the first that is the most diagonal, and that point.
+    """Return two outlines and a point: a corner of the second outline on the most diagonal edge of the first.
 
-    All products round, and the room of a look is nowhere less when it is worked out wrongly.
+    All products round, and an error bound computed in a wrong way is the smallest for such an edge.
     """
     rings, slant = [[], []], 1
     while slant > 0.03 or not all(8 < len(ring) < 20 for ring in rings):
@@ -80,16 +80,16 @@ def corner_on_edge(rng):
 
 
 def as_rows(first, second, point):
-    """What kernels take: of each outline x, y, where it begins and ends; both largest coordinates together."""
+    """Return kernel arguments: (x, y, first, end) of each outline, the sum of both largest coordinates, the point."""
     x, y = np.concatenate([second[:3], first, second, first]).T.copy()  # between others, as in a batch
     n, end = 3 + len(first), 3 + len(first) + len(second)
     return (x, y, 3, n), (x, y, n, end), float(np.abs(first).max() + np.abs(second).max()), point
 
 
 def flat_corners(rng, size):
-    """Outlines that share one corner, which in both is bent by less than a look along the corners can tell.
+    """Return two outlines and the corner they share, at which both turn by less than the error bound.
 
-    So the corner that looks lowest need not be it, and may lie beyond the point that is shared.
+    So rounding can select another corner as the lowest one, and that corner may lie beyond the shared point.
     """
     along = np.array([rng.choice((-1, 1)), rng.choice((-1, 1)) * rng.uniform(0.999, 1.001)]) / 2**0.5
     beyond = np.array([-along[1], along[0]])
@@ -102,32 +102,28 @@ def flat_corners(rng, size):
         start = rng.randrange(4)
         rings.append(np.array(ring[start:] + ring[:start]))
     try:
-        plain = [sv.Polygon(ring) for ring in rings]
+        polygons = [sv.Polygon(ring) for ring in rings]
     except sv.InvalidShape:
         return flat_corners(rng, size)
-    if not all(p.is_convex and len(p.core) == 4 for p in plain) or sv.relate(*plain) != 1:
+    if not all(p.is_convex and len(p.core) == 4 for p in polygons) or sv.relate(*polygons) != 1:
         return flat_corners(rng, size)
-    return *(np.array(p.core) * size for p in plain), shared * size
+    return *(np.array(p.core) * size for p in polygons), shared * size
 
 
-@pytest.fixture
-def search(monkeypatch):
-    """Numba's kernels, the search among them run as Python."""
-    settle = kernels_of("exact")
-    as_python(monkeypatch, settle, "_is_certainly_left", "_lowest_corner", "_certified_cross", "MAX_STEPS")
-    return settle
-
-
-@pytest.mark.parametrize("size", [1.0, 2.0**-90, 2.0**90, 2.0**-577])  # at the last products of a turn begin to vanish
-def test_numbas_search_tells_nothing_of_corners_too_flat_to_be_told_apart(search, size):
+@pytest.mark.parametrize("size", [1.0, 2.0**-90, 2.0**90, 2.0**-577])  # at 2**-577 products of an orientation underflow
+def test_gjk_of_numba_leaves_shapes_that_share_a_nearly_straight_corner_undecided(size):
+    gjk_numba = kernels_of("exact")._gjk
     rng = Random(3)
     for _ in range(60):
-        one, other, reach, _ = as_rows(*flat_corners(rng, size))
-        assert search._gjk(*one, *other, reach)[0] == search._gjk(*other, *one, reach)[0] == UNDECIDED
+        one, other, max_coordinate, _ = as_rows(*flat_corners(rng, size))
+        assert gjk_numba(*one, *other, max_coordinate)[0] == gjk_numba(*other, *one, max_coordinate)[0] == UNDECIDED
 
 
 def standing_on_edges():
-    """Narrow shapes that stand on a long edge of flat ones: what lies left of the edge says nothing of its line."""
+    """Yield pairs of outlines: a narrow triangle that stands on a long edge of a flat one.
+
+    GJK finds the ends of that edge first; a corner on its left proves nothing about the line through it.
+    """
     rng = Random(5)
     for _ in range(100):
         long, lean = rng.randrange(50, 5000), rng.choice((-1, 1))
@@ -143,23 +139,24 @@ def standing_on_edges():
         yield [np.array([(z.real, z.imag) for z in ring[k:] + ring[:k]]) for ring in rings for k in [rng.randrange(3)]]
 
 
-def test_numbas_search_finds_no_shared_point_on_the_edge_whose_ends_it_finds_first(search):
+def test_gjk_of_numba_leaves_touching_shapes_undecided_where_it_finds_both_ends_of_the_edge_first():
+    gjk_numba = kernels_of("exact")._gjk
     for rings in standing_on_edges():
-        one, other, reach, _ = as_rows(*rings, None)
+        one, other, max_coordinate, _ = as_rows(*rings, None)
         for these in (one, other), (other, one):
-            assert search._gjk(*these[0], *these[1], reach)[0] == UNDECIDED
+            assert gjk_numba(*these[0], *these[1], max_coordinate)[0] == UNDECIDED
 
 
-def test_a_few_steps_find_no_shared_point_on_the_edge_whose_ends_they_find_first():
+def test_gjk_of_numpy_leaves_touching_shapes_undecided_where_it_finds_both_ends_of_the_edge_first():
     one, other = (np.array(rings).transpose(2, 1, 0).copy() for rings in zip(*standing_on_edges()))
-    reach = np.full(100, (np.abs(one).max() + np.abs(other).max()) * ERROR_FACTOR_F64)
+    factor = np.full(100, (np.abs(one).max() + np.abs(other).max()) * ERROR_FACTOR_F64)
     for p, q in (one, other), (other, one):
         out = np.zeros(100, np.int8)
-        indexed.gjk.gjk(*p, *q, reach, out)
+        gjk.gjk(*p, *q, factor, out)
         assert (out == UNDECIDED).all()
 
 
-ROUNDED = [  # found by search: triangles that touch, whose corners are so far apart that differences are rounded
+ROUNDED = [  # found by random search: touching triangles whose corners are so far apart that differences are rounded
     (
         [
             (-459940604306739, 4433704032951140),
@@ -200,15 +197,16 @@ ROUNDED = [  # found by search: triangles that touch, whose corners are so far a
 
 
 @pytest.mark.parametrize("rings", ROUNDED)
-def test_numbas_search_finds_no_shared_point_by_turns_that_rounding_may_hide(search, rings):
-    one, other, reach, _ = as_rows(*(np.array(ring, float) for ring in rings), None)
+def test_gjk_of_numba_leaves_touching_triangles_undecided_where_rounding_can_hide_an_orientation(rings):
+    gjk_numba = kernels_of("exact")._gjk
+    one, other, max_coordinate, _ = as_rows(*(np.array(ring, float) for ring in rings), None)
     assert sv.relate(*(sv.Polygon(ring) for ring in rings)) == 1
-    assert search._gjk(*one, *other, reach)[0] == search._gjk(*other, *one, reach)[0] == UNDECIDED
+    assert gjk_numba(*one, *other, max_coordinate)[0] == gjk_numba(*other, *one, max_coordinate)[0] == UNDECIDED
 
 
 @pytest.mark.parametrize(
     ("ring", "point"),
-    [  # found by search
+    [  # found by random search
         (
             [
                 (8660339316690704, 2837116945160626),
@@ -227,25 +225,26 @@ def test_numbas_search_finds_no_shared_point_by_turns_that_rounding_may_hide(sea
         ),
     ],
 )
-def test_no_point_of_an_edge_is_inside_for_numba_where_differences_are_rounded(search, ring, point):
+def test_numba_certifies_no_point_of_an_edge_as_inside_where_differences_are_rounded(ring, point):
+    is_certainly_inside = kernels_of("exact").is_certainly_inside
     triangle, at = sv.Polygon(ring), np.array(point, float)
     assert 0 in [oracle.orientation(p, q, point) for p, q in pairwise([*triangle.core, triangle.core[0]])]
-    row, _, reach, _ = as_rows(np.array(triangle.core), np.array(triangle.core), None)
-    assert not search.is_certainly_inside(*row, *at, reach)
-    assert search.is_certainly_inside(*row, *np.array(triangle.core).mean(axis=0), reach)
+    row, _, max_coordinate, _ = as_rows(np.array(triangle.core), np.array(triangle.core), None)
+    assert not is_certainly_inside(*row, *at, max_coordinate)
+    assert is_certainly_inside(*row, *np.array(triangle.core).mean(axis=0), max_coordinate)
 
 
-@pytest.mark.parametrize(("e", "sure"), [(-480, False), (-460, True), (480, True), (484, False), (510, False)])
-def test_numba_is_sure_of_no_point_where_products_leave_the_range_of_floats(search, e, sure):
-    row, _, reach, _ = as_rows(*[np.array([(-1.0, -1), (1, -1), (0, 1)]) * 2.0**e] * 2, None)
-    assert bool(search.is_certainly_inside(*row, 0.0, 0.0, reach)) is sure
+@pytest.mark.parametrize(("e", "certified"), [(-480, False), (-460, True), (480, True), (484, False), (510, False)])
+def test_numba_certifies_no_inside_point_where_products_leave_the_range_of_floats(e, certified):
+    row, _, max_coordinate, _ = as_rows(*[np.array([(-1.0, -1), (1, -1), (0, 1)]) * 2.0**e] * 2, None)
+    assert bool(kernels_of("exact").is_certainly_inside(*row, 0.0, 0.0, max_coordinate)) is certified
 
 
-def test_numbas_turn_is_the_exact_one_wherever_it_is_told():
-    """As told of one point after another; where products leave the range of floats it may tell nothing."""
-    settle = kernels_of("exact")
-    rng, terms = Random(6), np.empty(settle.MAX_TERMS)
-    seen = {(told, size): 0 for told in (-2, -1, 0, 1) for size in SIZES}
+def test_orientations_of_numba_are_exact_or_unknown():
+    """Each triple is also evaluated in other orders; where products leave the float range, it may be unknown."""
+    exact_numba = kernels_of("exact")
+    rng, terms = Random(6), np.empty(exact_numba.MAX_TERMS)
+    seen = {(sign, size): 0 for sign in (-2, -1, 0, 1) for size in SIZES}
     for _ in range(60):
         for size in SIZES:
             p, q, r = nearly_straight(rng, size)
@@ -258,123 +257,126 @@ def test_numbas_turn_is_the_exact_one_wherever_it_is_told():
                 (p, q, (p[0], r[1])),
                 (p, q, (r[0], q[1])),
             ):
-                told = settle.orient(*x, *y, *z, terms)
-                seen[told, size] += 1
+                sign = exact_numba.orient(*x, *y, *z, terms)
+                seen[sign, size] += 1
                 exact = oracle.orientation(x, y, z)
-                assert told in (-2, (exact > 0) - (exact < 0)), (x, y, z)
+                assert sign in (-2, (exact > 0) - (exact < 0)), (x, y, z)
     for size in SIZES:
-        assert min(seen[told, size] for told in (-1, 0, 1)) > 5 or seen[-2, size] > 100
+        assert min(seen[sign, size] for sign in (-1, 0, 1)) > 5 or seen[-2, size] > 100
         assert not seen[-2, size] or not 2.0**-400 < size < 2.0**450
 
 
 @pytest.mark.parametrize("scale", [1e-130, 1.0, 1e140])
-def test_numbas_turn_looks_no_further_than_it_must(scale, monkeypatch):
-    """Of plain points at no more than two products, of points nearly in a row at no long sum."""
-    settle = kernels_of("exact")
-    as_python(monkeypatch, settle, "sign_of_sum", "_two_diff_tail")
-    turn, terms = settle.orient, np.empty(settle.MAX_TERMS)
-    monkeypatch.setattr(settle, "sign_of_sum", lambda *_: pytest.fail("sums are asked"))
-    for points in np.transpose([c * scale for c in in_a_row(RNG(2), 1000, 1000)]).tolist():
+def test_orientations_of_numba_evaluate_no_later_stage_than_necessary(scale, monkeypatch):
+    """Random points need two products only, and nearly collinear points need no exact sum."""
+    exact_numba = kernels_of("exact")
+    as_python(monkeypatch, exact_numba, "sign_of_sum", "_two_diff_tail")
+    orient, terms = exact_numba.orient, np.empty(exact_numba.MAX_TERMS)
+    monkeypatch.setattr(exact_numba, "sign_of_sum", lambda *_: pytest.fail("an exact sum is evaluated"))
+    for points in np.transpose([c * scale for c in nearly_collinear(RNG(2), 1000, 1000)]).tolist():
         if abs(exact := oracle.orientation(points[:2], points[2:4], points[4:])) > 1e-24 * scale**2:
-            assert turn(*points, terms) == (1 if exact > 0 else -1)
-    monkeypatch.setattr(settle, "_two_diff_tail", lambda *_: pytest.fail("what differences lost is asked"))
+            assert orient(*points, terms) == (1 if exact > 0 else -1)
+    monkeypatch.setattr(exact_numba, "_two_diff_tail", lambda *_: pytest.fail("rounding errors are evaluated"))
     for points in RNG(1).uniform(-scale, scale, (1000, 6)).tolist():
         exact = oracle.orientation(points[:2], points[2:4], points[4:])
-        assert turn(*points, terms) == (1 if exact > 0 else -1)
-        assert turn(*points[:4], *points[:2], terms) == turn(*points[:4], *points[2:4], terms) == 0
+        assert orient(*points, terms) == (1 if exact > 0 else -1)
+        assert orient(*points[:4], *points[:2], terms) == orient(*points[:4], *points[2:4], terms) == 0
 
 
 @pytest.mark.parametrize("scale", [2.0**-400, 1.0, 2.0**460])
-def test_numbas_turn_of_points_in_a_row_whose_differences_are_floats_is_a_sum_of_four(scale, monkeypatch):
-    settle = kernels_of("exact")
-    as_python(monkeypatch, settle, "sign_of_sum")
-    turn, real, sums = settle.orient, settle.sign_of_sum, []
-    monkeypatch.setattr(settle, "sign_of_sum", lambda terms, count: sums.append(count) or real(terms, count))
+def test_orientations_of_numba_sum_four_terms_where_collinear_points_have_exact_differences(scale, monkeypatch):
+    exact_numba = kernels_of("exact")
+    as_python(monkeypatch, exact_numba, "sign_of_sum")
+    orient, real, sums = exact_numba.orient, exact_numba.sign_of_sum, []
+    monkeypatch.setattr(exact_numba, "sign_of_sum", lambda terms, count: sums.append(count) or real(terms, count))
     for px, py, dx, dy in RNG(3).integers(-(2**20), 2**20, (50, 4)):
         points = np.array([px, py, px + dx, py + dy, px - 3 * dx, py - 3 * dy]) * scale
-        assert turn(*points, np.empty(settle.MAX_TERMS)) == 0
+        assert orient(*points, np.empty(exact_numba.MAX_TERMS)) == 0
     assert sums == [4] * 50
 
 
 @pytest.mark.parametrize("steps", [1, 2, 3])
-def test_numbas_search_ends_after_so_many_steps(search, monkeypatch, steps):
-    """With nothing told, or what is right."""
-    monkeypatch.setattr(search, "MAX_STEPS", steps)
+def test_gjk_of_numba_is_right_or_undecided_when_it_runs_out_of_steps(monkeypatch, steps):
+    exact_numba = kernels_of("exact")
+    as_python(monkeypatch, exact_numba, "MAX_STEPS")
+    monkeypatch.setattr(exact_numba, "MAX_STEPS", steps)
     rng, seen = RNG(4), []
     for _ in range(40):
         a, b = ngons(rng, 2, 16, 0.3) * 2.0**50 + [[[0]], [[rng.uniform(0, 2) * 2**50]]]
-        one, other, reach, _ = as_rows(a, b, None)
-        seen.append(search._gjk(*one, *other, reach)[0])
+        one, other, max_coordinate, _ = as_rows(a, b, None)
+        seen.append(exact_numba._gjk(*one, *other, max_coordinate)[0])
         assert seen[-1] in (UNDECIDED, sv.relate(sv.Polygon(a), sv.Polygon(b)))
     assert UNDECIDED in seen
 
 
 @pytest.mark.parametrize("size", [1.0, 2.0**-130])
-def test_numbas_search_tells_whatever_is_plain(search, size):
-    """Also where it takes many steps, as beside a thin one."""
+def test_gjk_of_numba_classifies_ordinary_pairs(size):
+    """Pairs with a thin shape, which take many steps, are among them."""
+    gjk_numba = kernels_of("exact")._gjk
     rng = RNG(4)
     for n in range(200):
-        (a, b), way = ngons(rng, 2, 16, 0.3), rng.uniform(0, 2 * np.pi)
-        b = b * (1, 0.02 if n % 2 else 1) + np.array([np.cos(way), np.sin(way)]) * rng.uniform(0, 2.2)
+        (a, b), angle = ngons(rng, 2, 16, 0.3), rng.uniform(0, 2 * np.pi)
+        b = b * (1, 0.02 if n % 2 else 1) + np.array([np.cos(angle), np.sin(angle)]) * rng.uniform(0, 2.2)
         a, b = (np.round(ring * 2.0**50) * size for ring in (a, b))
-        one, other, reach, _ = as_rows(a, b, None)
-        assert search._gjk(*one, *other, reach)[0] == sv.relate(sv.Polygon(a), sv.Polygon(b)), n
+        one, other, max_coordinate, _ = as_rows(a, b, None)
+        assert gjk_numba(*one, *other, max_coordinate)[0] == sv.relate(sv.Polygon(a), sv.Polygon(b)), n
 
 
-def test_a_corner_on_an_edge_touches_for_numba_and_no_point_of_an_edge_is_inside(search):
+def test_numba_classifies_a_corner_on_an_edge_as_touching_and_as_not_inside():
+    is_certainly_inside = kernels_of("exact").is_certainly_inside
     rng = Random(2)
     for _ in range(40):
         first, second, point = corner_on_edge(rng)
         both = batch.Polygons([first, second])
         assert batch.relate(both, both, [(0, 1), (1, 0)], engine="numba").tolist() == [1, 1]
-        one, other, reach, _ = as_rows(first, second, point)
+        one, other, max_coordinate, _ = as_rows(first, second, point)
         for row in one, other:
-            assert not search.is_certainly_inside(*row, *point, reach)
-            assert search.is_certainly_inside(*row, *(c[row[2] : row[3]].mean() for c in row[:2]), reach)
+            assert not is_certainly_inside(*row, *point, max_coordinate)
+            assert is_certainly_inside(*row, *(c[row[2] : row[3]].mean() for c in row[:2]), max_coordinate)
 
 
-def test_wherever_the_search_of_numba_ends_every_edge_is_asked(monkeypatch):
-    settle = kernels_of("exact")
-    as_python(monkeypatch, settle, "_gjk")
-    rng = Random(1)
+def test_numba_evaluates_every_edge_from_whichever_corners_gjk_ends_at(monkeypatch):
+    exact_numba = kernels_of("exact")
+    as_python(monkeypatch, exact_numba, "_gjk")
+    rng, terms = Random(1), np.empty(exact_numba.MAX_TERMS)
     for _ in range(100):
-        one, other, reach, _ = as_rows(*corner_on_edge(rng))
+        one, other, max_coordinate, _ = as_rows(*corner_on_edge(rng))
         for i, j in product(*(rng.sample(range(*row[2:]), 2) for row in (one, other))):
             for these, ends in (((one, other), (i, j)), ((other, one), (j, i))):
-                monkeypatch.setattr(settle, "_gjk", lambda *_, ends=ends: (UNDECIDED, *ends))
-                assert settle.relate_many_corners(*these[0], *these[1], reach, np.empty(settle.MAX_TERMS)) == 1, ends
+                monkeypatch.setattr(exact_numba, "_gjk", lambda *_, ends=ends: (UNDECIDED, *ends))
+                assert exact_numba.relate_many_corners(*these[0], *these[1], max_coordinate, terms) == 1, ends
 
 
 class Counted(list):
-    """Numbers that tell how often any of them was looked at."""
+    """A list that counts how often an element of any such list is read."""
 
-    looks = 0
+    reads = 0
 
     def __getitem__(self, i):
-        Counted.looks += 1
+        Counted.reads += 1
         return super().__getitem__(i)
 
 
 @pytest.mark.parametrize(("v", "w"), [(9, 9), (64, 64), (200, 30), (30, 200)])
-def test_of_edges_that_tell_nothing_numba_looks_at_few_corners(v, w, monkeypatch):
-    """About twenty for each edge, however many there are: from each to the next the walk goes on where it was."""
-    settle = kernels_of("exact")
-    as_python(monkeypatch, settle, "_gjk", "_classify_edges", "_walk_down_onward")
-    monkeypatch.setattr(settle, "_classify_edges", lambda *_: pytest.fail("all corners are looked at"))
-    rng = RNG(4)
+def test_numba_evaluates_few_corners_for_each_edge_of_overlapping_shapes(v, w, monkeypatch):
+    """It reads about twenty coordinates for each edge of any outline: each walk begins where the one before ended."""
+    exact_numba = kernels_of("exact")
+    as_python(monkeypatch, exact_numba, "_gjk", "_classify_edges", "_walk_down_onward")
+    monkeypatch.setattr(exact_numba, "_classify_edges", lambda *_: pytest.fail("all corners are evaluated"))
+    rng, terms = RNG(4), np.empty(exact_numba.MAX_TERMS)
     for n in range(3):
         rings = ngons(rng, 1, v, 0.3)[0], ngons(rng, 1, w, 0.3)[0] + 0.4
-        one, other, reach, _ = as_rows(*rings, None)
+        one, other, max_coordinate, _ = as_rows(*rings, None)
         ends = [row[2] + (1 + n) * (row[3] - row[2]) // 4 for row in (one, other)]
-        monkeypatch.setattr(settle, "_gjk", lambda *_, ends=ends: (UNDECIDED, *ends))
-        Counted.looks, rows = 0, [[Counted(row[0]), Counted(row[1]), *row[2:]] for row in (one, other)]
-        assert settle.relate_many_corners(*rows[0], *rows[1], reach, np.empty(settle.MAX_TERMS)) == 2
-        assert Counted.looks < 24 * (v + w)
+        monkeypatch.setattr(exact_numba, "_gjk", lambda *_, ends=ends: (UNDECIDED, *ends))
+        Counted.reads, rows = 0, [[Counted(row[0]), Counted(row[1]), *row[2:]] for row in (one, other)]
+        assert exact_numba.relate_many_corners(*rows[0], *rows[1], max_coordinate, terms) == 2
+        assert Counted.reads < 24 * (v + w)
 
 
 @given(st.lists(st.tuples(*[st.integers(-3, 3)] * 6), min_size=1, max_size=20), st.integers(-60, 60))
 @settings(max_examples=80, deadline=None)
-def test_turns_are_exact(points, e):
+def test_orientations_are_exact(points, e):
     cols = np.array(points, dtype=float).T * 2.0**e
     nudged = np.nextafter(cols, np.inf)
     for c in (cols, nudged, np.where(cols == 0, 1e-300, cols)):
@@ -385,50 +387,50 @@ def test_turns_are_exact(points, e):
             assert value == (det > 0) - (det < 0)
 
 
-def in_a_row(rng, n, far):
-    """Three points nearly on a line, each."""
+def nearly_collinear(rng, n, far):
+    """Return the coordinates of n triples of nearly collinear points; the second ones reach as far as `far`."""
     p, q = rng.uniform(-1, 1, (2, n, 2)) * [[[1]], [[far]]]
     return *p.T, *q.T, *(p + rng.uniform(-1, 2, (n, 1)) * (q - p)).T
 
 
 @pytest.mark.parametrize("scale", [1e-130, 1.0, 1e140])
-def test_plain_turns_are_told_by_floats_alone(scale, monkeypatch):
-    asked = []
+def test_orientations_of_random_points_are_certified_by_the_float_filter(scale, monkeypatch):
+    left = []
     real = exact_signs._orient_adaptive
-    monkeypatch.setattr(exact_signs, "_orient_adaptive", lambda *c: asked.extend(c[0]) or real(*c))
+    monkeypatch.setattr(exact_signs, "_orient_adaptive", lambda *c: left.extend(c[0]) or real(*c))
     exact_signs.orient(*RNG(1).uniform(-scale, scale, (6, 1000)))
-    assert not asked
+    assert not left
 
 
 @pytest.mark.parametrize("scale", [1e-130, 1.0, 1e140])
-def test_turns_of_points_nearly_in_a_row_are_told_without_long_sums(scale, monkeypatch):
-    asked = []
+def test_orientations_of_nearly_collinear_points_hardly_need_exact_sums(scale, monkeypatch):
+    left = []
     real = exact_signs.sign_of_products
-    monkeypatch.setattr(exact_signs, "sign_of_products", lambda pairs: asked.extend(pairs[0][0]) or real(pairs))
-    exact_signs.orient(*(c * scale for c in in_a_row(RNG(2), 1000, 1000)))
-    assert len(asked) <= 5
+    monkeypatch.setattr(exact_signs, "sign_of_products", lambda pairs: left.extend(pairs[0][0]) or real(pairs))
+    exact_signs.orient(*(c * scale for c in nearly_collinear(RNG(2), 1000, 1000)))
+    assert len(left) <= 5
 
 
-def test_turns_with_what_was_lost_are_off_by_less_than_granted(monkeypatch):
-    """Granted are 32 roundings of roundings, 12 can be shown; the worst found is told."""
+def test_orientations_with_rounding_errors_added_are_within_their_error_bound(monkeypatch):
+    """ERRBOUND_C is 32 * 2**-106; the proof needs 12 of these. The test prints the largest error found."""
     seen = []
     real = exact_signs.certified_sign
     monkeypatch.setattr(exact_signs, "certified_sign", lambda *c: seen.append(c) or real(*c))
     worst = 0
     for far in (3, 1e3, 1e9):
-        points = in_a_row(RNG(3), 500, far)
+        points = nearly_collinear(RNG(3), 500, far)
         seen.clear()
         exact_signs._orient_adaptive(*points)
-        turns, rooms = seen[0]
-        for turn, room, *at in zip(*(map(Fraction, c.tolist()) for c in (turns, rooms, *points))):
+        dets, error_bounds = seen[0]
+        for det, error_bound, *at in zip(*(map(Fraction, c.tolist()) for c in (dets, error_bounds, *points))):
             px, py, qx, qy, rx, ry = at
-            right = (qx - px) * (ry - py) - (qy - py) * (rx - px)
-            worst = max(worst, (abs(turn - right) - abs(right) / 2**53) / room * 32)
+            exact = (qx - px) * (ry - py) - (qy - py) * (rx - px)
+            worst = max(worst, (abs(det - exact) - abs(exact) / 2**53) / error_bound * 32)
     print(f"worst {float(worst):.1f} of 32")
     assert 0 < worst < 12
 
 
-def test_two_floats_are_the_product_exactly():
+def test_a_product_and_its_rounding_error_sum_to_the_exact_product():
     rng = RNG(4)
     a, b = rng.integers(2**52, 2**53, (2, 5000)) * 2.0 ** rng.integers(-200, 200, (2, 5000))
     a[:100] = -b[:100]
@@ -441,7 +443,7 @@ def test_two_floats_are_the_product_exactly():
         assert Fraction(x) * Fraction(y) == sum(map(Fraction, terms))
 
 
-def test_turns_beyond_float64_are_exact_and_warn_of_nothing():
+def test_orientations_beyond_float64_are_exact_and_warn_of_nothing():
     columns = RNG(5).choice([-1.7e308, 1.7e308, 1e-320, 0, 1], (6, 300))
     with warnings.catch_warnings():
         warnings.simplefilter("error")
@@ -454,11 +456,11 @@ def test_turns_beyond_float64_are_exact_and_warn_of_nothing():
 
 @pytest.mark.parametrize("swap", [[0, 1, 2, 3, 4, 5], [1, 0, 3, 2, 5, 4], [0, 1, 4, 5, 2, 3], [1, 0, 5, 4, 3, 2]])
 @pytest.mark.parametrize("engine", ENGINES)
-def test_a_turn_of_which_one_difference_alone_is_rounded_is_exact(swap, engine):
-    """A straight way and one a float off: a product of two odd numbers is the difference of two floats of one end."""
+def test_an_orientation_is_exact_where_only_one_difference_is_rounded(swap, engine):
+    """Three collinear points, and the last one a float off: far - near is the product of two odd numbers."""
     rng = RNG(6)
     if engine == "numba":
-        settle = kernels_of("exact")
+        exact_numba = kernels_of("exact")
     for f, g in rng.integers(2**33, 2**36, (60, 2)).tolist():
         far = float(f * g)
         near = float(int(far) - f * g)
@@ -468,10 +470,10 @@ def test_a_turn_of_which_one_difference_alone_is_rounded_is_exact(swap, engine):
                 px, py, qx, qy, rx, ry = map(Fraction, columns)
                 det = (qx - px) * (ry - py) - (qy - py) * (rx - px)
                 if engine == "numba":
-                    told = settle.orient(*columns, np.empty(settle.MAX_TERMS))
+                    sign = exact_numba.orient(*columns, np.empty(exact_numba.MAX_TERMS))
                 else:
-                    (told,) = exact_signs.orient(*columns[:, None])
-                assert told == (det > 0) - (det < 0) and (det == 0) == (off == 0)
+                    (sign,) = exact_signs.orient(*columns[:, None])
+                assert sign == (det > 0) - (det < 0) and (det == 0) == (off == 0)
 
 
 def test_signs_of_products_are_exact_at_every_scale():
@@ -479,57 +481,55 @@ def test_signs_of_products_are_exact_at_every_scale():
     factors = RNG(7).choice(some, (2, 2, 600))
     a, b = factors[0]
     for sums in (factors, [(a, b), (-a, b)], [(a, b), (a, -b), (b, b)], [(a, b), (b, -np.nextafter(a, 9))]):
-        right = [sum(Fraction(p[i]) * Fraction(q[i]) for p, q in sums) for i in range(600)]
-        assert exact_signs.sign_of_products(sums).tolist() == [(s > 0) - (s < 0) for s in right]
+        exact = [sum(Fraction(p[i]) * Fraction(q[i]) for p, q in sums) for i in range(600)]
+        assert exact_signs.sign_of_products(sums).tolist() == [(s > 0) - (s < 0) for s in exact]
 
 
 @pytest.mark.parametrize("engine", ENGINES)
-def test_a_sum_is_told_from_what_its_other_terms_can_add_up_to_at_most(engine):
-    """Though that sum is itself rounded: 1 and five times what is rounded off it."""
+def test_the_sign_of_a_sum_allows_for_rounding_in_the_bound_of_its_other_terms(engine):
+    """The float sum of the other terms loses 2**-53 five times, so the bound would be too small without a factor."""
     terms = np.array([-1, *[-(2.0**-53)] * 5, 1 + 2.0**-52])
-    for way in (1, -1):
+    for sign in (1, -1):
         if engine == "numba":
-            settle = kernels_of("exact")
-            assert settle.sign_of_sum(way * terms, len(terms)) == -way
+            assert kernels_of("exact").sign_of_sum(sign * terms, len(terms)) == -sign
         else:
-            assert exact_signs.sign_of_sum(way * terms[:, None]) == -way
+            assert exact_signs.sign_of_sum(sign * terms[:, None]) == -sign
 
 
 @pytest.mark.parametrize("engine", ENGINES)
-def test_sums_that_nearly_vanish_are_told_exactly(engine):
-    """What is left once each number has met its opposite, split in two on the way: nothing, or one that is far less."""
+def test_sums_that_nearly_vanish_have_their_exact_sign(engine):
+    """Each large number is cancelled by its two parts and their rounding error, which is left out in some sums."""
     rng, seen = RNG(12), []
     for n in range(300):
         large = rng.normal(0, 1, 3) * 2.0 ** rng.integers(-40, 40, 3)
         parts = large * rng.uniform(-2, 3, 3)
-        rest = large - parts  # rounded: what was lost is the last of each
-        lost = [float(Fraction(u) - Fraction(v) - Fraction(w)) for u, v, w in zip(large, parts, rest)]
-        terms = np.array([*-large, *parts, *rest, *lost[:2], lost[2] * (n % 3)])
+        rest = large - parts  # rounded
+        errors = [float(Fraction(u) - Fraction(v) - Fraction(w)) for u, v, w in zip(large, parts, rest)]
+        terms = np.array([*-large, *parts, *rest, *errors[:2], errors[2] * (n % 3)])
         rng.shuffle(terms)
         exact = sum(map(Fraction, terms))
         if engine == "numba":
-            settle = kernels_of("exact")
-            told = settle.sign_of_sum(terms.copy(), len(terms))
+            sign = kernels_of("exact").sign_of_sum(terms.copy(), len(terms))
         else:
-            (told,) = exact_signs.sign_of_sum(terms[:, None].copy())
-        assert told == (exact > 0) - (exact < 0), terms
-        seen.append(told)
+            (sign,) = exact_signs.sign_of_sum(terms[:, None].copy())
+        assert sign == (exact > 0) - (exact < 0), terms
+        seen.append(sign)
     assert min(map(seen.count, (-1, 0, 1))) > 20
 
 
 def test_sums_of_ordinary_products_need_no_integers(monkeypatch):
-    asked = []
-    monkeypatch.setattr(exact_signs, "to_integers", lambda values: asked.append(values))
+    in_integers = []
+    monkeypatch.setattr(exact_signs, "to_integers", lambda values: in_integers.append(values))
     a, b, c = RNG(8).uniform(-1, 1, (3, 500)) * 10.0 ** RNG(9).integers(-60, 60, (3, 500))
     zero = np.zeros(500)
     for more in ([], [(zero, c)], [(c, zero)]):
         assert not exact_signs.sign_of_products([(a, b), (-b, a), *more]).any()
         assert np.array_equal(exact_signs.sign_of_products([(a, b), (-b, a), (c, a), *more]), np.sign(c) * np.sign(a))
-    assert not asked
+    assert not in_integers
 
 
 def resting(rng, n, v=3):
-    """Circles that rest on an edge or a corner of a polygon as nearly as floats allow."""
+    """Return circles that touch an edge or a corner of a polygon as nearly as floats allow."""
     rings = ngons(rng, 4 * n, v)
     fat = (rings * turned(np.roll(rings, -1, axis=1))).sum(axis=(1, 2)) > 0.2
     rings = rings[fat][:n]
@@ -544,7 +544,10 @@ def resting(rng, n, v=3):
 
 
 def tiny_on_edges(rng, n):
-    """Radii near or far below the last places of coordinates; centers on edges, on corners and a float or two off."""
+    """Return circles with radii near or far below the coordinates' unit in the last place.
+
+    Their centers lie on edges, on corners, or up to two floats off.
+    """
     _, _, rings = resting_exactly(rng, n) if rng.random() < 0.5 else resting(rng, n, 5)
     w = rng.choice([0, 0.25, 0.5, 1], (n, 1))
     centers = jolt(rng, rings[:, 0] + w * (rings[:, 1] - rings[:, 0]), 2)
@@ -552,7 +555,7 @@ def tiny_on_edges(rng, n):
 
 
 def beside_corners(rng, n):
-    """Turned squares with a circle under a corner: foot and corner are as far, until a float moves."""
+    """Return turned boxes with a circle below a corner: foot and corner are equally far, up to one float."""
     z = TRIPLES[rng.integers(0, len(TRIPLES), n)]
     along, side = np.where(rng.random((n, 1)) < 0.5, z[:, :2], [1, 0]), rng.integers(1, 2**16, (n, 1)).astype(float)
     p = rng.integers(1, 2**20, (n, 2)).astype(float)
@@ -565,7 +568,7 @@ def beside_corners(rng, n):
 
 
 def slivers(rng, n):
-    """Triangles no higher than rounding, and circles no larger."""
+    """Return triangles whose height is a rounding error, and circles of that size."""
     p, q = rng.uniform(-1, 1, (2, n, 2))
     rings = np.stack([p, q, p + rng.uniform(0.1, 0.9, (n, 1)) * (q - p)], axis=1)
     rings[:, 2, 1] = np.nextafter(np.nextafter(rings[:, 2, 1], 9), 9)
@@ -575,7 +578,10 @@ def slivers(rng, n):
 
 
 def at_the_end_of_a_long_edge(rng, n):
-    """The foot lies within what rounds off the edge's length, before or behind the end; the radius between both."""
+    """Return circles whose foot on an edge lies before or beyond its end by about a rounding error of its length.
+
+    The radius lies between the distances to the line and to the end.
+    """
     end = np.c_[rng.uniform(0, 0.5, n), rng.uniform(-1, 1, n)]
     long = np.c_[rng.uniform(-1, 1, n), 2.0 ** rng.uniform(31, 34, n)]
     other = end + np.c_[rng.uniform(0.5, 2, n), rng.uniform(-0.1, 0.3, n)]
@@ -613,22 +619,22 @@ RARE = {
 
 
 @pytest.mark.parametrize("kind", COMMON | RARE)
-def test_circles_that_rest_on_polygons_are_exact(kind):
+def test_circles_that_touch_polygons_are_exact(kind):
     for seed in range(4):
         circles, polygons = batches_from((COMMON | RARE)[kind](RNG(seed), 200))
-        right = [oracle.relation(p, q) for p, q in zip(scalar(circles), scalar(polygons))]
+        exact = [oracle.relation(p, q) for p, q in zip(scalar(circles), scalar(polygons))]
         found = {engine: batch.relate(circles, polygons, engine=engine).tolist() for engine in ENGINES}
         c, p = circles.uniform, polygons.uniform
         found["all undecided"] = (1 - circle_polygons.gap_signs(c.x[0], c.y[0], c.r, p.x, p.y)).tolist()
         found["swapped"] = batch.relate(polygons, circles).tolist()
-        assert found == dict.fromkeys(found, right)
+        assert found == dict.fromkeys(found, exact)
 
 
 @pytest.mark.parametrize("e", [-470, -450, 0, 470])
-def test_numbas_filter_tells_of_circles_what_the_plain_one_tells(e):
-    """Of those that rest on polygons or on each other, by about as much as rounding may hide, and of plain ones."""
+def test_filters_of_numba_and_numpy_classify_circles_alike(e):
+    """Some circles are ordinary, others touch a polygon or each other up to about the error bound."""
     kernels = kernels_of("filter")
-    rng, told = RNG(e + 500), []
+    rng, seen = RNG(e + 500), []
 
     def both(name, *columns):
         outs = [np.full(len(columns[0]) - 3, 9, np.int8) for _ in "ab"]
@@ -636,12 +642,12 @@ def test_numbas_filter_tells_of_circles_what_the_plain_one_tells(e):
             getattr(kernels, name)(*columns, 3, outs[0])
             getattr(filter_numpy, name)(*columns, 3, outs[1])
         assert outs[0].tolist() == outs[1].tolist()
-        told.extend(outs[0].tolist())
+        seen.extend(outs[0].tolist())
 
-    plain = [
+    ordinary = [
         lambda _, n, v=v: (rng.uniform(-2, 2, (n, 2)), rng.uniform(0.1, 1, n), ngons(rng, n, v)) for v in (3, 5, 9)
     ]
-    for make in [*(COMMON | RARE).values(), *plain]:
+    for make in [*(COMMON | RARE).values(), *ordinary]:
         centers, radii, rings = make(rng, 40)
         radii = radii * (1 + rng.integers(-9, 10, len(radii)) * 2.0 ** rng.choice([-52, -45, -44, -40], len(radii)))
         c, p = (s.uniform for s in batches_from((centers * 2.0**e, radii * 2.0**e, rings * 2.0**e)))
@@ -650,25 +656,25 @@ def test_numbas_filter_tells_of_circles_what_the_plain_one_tells(e):
         x, y, z = TRIPLES[rng.integers(0, len(TRIPLES), 40)].T * 2.0**e * near
         radii = z * (1 + rng.integers(-9, 10, 40) * 2.0 ** rng.choice([-52, -50, -49, -40], 40)) / 2
         both("circles", x, -y, z / 2, np.zeros(40), np.zeros(40), radii)
-    assert all(told.count(k) > 20 for k in ((UNDECIDED,) if e == -470 else (0, 2, UNDECIDED)))
+    assert all(seen.count(k) > 20 for k in ((UNDECIDED,) if e == -470 else (0, 2, UNDECIDED)))
 
 
 @pytest.mark.parametrize(
-    ("e", "told"), [(-500, False), (-446, False), (-430, True), (476, True), (486, False), (511, False)]
+    ("e", "certified"), [(-500, False), (-446, False), (-430, True), (476, True), (486, False), (511, False)]
 )
 @pytest.mark.parametrize("engine", ENGINES)
-def test_the_filter_tells_of_circles_what_products_in_the_range_of_floats_tell(engine, e, told):
+def test_the_filter_certifies_circles_only_where_products_stay_in_the_range_of_floats(engine, e, certified):
     kernels = filter_numpy if engine == "numpy" else kernels_of("filter")
     rng, size = RNG(e + 500), 2.0**e
     c, p = circles(rng, 50).uniform, batch.Polygons(regular(rng, 50, 5)).uniform
     out = np.empty(50, np.int8)
     with np.errstate(all="ignore"):
         kernels.circle_polygons(c.x[0] * size, c.y[0] * size, c.r * size, p.x * size, p.y * size, 0, out)
-    assert {0, 2} <= set(out) if told else set(out) == {UNDECIDED}
+    assert {0, 2} <= set(out) if certified else set(out) == {UNDECIDED}
 
 
 @pytest.mark.parametrize(
-    ("center", "radius", "ring", "right"),
+    ("center", "radius", "ring", "exact"),
     [
         ((4, -3), 5, [(-3 * 2.0**60, -4 * 2.0**60), (3 * 2.0**60, 4 * 2.0**60), (-4 * 2.0**60, 3 * 2.0**60)], 1),
         ((4, -3), 5, [(-3, -4), (3 * 2.0**60, 4 * 2.0**60), (-4 * 2.0**60, 3 * 2.0**60)], 1),
@@ -681,9 +687,9 @@ def test_the_filter_tells_of_circles_what_products_in_the_range_of_floats_tell(e
         ((-(2.0**-100), 0), 5, [(7, 1), (1, -7), (12, -9)], 0),
         ((0, 2.0**-100), 5, [(7, 1), (1, -7), (12, -9)], 0),
         ((0, -(2.0**-100)), 5, [(7, 1), (1, -7), (12, -9)], 2),
-        *(  # straight off an end of an edge but for a little: beyond it, and before it
-            (at, 5, [(0, 0), (3, 4), (-10, 5)], right)
-            for e, right in ((2.0**-50, 0), (-(2.0**-50), 1))
+        *(  # nearly perpendicular to an edge at its end: beyond the end, and before it
+            (at, 5, [(0, 0), (3, 4), (-10, 5)], exact)
+            for e, exact in ((2.0**-50, 0), (-(2.0**-50), 1))
             for at in ((4 - 3 * e, -3 - 4 * e), (7 + 3 * e, 1 + 4 * e))
         ),
         ((-2.5, 5), 5, [(3, 4), (2.0**-60, 0), (5, -3)], 0),  # an edge that rounds to one of length 5
@@ -697,15 +703,15 @@ def test_the_filter_tells_of_circles_what_products_in_the_range_of_floats_tell(e
         ((1.5e-162, -1), 0.98, [(0, 0), (3e-162, 0), (0, 1)], 0),
     ],
 )
-def test_circles_are_exact_where_all_hangs_on_what_was_rounded_off_or_lost(center, radius, ring, right):
-    assert oracle.relation(sv.Circle(center, radius), sv.Polygon(ring)) == right
+def test_circles_are_exact_where_the_relation_depends_on_a_rounding_error_or_an_underflow(center, radius, ring, exact):
+    assert oracle.relation(sv.Circle(center, radius), sv.Polygon(ring)) == exact
     circles, polygons = batch.Circles([center] * 50, radius), batch.Polygons([ring] * 50)
-    assert batch.relate(circles, polygons, engine="numpy").tolist() == [right] * 50
+    assert batch.relate(circles, polygons, engine="numpy").tolist() == [exact] * 50
 
 
 @pytest.mark.parametrize("engine", ENGINES)
 @pytest.mark.parametrize("e", [-460, -500, -532, -536, -538, -545])
-def test_circles_are_exact_over_an_edge_so_short_that_its_square_loses_bits(e, engine):
+def test_circles_are_exact_over_an_edge_whose_squared_length_loses_bits(e, engine):
     rng = RNG(-e)
     x, half = rng.uniform(-1, 1, 100), rng.uniform(0.8, 1.5, 100)
     points = np.zeros((100, 5, 2))  # center, the ends of the edge below, two more corners
@@ -714,9 +720,9 @@ def test_circles_are_exact_over_an_edge_so_short_that_its_square_loses_bits(e, e
     radii = rng.choice([0.8, 1 - 2.0**-10, 1, 1, 1, 1, 1 + 2.0**-10, 1.2], 100)
     for turns in range(4):
         circles, polygons = batch.Circles(points[:, 0], radii), batch.Polygons(points[:, 1:])
-        right = [oracle.relation(p, q) for p, q in zip(scalar(circles), scalar(polygons))]
-        assert set(right) == {0, 1, 2}
-        assert batch.relate(circles, polygons, engine=engine).tolist() == right, turns
+        exact = [oracle.relation(p, q) for p, q in zip(scalar(circles), scalar(polygons))]
+        assert set(exact) == {0, 1, 2}
+        assert batch.relate(circles, polygons, engine=engine).tolist() == exact, turns
         points = turned(points)
 
 
@@ -728,19 +734,19 @@ def test_circles_are_exact_with_ragged_and_repeated_vertices():
     circles = batch.Circles(*(np.concatenate([m[k] for m in made]) for k in (0, 1)))
     order = rng.permutation(len(rings))
     circles, polygons = circles[order], batch.Polygons([rings[i] for i in order])
-    right = [oracle.relation(p, q) for p, q in zip(scalar(circles), scalar(polygons))]
+    exact = [oracle.relation(p, q) for p, q in zip(scalar(circles), scalar(polygons))]
     for engine in ENGINES:
-        assert batch.relate(circles, polygons, engine=engine).tolist() == right
+        assert batch.relate(circles, polygons, engine=engine).tolist() == exact
 
 
 @pytest.mark.slow
-def test_what_floats_settle_of_the_hard_pairs_is_right():
-    """Those of every scale too, up to overflow and down to the smallest floats."""
+def test_signs_certified_by_floats_are_right_for_hard_pairs():
+    """The pairs have every scale, up to overflow and down to the smallest floats."""
     known = [(a, b) for _, a, b in pairs(3, 250 * len(CONVEX), list(CONVEX))]
     known = [(a, b) if isinstance(a, sv.Circle) else (b, a) for a, b in known if type(a) is not type(b)]
     known = [(c, p) for c, p in known if len(sv.parts(p)) == 1]
     circles, polygons = batches_of([c for c, _ in known]).groups[1], batch.Polygons([p for _, p in known])
-    settled = 0
+    certified = 0
     for v, group in polygons.groups.items():
         mine = np.flatnonzero(polygons.count == v)
         columns = circles.x[0, mine], circles.y[0, mine], circles.r[mine], group.x, group.y
@@ -748,12 +754,12 @@ def test_what_floats_settle_of_the_hard_pairs_is_right():
             found = circle_polygons._float_signs(*columns)
         for i, value in zip(mine, found):
             assert value in (exact_signs.UNKNOWN, 1 - oracle.relation(*known[i])), known[i]
-        settled += (found != exact_signs.UNKNOWN).sum()
-    assert settled > len(known) / 2
+        certified += (found != exact_signs.UNKNOWN).sum()
+    assert certified > len(known) / 2
 
 
 @pytest.mark.parametrize("kind", COMMON)
-def test_hardly_a_circle_on_a_polygon_needs_integers(kind, monkeypatch):
+def test_hardly_any_circle_that_touches_a_polygon_needs_integers(kind, monkeypatch):
     counted = []
     real = circle_polygons._integer_sign
     monkeypatch.setattr(circle_polygons, "_integer_sign", lambda *columns: counted.append(1) or real(*columns))
@@ -763,44 +769,45 @@ def test_hardly_a_circle_on_a_polygon_needs_integers(kind, monkeypatch):
 
 
 @pytest.mark.parametrize("kind", COMMON)
-def test_of_a_circle_on_a_polygon_only_what_may_lie_within_its_radius_is_settled(kind):
-    """A corner or a foot of it, or a corner and the foot beside it."""
+def test_of_a_circle_that_touches_a_polygon_only_features_near_its_radius_are_evaluated_exactly(kind):
+    """These are a corner or a foot, or a corner and the foot beside it."""
     circles, polygons = (shapes.uniform for shapes in batches_from(COMMON[kind](RNG(5), 300)))
-    *asked, inside, room = within_reach(circles, polygons)
-    assert np.bincount(np.concatenate(asked) % 300).max() <= 2
-    assert not inside.size and (room < np.inf).all()
+    *evaluated, inside, error_bound = features_within_radius(circles, polygons)
+    assert np.bincount(np.concatenate(evaluated) % 300).max() <= 2
+    assert not inside.size and (error_bound < np.inf).all()
 
 
-def within_reach(circles, polygons):
+def features_within_radius(circles, polygons):
+    """Return `circle_polygons._features_within_radius` of the pairs."""
     x, y = (circle_polygons._close_rings(c) for c in (polygons.x, polygons.y))
     with np.errstate(all="ignore"):
         return circle_polygons._features_within_radius(circles.x[0], circles.y[0], circles.r, x, y)
 
 
-@pytest.mark.parametrize(("e", "told"), [(-470, False), (-430, True), (460, True), (486, False), (505, False)])
-def test_floats_settle_circles_on_polygons_only_where_products_stay_in_their_range(e, told):
+@pytest.mark.parametrize(("e", "certified"), [(-470, False), (-430, True), (460, True), (486, False), (505, False)])
+def test_floats_certify_circles_that_touch_polygons_only_where_products_stay_in_range(e, certified):
     made = [values * 2.0 ** (e - 10) for values in resting_exactly(RNG(3), 50)]
     circles, polygons = (shapes.uniform for shapes in batches_from(made))
-    *places, room = within_reach(circles, polygons)
-    assert (room == np.inf).tolist() == [not told] * 50
-    if not told:
-        assert not any(place.size for place in places)
+    *features, error_bound = features_within_radius(circles, polygons)
+    assert (error_bound == np.inf).tolist() == [not certified] * 50
+    if not certified:
+        assert not any(places.size for places in features)
     columns = circles.x[0], circles.y[0], circles.r, polygons.x, polygons.y
     with np.errstate(all="ignore"):
         found = circle_polygons._float_signs(*columns)
-    assert found.tolist() == ([0] * 50 if told else [exact_signs.UNKNOWN] * 50)
+    assert found.tolist() == ([0] * 50 if certified else [exact_signs.UNKNOWN] * 50)
     assert circle_polygons.gap_signs(*columns).tolist() == [0] * 50
 
 
-def test_an_edge_whose_square_may_lose_bits_leaves_circles_to_integers():
+def test_circles_over_an_edge_whose_squared_length_may_lose_bits_are_evaluated_in_integers():
     shapes = batch.Circles([(0, -1)], 1), batch.Polygons([[(-1, 0), (2.0**-470, 0), (0, 2.0**-470)]])
-    *places, room = within_reach(*(shape.uniform for shape in shapes))
-    assert room == np.inf and not any(place.size for place in places)
+    *features, error_bound = features_within_radius(*(shape.uniform for shape in shapes))
+    assert error_bound == np.inf and not any(places.size for places in features)
 
 
 @pytest.mark.parametrize("engine", ENGINES)
-def test_circles_on_polygons_beyond_a_block_are_told_as_those_in_it(engine):
-    """Each third circle touches its polygon exactly, the others have the next larger or smaller radius."""
+def test_circles_on_polygons_are_exact_in_the_second_and_third_block_too(engine):
+    """Each third circle touches its polygon exactly; the others have the next larger or smaller radius."""
     n = 2 * circle_polygons.BLOCK_PAIRS + 5
     centers, radii, rings = resting_exactly(RNG(3), n)
     kind = np.arange(n) % 3
@@ -810,7 +817,7 @@ def test_circles_on_polygons_beyond_a_block_are_told_as_those_in_it(engine):
 
 
 def on_long_edges(rng, n):
-    """Circles that touch an edge from without or within, near its one end; the other is 2**10 to 2**40 radii away."""
+    """Return circles that touch an edge from outside or inside near one end; the other is 2**10 to 2**40 radii away."""
     x, y, z = TRIPLES[rng.integers(0, len(TRIPLES), n)].T
     along, outside = np.stack([x, y], axis=1), rng.choice([-1, 1], (n, 1))
     near, far = -rng.integers(0, 3, (n, 1)) * along, 2.0 ** rng.integers(10, 41, (n, 1)) * along
@@ -822,7 +829,7 @@ def on_long_edges(rng, n):
 
 
 @pytest.mark.parametrize("seed", range(5))
-def test_circles_that_touch_long_edges_from_without_and_within_are_exact(seed):
+def test_circles_that_touch_long_edges_from_outside_and_inside_are_exact(seed):
     centers, radii, rings, outside = on_long_edges(RNG(seed), 200)
     for more in 0, 1, -1:
         made = batches_from((centers, radii * (1 + more * 2.0**-50), rings))
@@ -834,8 +841,8 @@ def test_circles_that_touch_long_edges_from_without_and_within_are_exact(seed):
 
 
 @pytest.mark.parametrize("kind", ["near triangles", "near, moved", "slivers"])
-def test_turns_in_two_floats_are_off_by_less_than_granted(kind, monkeypatch):
-    """Granted are 256 roundings of roundings, 88 can be shown, besides the sum's own; the worst found is told."""
+def test_foot_signs_in_two_floats_are_within_their_error_bound(kind, monkeypatch):
+    """ERRBOUND_B is 256 * 2**-106; the proof needs 88, besides the sum's rounding. The largest error is printed."""
     seen = []
     real = exact_signs.sum_with_error
     monkeypatch.setattr(exact_signs, "sum_with_error", lambda *terms: seen.append(real(*terms)) or seen[-1])
@@ -848,15 +855,15 @@ def test_turns_in_two_floats_are_off_by_less_than_granted(kind, monkeypatch):
     with localcontext(prec=150):
         for i, (cx, cy, r, px, py, qx, qy) in enumerate(zip(*(map(Decimal, c.tolist()) for c in columns))):
             turn = (py - cy) * (qx - px) - (px - cx) * (qy - py)
-            right = turn * int(side[i]) - r * ((qx - px) ** 2 + (qy - py) ** 2).sqrt()
-            error = abs(Decimal(total[i]) - right) - abs(right) / 2**53
+            exact = turn * int(side[i]) - r * ((qx - px) ** 2 + (qy - py) ** 2).sqrt()
+            error = abs(Decimal(total[i]) - exact) - abs(exact) / 2**53
             worst = max(worst, float(error / Decimal(off[i])) * 256)
     print(f"{kind}: worst {worst:.1f} of 256")
     assert 0 < worst < 88
 
 
-def test_upright_boxes_among_other_shapes_of_four_corners_are_settled_by_their_sides(monkeypatch):
-    """Side by side, where all of one batch are looked at together; exact signs are asked of the others only."""
+def test_upright_boxes_among_other_shapes_of_four_corners_are_classified_by_their_sides(monkeypatch):
+    """The boxes of two batches are compared together; exact signs are evaluated only for other shapes."""
     box = np.array([(0, 0), (1, 0), (1, 1), (0, 1)])
     diamond = np.array([(0, -0.5), (0.5, 0), (0, 0.5), (-0.5, 0)])
     at = 0.1 * np.arange(50)[:, None, None]
@@ -870,19 +877,19 @@ def test_upright_boxes_among_other_shapes_of_four_corners_are_settled_by_their_s
         diamond - 7,
     ]
     known = [sv.relate(sv.Polygon(p), sv.Polygon(q)) for p, q in zip(rings, others)]
-    asked = []
+    evaluated = []
     real = exact_signs.orient
-    monkeypatch.setattr(exact_signs, "orient", lambda *c: asked.extend(c[0]) or real(*c))
+    monkeypatch.setattr(exact_signs, "orient", lambda *c: evaluated.extend(c[0]) or real(*c))
     a, b = batch.Polygons(rings), batch.Polygons(others)
     assert batch.relate(a, b, engine="numpy").tolist() == batch.relate(b, a, engine="numpy").tolist() == known
-    asked.clear()
+    evaluated.clear()
     only = [*range(50), 151]
     assert batch.relate(a[only], b[only], engine="numpy").tolist() == [known[i] for i in only]
-    assert not asked
+    assert not evaluated
 
 
-def leaning(rng, n, v, w):
-    """Polygons and others turned about a point of an edge, or a corner, of theirs: they touch but for rounding."""
+def nearly_touching(rng, n, v, w):
+    """Return polygons and their images, rotated about a point of an edge or a corner: they touch up to rounding."""
     rings = ngons(rng, 4 * n, v)
     rings = rings[(rings * turned(np.roll(rings, -1, axis=1))).sum(axis=(1, 2)) > 0.2][:n]
     spot = rings[:, 0] + rng.choice([0, 0.25, rng.random()], (len(rings), 1)) * (rings[:, 1] - rings[:, 0])
@@ -892,12 +899,12 @@ def leaning(rng, n, v, w):
 @pytest.mark.parametrize("scale", [2.0**-525, 2.0**-70, 2.0**-30, 1.0, 2.0**200, 2.0**511])
 @pytest.mark.parametrize("far", one_in(2, [(0, 0), (1000, -1000)]))
 @pytest.mark.parametrize(("v", "w"), [(3, 3), (4, 4), (8, 5), (20, 20)])
-def test_polygons_that_lean_on_each_other_are_exact(v, w, far, scale):
+def test_nearly_touching_polygons_are_exact(v, w, far, scale):
     rng = RNG(v)
-    p, q = (jolt(rng, (rings + far) * scale, most) for rings, most in zip(leaning(rng, 160 // v, v, w), (0, 1)))
-    good = [i for i in range(len(p)) if all(batch_takes(rings[i], k) for rings, k in ((p, v), (q, w)))]
-    p, q = batch.Polygons(p[good]), batch.Polygons(q[good])
-    right = [oracle.relation(one, other) for one, other in zip(scalar(p), scalar(q))]
+    p, q = (jolt(rng, (rings + far) * scale, most) for rings, most in zip(nearly_touching(rng, 160 // v, v, w), (0, 1)))
+    valid = [i for i in range(len(p)) if all(is_convex_ring(rings[i], k) for rings, k in ((p, v), (q, w)))]
+    p, q = batch.Polygons(p[valid]), batch.Polygons(q[valid])
+    exact = [oracle.relation(one, other) for one, other in zip(scalar(p), scalar(q))]
     index = np.arange(len(p))
     found = {engine: batch.relate(p, q, engine=engine).tolist() for engine in ENGINES}
     found |= {
@@ -905,11 +912,11 @@ def test_polygons_that_lean_on_each_other_are_exact(v, w, far, scale):
     }
     found["all undecided"] = exact_numpy.relations(p.uniform, index, q.uniform, index).tolist()
     found["all undecided, swapped"] = exact_numpy.relations(q.uniform, index, p.uniform, index).tolist()
-    assert found == dict.fromkeys(found, right)
+    assert found == dict.fromkeys(found, exact)
 
 
-def batch_takes(ring, v):
-    """Is it convex with all its corners, whatever was rounded?"""
+def is_convex_ring(ring, v):
+    """Return whether a ring is still convex with v corners after its coordinates were rounded."""
     try:
         polygon = sv.Polygon(ring)
     except sv.InvalidShape:
@@ -918,75 +925,69 @@ def batch_takes(ring, v):
 
 
 @pytest.mark.parametrize(("v", "w"), [(5, 5), (8, 5), (9, 20)])
-def test_every_edge_is_asked_whichever_corner_the_search_begins_at(v, w, monkeypatch):
+def test_every_edge_is_evaluated_from_whichever_corner_the_search_begins_at(v, w, monkeypatch):
     rng = RNG(v * w)
     monkeypatch.setattr(
         exact_numpy, "_facing_corner", lambda own, other: rng.integers(0, own.edge_count, own.x.shape[1])
     )
     p, q = (batch.Polygons(ngons(rng, 300, k)) for k in (v, w))
     index = np.arange(300)
-    right = one_by_one(p, q)
-    assert 0 < right.count(0) < 300
-    assert exact_numpy.relations(p.uniform, index, q.uniform, index).tolist() == right
-    assert exact_numpy.relations(q.uniform, index, p.uniform, index).tolist() == right
+    exact = one_by_one(p, q)
+    assert 0 < exact.count(0) < 300
+    assert exact_numpy.relations(p.uniform, index, q.uniform, index).tolist() == exact
+    assert exact_numpy.relations(q.uniform, index, p.uniform, index).tolist() == exact
 
 
 @pytest.mark.parametrize("v", [40, 100])
-def test_of_many_corners_only_those_near_the_other_shape_are_asked(v, monkeypatch):
-    """Shapes and those turned about a corner of theirs, wherever they lie."""
+def test_of_many_corners_only_edges_near_the_other_shape_are_evaluated(v, monkeypatch):
+    """Each pair is a shape and its image, rotated about one of its corners, at several places."""
     rng = RNG(v)
-    asked = []
+    evaluated = []
     real = exact_numpy._classify_edges
-    monkeypatch.setattr(exact_numpy, "_classify_edges", lambda *c: asked.extend(c[3]) or real(*c))
-    exactly, orient = [], exact_signs.orient
-    monkeypatch.setattr(exact_signs, "orient", lambda *c: exactly.extend(c[0]) or orient(*c))
+    monkeypatch.setattr(exact_numpy, "_classify_edges", lambda *c: evaluated.extend(c[3]) or real(*c))
     for far in ((0, 0), (30, -20), (-1000, 1000)):
         a = np.round(ngons(rng, 200, v) * 2.0**30) * 2.0**-30 + far
         spot = a[np.arange(200), rng.integers(0, v, 200)][:, None]
         p, q, index = batch.Polygons(a).uniform, batch.Polygons(2 * spot - a).uniform, np.arange(200)
         for one, other in ((p, q), (q, p)):
-            asked.clear(), exactly.clear()
+            evaluated.clear()
             assert (exact_numpy.relations(one, index, other, index) == 1).all()
-            assert len(asked) <= 7 * 200
+            assert len(evaluated) <= 7 * 200
 
 
 @pytest.mark.parametrize("turn", [[[1, 0], [0, 1]], [[0, 1], [-1, 0]], [[-1, 0], [0, -1]], [[3, 4], [-4, 3]]], ids=str)
-def test_edges_on_one_line_meet_where_their_ranges_on_it_do(turn, monkeypatch):
-    rng = RNG(10)
-    monkeypatch.setattr(
-        exact_numpy, "_facing_corner", lambda own, other: rng.integers(0, own.edge_count, own.x.shape[1])
-    )
-    house = np.array([(0, 0), (4, 0), (6, 2), (6, 4), (4, 6), (0, 6), (-2, 4), (-2, 2)])
+def test_edges_on_one_line_touch_where_their_ranges_overlap(turn):
+    octagon = np.array([(0, 0), (4, 0), (6, 2), (6, 4), (4, 6), (0, 6), (-2, 4), (-2, 2)])
     moves = np.repeat([-20, -1, 0, 1, 4, 8, 9, 20], 10)
-    below = np.stack([[t, 0] - house for t in moves]) @ turn
-    a, b = batch.Polygons(np.array([house] * len(moves)) @ turn), batch.Polygons(below)
-    right = [int(0 <= t <= 8) for t in moves]
+    below = np.stack([[t, 0] - octagon for t in moves]) @ turn
+    a, b = batch.Polygons(np.array([octagon] * len(moves)) @ turn), batch.Polygons(below)
+    exact = [int(0 <= t <= 8) for t in moves]
     index = np.arange(len(moves))
     for one, other in ((a, b), (b, a)):
-        assert exact_numpy.relations(one.uniform, index, other.uniform, index).tolist() == right
-        assert batch.relate(one, other).tolist() == right
+        assert exact_numpy.relations(one.uniform, index, other.uniform, index).tolist() == exact
+        assert batch.relate(one, other).tolist() == exact
 
 
 @pytest.mark.parametrize("scale", [1e-120, 1.0, 1e130])
 @pytest.mark.parametrize("v", [3, 4, 5, 20])
-def test_plain_pairs_are_asked_for_no_exact_sign_whatever_the_scale(v, scale, monkeypatch):
+def test_ordinary_pairs_need_no_exact_sign_at_any_scale(v, scale, monkeypatch):
     rng = RNG(v)
-    asked, in_doubt, edge = [], [], exact_numpy._classify_edges
-    monkeypatch.setattr(exact_numpy, "_classify_edges", lambda *c: asked.extend(c[3]) or edge(*c))
-    monkeypatch.setattr(exact_numpy, "_classify_on_line", lambda *c: in_doubt.append(c))
+    evaluated, undecided, real = [], [], exact_numpy._classify_edges
+    monkeypatch.setattr(exact_numpy, "_classify_edges", lambda *c: evaluated.extend(c[3]) or real(*c))
+    monkeypatch.setattr(exact_numpy, "_classify_on_line", lambda *c: undecided.append(c))
     rings = ngons(rng, 200, v)
     rings = rings[(rings * turned(np.roll(rings, -1, axis=1))).sum(axis=(1, 2)) > 0.5]
     a, b = (batch.Polygons((rings + far) * scale).uniform for far in (0, [1e-3, 2e-3]))
     index = np.arange(len(rings))
     assert (exact_numpy.relations(a, index, b, index) == 2).all()
-    assert not asked or v > exact_numpy.MAX_ALL_EDGES_CORNERS
+    assert not evaluated or v > exact_numpy.MAX_ALL_EDGES_CORNERS
     a, b = (batch.Polygons(ngons(rng, 200, v) * scale).uniform for _ in "ab")
     exact_numpy.relations(a, np.arange(200), b, np.arange(200))
-    assert not in_doubt
+    assert not undecided
 
 
 @pytest.mark.parametrize("large", [0, 1])
-def test_the_few_steps_of_many_corners_are_granted_room_for_the_largest_coordinates(large, monkeypatch):
+def test_the_error_bound_of_gjk_for_many_corners_is_that_of_the_largest_coordinates(large, monkeypatch):
     rng = RNG(17)
     seen = []
     real = gjk.gjk
@@ -1004,31 +1005,31 @@ def test_the_few_steps_of_many_corners_are_granted_room_for_the_largest_coordina
 @pytest.mark.parametrize(
     "other", [[(0, 0), (3, 0), (0, 3)], [(0, 0), (4, 0), (6, 2), (6, 4), (4, 6), (0, 6), (-2, 4), (-2, 2)]]
 )
-def test_what_a_few_steps_tell_is_right_wherever_the_other_shape_lies(other):
-    """At all whole places: touching at corners, along edges and by parts of these among them."""
+def test_gjk_of_many_corners_is_right_at_every_place_of_the_other_shape(other):
+    """The other shape is put at all integer points of a square, so some pairs touch at corners or along edges."""
     one = np.array([(0, 0), (2, -1), (4, 0), (5, 3), (4, 5), (0, 5), (-1, 2)])
     places = np.stack(np.meshgrid(np.arange(-9, 10), np.arange(-9, 10)), axis=-1).reshape(-1, 1, 2)
     a, b = batch.Polygons(one + 0 * places), batch.Polygons(np.array(other) + places)
-    right = one_by_one(a, b)
+    exact = one_by_one(a, b)
     for p, q in ((a.uniform, b.uniform), (b.uniform, a.uniform)):
-        out = np.empty(len(right), np.int8)
-        gjk.gjk(p.x, p.y, q.x, q.y, np.full(len(right), 30 * ERROR_FACTOR_F64), out)
-        assert all(found in (UNDECIDED, told) for found, told in zip(out.tolist(), right))
-        assert (out == UNDECIDED).sum() <= right.count(1) + 20
+        out = np.empty(len(exact), np.int8)
+        gjk.gjk(p.x, p.y, q.x, q.y, np.full(len(exact), 30 * ERROR_FACTOR_F64), out)
+        assert all(found in (UNDECIDED, relation) for found, relation in zip(out.tolist(), exact))
+        assert (out == UNDECIDED).sum() <= exact.count(1) + 20
 
 
 @pytest.mark.parametrize("engine", ENGINES)
 @pytest.mark.parametrize("v", one_in(2, [3, 5, 9, 17, 24]))
-def test_many_polygons_that_lean_on_each_other_are_right(v, engine):
+def test_many_nearly_touching_polygons_are_right(v, engine):
     rng = RNG(v)
-    rings, others = leaning(rng, 400, v, v)
-    good = [i for i in range(len(rings)) if batch_takes(rings[i], v) and batch_takes(others[i], v)]
-    a, b = batch.Polygons(rings[good]), batch.Polygons(others[good])
+    rings, others = nearly_touching(rng, 400, v, v)
+    valid = [i for i in range(len(rings)) if is_convex_ring(rings[i], v) and is_convex_ring(others[i], v)]
+    a, b = batch.Polygons(rings[valid]), batch.Polygons(others[valid])
     assert batch.relate(a, b, engine=engine).tolist() == one_by_one(a, b)
 
 
-def test_whether_the_foot_lies_between_the_ends_is_told_rightly_next_to_an_end():
-    """Centers straight off an end of their edge but for rounding; differences lose bits too."""
+def test_the_side_of_the_foot_is_right_or_unknown_next_to_an_end_of_the_edge():
+    """The foot of each center is an end of its edge up to rounding; differences lose bits too."""
     rng = RNG(18)
     n, known = 1000, 0
     p, q = rng.uniform(-1, 1, (2, n, 2)) * 10.0 ** rng.integers(-2, 3, (2, n, 1))
@@ -1037,28 +1038,28 @@ def test_whether_the_foot_lies_between_the_ends_is_told_rightly_next_to_an_end()
         columns = *c.T, np.ones(n), *ends[0].T, *ends[1].T
         with np.errstate(all="ignore"):
             found = circle_polygons._keep_inner_feet(np.full(n, -1, np.int8), *columns)
-        for told, cx, cy, _, px, py, qx, qy in zip(
+        for sign, cx, cy, _, px, py, qx, qy in zip(
             found.tolist(), *(map(Fraction, column.tolist()) for column in columns)
         ):
             along = (cx - px) * (qx - px) + (cy - py) * (qy - py)
             between = 0 < along < (qx - px) ** 2 + (qy - py) ** 2
-            assert told in (exact_signs.UNKNOWN, -1 if between else 1)
-            known += told != exact_signs.UNKNOWN
+            assert sign in (exact_signs.UNKNOWN, -1 if between else 1)
+            known += sign != exact_signs.UNKNOWN
     assert known > 1.9 * n
 
 
 @pytest.mark.parametrize("lost", [1.0, -1.0])
 @pytest.mark.parametrize("y_first", [False, True])
-def test_what_was_lost_of_a_difference_is_not_forgotten_where_all_else_adds_up_to_nothing(lost, y_first):
-    """The center lies straight off an end of the edge, but for a 1 that is lost beside 2**100."""
-    end, way = np.array([4, -3]) * 2.0**110, np.array([3, 4]) * 2.0**100
-    known = [((lost, 0), end, end + s * way) for s in (1, -1)]  # lost between the center and the end
-    known += [(np.array([3 * s - lost, -4 * s]), (-lost, 0), way[::-1]) for s in (1, -1)]  # and along the edge
+def test_the_rounding_error_of_a_difference_decides_where_the_foot_is_where_all_other_terms_cancel(lost, y_first):
+    """The foot of the center is an end of the edge, but for a 1 that is rounded off beside 2**100."""
+    end, along = np.array([4, -3]) * 2.0**110, np.array([3, 4]) * 2.0**100
+    known = [((lost, 0), end, end + s * along) for s in (1, -1)]  # lost between the center and the end
+    known += [(np.array([3 * s - lost, -4 * s]), (-lost, 0), along[::-1]) for s in (1, -1)]  # and along the edge
     for c, p, q in known:
         for ends in ((p, q), (q, p)):
             cx, cy, px, py, qx, qy = (float(v) for point in (c, *ends) for v in point[:: -1 if y_first else 1])
             columns = [np.array([v]) for v in (cx, cy, 1.0, px, py, qx, qy)]
-            (told,) = circle_polygons._keep_inner_feet(np.full(1, -1, np.int8), *columns)
+            (sign,) = circle_polygons._keep_inner_feet(np.full(1, -1, np.int8), *columns)
             cx, cy, px, py, qx, qy = map(Fraction, (cx, cy, px, py, qx, qy))
             along = (cx - px) * (qx - px) + (cy - py) * (qy - py)
-            assert along and told in (exact_signs.UNKNOWN, -1 if 0 < along < (qx - px) ** 2 + (qy - py) ** 2 else 1)
+            assert along and sign in (exact_signs.UNKNOWN, -1 if 0 < along < (qx - px) ** 2 + (qy - py) ** 2 else 1)

@@ -1,4 +1,4 @@
-"""Outlines and circles: what is taken, and what is refused by its number."""
+"""Tests of outlines and circles in batches: valid ones are accepted, invalid ones are refused by number."""
 
 import numpy as np
 import pytest
@@ -7,7 +7,7 @@ import satviz as sv
 from satviz import batch
 
 
-def test_either_winding_repeats_and_straight_on_vertices_are_taken():
+def test_either_winding_repeats_and_collinear_vertices_are_accepted():
     square = [(0, 0), (2, 0), (2, 2), (0, 2)]
     rings = [square[::-1], [*square, square[0]], [(0, 0), (1, 0), (2, 0), (2, 2), (0, 2)], [(0, 0), *square]]
     shapes = batch.Polygons(rings)
@@ -60,7 +60,7 @@ def test_bad_circles_are_refused_by_number():
             batch.Circles(centers, radii)
 
 
-def test_a_pentagram_is_not_convex_though_it_turns_left_everywhere():
+def test_a_pentagram_is_not_convex_although_it_turns_left_everywhere():
     turns = 4 * np.pi * np.arange(5) / 5
     with pytest.raises(sv.InvalidShape, match="cross"):
         batch.Polygons([np.stack([np.cos(turns), np.sin(turns)], axis=1)])

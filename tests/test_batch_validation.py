@@ -1,4 +1,4 @@
-"""The batch's door: the rules and the words of the scalar one, and nothing of the caller's is touched."""
+"""Tests of the validation of batches: same rules and messages as for single shapes, and the input is never changed."""
 
 import importlib
 import inspect
@@ -18,7 +18,7 @@ from satviz.batch import arrays, collide, constructors, engines, narrow_phase, o
 from satviz.batch.with_numpy import filter as filter_numpy
 from satviz.engine import predicates
 
-broad_phase = importlib.import_module("satviz.batch.broad_phase")  # the module, whatever batch calls so
+broad_phase = importlib.import_module("satviz.batch.broad_phase")  # the module itself
 
 TRIANGLE = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]
 ELL = [(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)]
@@ -85,13 +85,13 @@ def words(make, *arguments, **options):
 
 
 @pytest.mark.parametrize("name", BAD | NO_OUTLINES)
-def test_what_the_scalar_door_refuses_the_batch_refuses_in_the_same_words(name):
+def test_batches_refuse_what_scalar_shapes_refuse_with_the_same_message(name):
     bad = (BAD | NO_OUTLINES)[name]
     assert words(batch.Polygons, [TRIANGLE, bad]) == f"polygon 1: {words(sv.Polygon, bad)}"
 
 
 @pytest.mark.parametrize("name", [name for name, bad in BAD.items() if isinstance(bad, np.ndarray)])
-def test_whole_arrays_and_streams_have_the_same_door(name):
+def test_arrays_and_streams_have_the_same_validation(name):
     bad = BAD[name]
     good = np.array(TRIANGLE).astype(bad.dtype)
     block = (np.ma if np.ma.isMaskedArray(bad) else np).stack([good, good, good, bad])
@@ -108,7 +108,7 @@ SHAPED |= {"a pentagram": PENTAGRAM, "two vertices": [(0, 0), (1, 0)], "none": n
 
 @pytest.mark.parametrize("before", [0, 1, 3])
 @pytest.mark.parametrize("name", SHAPED)
-def test_outlines_one_after_another_have_the_same_door(name, before):
+def test_outlines_with_offsets_have_the_same_validation(name, before):
     bad = np.asarray(SHAPED[name], float)
     good = np.array(TRIANGLE)
     rings = [good] * before + [bad, good, bad]
@@ -120,7 +120,7 @@ def test_outlines_one_after_another_have_the_same_door(name, before):
 
 
 @pytest.mark.parametrize("name", [name for name, bad in BAD.items() if isinstance(bad, np.ndarray)])
-def test_vertices_one_after_another_are_numbers_like_all_others(name):
+def test_vertices_with_offsets_must_be_valid_numbers(name):
     bad = BAD[name]
     stack = np.ma.concatenate if np.ma.isMaskedArray(bad) else np.concatenate
     block = stack([np.array(TRIANGLE).astype(bad.dtype)] * 2 + [bad])
@@ -152,7 +152,7 @@ def test_offsets_that_do_not_fit_are_refused(offsets, said):
 @pytest.mark.parametrize(
     "shape", [(), (3,), (2, 3), (2, 2, 2), (0, 2, 2), (2, 3, 1), (2, 3, 3), (2, 0, 2), (1, 2, 3, 2)]
 )
-def test_an_array_of_a_shape_that_holds_no_polygons_is_refused_by_its_shape(shape):
+def test_an_array_of_a_wrong_shape_is_refused_with_its_shape(shape):
     said = f"vertices has the shape {shape}: expected (N, V, 2) with V at least 3"
     assert words(batch.Polygons, np.zeros(shape)) == said
 
@@ -173,7 +173,7 @@ LAYOUTS = {
 
 
 @pytest.mark.parametrize("layout", LAYOUTS)
-def test_the_first_number_at_fault_is_named_wherever_it_stands(layout):
+def test_the_first_invalid_number_is_named_in_all_layouts(layout):
     for i, j, k in np.ndindex(3, 4, 2):
         rings = [[[5.0, 5.0], [6.0, 5.0], [6.0, 6.0], [5.0, 6.0]] for _ in range(3)]
         rings[2][3][1] = np.inf
@@ -184,7 +184,7 @@ def test_the_first_number_at_fault_is_named_wherever_it_stands(layout):
 
 @pytest.mark.parametrize("first", [np.nan, True, 2**53 + 1, None, (1.0, 2.0)], ids=repr)
 @pytest.mark.parametrize("second", [np.nan, True, 2**53 + 1, None, (1.0, 2.0)], ids=repr)
-def test_of_two_lists_at_fault_in_whatever_way_the_first_is_named(first, second):
+def test_the_first_of_two_invalid_lists_is_named(first, second):
     for i, j in (0, 1), (1, 3), (2, 3):
         rings = [[*CORNERS] for _ in range(4)]
         rings[i][1], rings[j][1] = (5.0, first), (5.0, second)
@@ -192,7 +192,7 @@ def test_of_two_lists_at_fault_in_whatever_way_the_first_is_named(first, second)
 
 
 @pytest.mark.parametrize("made", [np.array, list, tuple, lambda values: np.array(values, object)])
-def test_of_circles_and_boxes_too_the_first_number_at_fault_is_named(made):
+def test_the_first_invalid_number_of_circles_and_boxes_is_named(made):
     for i, k in np.ndindex(3, 2):
         centers = [[1.0, 2.0], [3.0, 4.0], [5.0, 6.0]]
         centers[2][1] = np.inf
@@ -220,13 +220,13 @@ def test_minus_zero_is_zero(layout):
 
 
 @pytest.mark.parametrize("vertices", [[], [TRIANGLE], [ELL], np.zeros((0, 3, 2)), np.array([TRIANGLE])], ids=repr)
-def test_another_word_for_what_to_do_with_concave_ones_is_refused(vertices):
+def test_an_unknown_value_of_concave_is_refused(vertices):
     with pytest.raises(ValueError, match='concave is \'merge\': choose "refuse" or "split"'):
         batch.Polygons(vertices, concave="merge")
 
 
 @pytest.mark.parametrize("kind", [np.int8, np.uint8, np.uint64, ">i4", int])
-def test_offsets_of_whatever_integers_mean_the_same(kind):
+def test_offsets_of_every_integer_type_mean_the_same(kind):
     assert batch.Polygons(np.array(TRIANGLE * 3), offsets=np.array([0, 3, 6, 9], kind)).count.tolist() == [3, 3, 3]
     for offsets in [0, 4, 3, 6], [0, 9, 3, 6], [0, 6, 4, 3]:
         fall = next(i for i in range(3) if offsets[i] > offsets[i + 1])
@@ -234,7 +234,7 @@ def test_offsets_of_whatever_integers_mean_the_same(kind):
         assert words(batch.Polygons, np.array(TRIANGLE * 2), offsets=np.array(offsets, kind)).startswith(said)
 
 
-def test_a_batch_says_what_it_holds():
+def test_the_repr_of_a_batch_counts_its_shapes():
     ell = np.array([(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)])
     split = batch.Polygons([ell, TRIANGLE, ell + 5], concave="split")
     assert repr(split) == "Polygons(1 x 3-gon, 4 x 4-gon, parts of 3)"
@@ -242,7 +242,7 @@ def test_a_batch_says_what_it_holds():
     assert repr(split[:0]) == "Shapes(parts of 0)"
 
 
-def test_an_outline_lies_as_it_was_given_in_whatever_layout():
+def test_an_outline_keeps_its_coordinates_in_all_layouts():
     rings = [TRIANGLE, [(5, 5), (6, 5), (6, 6), (5, 6)], [(0, 9), (1, 9), (2, 9), (2, 9), (1, 11)], TRIANGLE[::-1]]
     corners = [[0, 0, 1, 1], [5, 5, 6, 6], [0, 9, 2, 11], [0, 0, 1, 1]]
     given = np.concatenate([np.array(ring, float) for ring in rings])
@@ -254,7 +254,7 @@ def test_an_outline_lies_as_it_was_given_in_whatever_layout():
     assert len(none) == 0 and batch.colliding_pairs(none).shape == (0, 2)
 
 
-def test_shapelys_polygons_come_as_they_are():
+def test_polygons_of_shapely_keep_their_coordinates():
     shapely = pytest.importorskip("shapely")
     ell = shapely.Polygon(ELL)
     made = batch.from_shapely(np.array([shapely.box(0, 0, 1, 1), shapely.Polygon(TRIANGLE)]))
@@ -285,7 +285,7 @@ NUMBERS = [True, "1", 1j, None, np.nan, np.inf, 2**53 + 1, 10**400, np.array([1,
 
 
 @pytest.mark.parametrize("odd", NUMBERS, ids=repr)
-def test_an_array_of_any_objects_is_judged_number_by_number(odd):
+def test_an_array_of_objects_is_validated_number_by_number(odd):
     block = np.array([TRIANGLE] * 3, object)
     block[2, 1, 0] = odd
     said = f"polygon 2: {words(sv.Polygon, block[2])}"
@@ -300,21 +300,21 @@ def test_an_array_of_any_objects_is_judged_number_by_number(odd):
     assert said == words(batch.candidate_pairs, box.tolist())
 
 
-def test_an_array_of_objects_that_are_numbers_is_an_array():
+def test_an_array_of_objects_that_are_numbers_is_accepted():
     block = np.array([TRIANGLE] * 3, object)
     ((found),) = batch.stream_colliding_pairs(block)
     assert found.tolist() == batch.colliding_pairs(batch.Polygons(block)).tolist() == [[0, 1], [0, 2], [1, 2]]
 
 
 @pytest.mark.parametrize("name", ["booleans", "complex", "text", "times", "masked"])
-def test_boxes_are_numbers_like_all_others(name):
+def test_boxes_must_be_valid_numbers(name):
     array = BAD[name]
     of_four = np.ma.concatenate if np.ma.isMaskedArray(array) else np.concatenate
     said = words(batch.candidate_pairs, of_four([array, array], axis=1))
     assert said.replace("bounds", "vertices") == words(sv.Polygon, array)
 
 
-def test_boxes_may_be_lists_and_what_is_no_box_is_named():
+def test_boxes_may_be_lists_and_an_invalid_box_is_named():
     boxes = [(0, 0, 1, 1), [1, 1, 2, 2], np.array((5, 5, 6, 6))]
     assert batch.candidate_pairs(boxes).tolist() == [[0, 1]]
     assert batch.candidate_pairs([]).shape == (0, 2)
@@ -341,7 +341,7 @@ def test_coordinates_near_the_end_of_float64_warn_of_nothing(places, far, size):
             assert sorted(pair for some in found for pair in some.tolist()) == pairs
 
 
-def test_a_stream_names_the_polygon_of_the_file():
+def test_a_stream_names_the_invalid_polygon_by_its_place_in_the_file():
     apart = np.array(TRIANGLE) + 10 * np.arange(9)[:, None, None]
     crossed = np.array([(0, 0), (2, 2), (2, 0), (0, 2)]) + 10 * np.arange(9)[:, None, None]
     outlines = np.stack([crossed[:, 0], (crossed[:, 0] + crossed[:, 2]) / 2, crossed[:, 2], crossed[:, 3]], axis=1)
@@ -370,12 +370,12 @@ def test_a_stream_names_the_polygon_of_the_file():
         ((0, 0), 2**53 + 1),
     ],
 )
-def test_circles_have_the_scalar_door(center, radius):
+def test_circles_have_the_validation_of_single_ones(center, radius):
     said = words(sv.Circle, center, radius)
     assert words(batch.Circles, [(0, 0), center], [1, radius]) == f"circle 1: {said}"
 
 
-def test_arrays_of_circles_are_judged_like_lists():
+def test_arrays_of_circles_are_validated_like_lists():
     assert (
         words(batch.Circles, np.array([(0, 0), (1, np.inf)]), 1)
         == "circle 1: center.y is inf: coordinates must be finite"
@@ -389,7 +389,7 @@ def test_arrays_of_circles_are_judged_like_lists():
 
 
 @pytest.mark.parametrize("radius", [2, 2.0, [2], (2,), np.array(2), np.array([2]), np.array([2], object), [2, 2, 2]])
-def test_one_radius_may_stand_for_all_in_whatever_form(radius):
+def test_one_radius_of_any_type_may_stand_for_all(radius):
     assert batch.Circles([(0, 0), (1, 1), (2, 2)], radius).uniform.r.tolist() == [2, 2, 2]
 
 
@@ -400,14 +400,14 @@ def test_radii_for_some_of_the_circles_are_refused_by_their_shape(radii, shape):
 
 
 @pytest.mark.parametrize("thing", [3, None, "abc", {"a": 1}, np.float64(1), np.array(1.0), np.array(None)])
-def test_what_is_no_sequence_is_refused_in_words(thing):
+def test_an_argument_that_is_no_sequence_is_refused_with_a_message(thing):
     words(batch.Polygons, thing)
     words(batch.Polygons, [thing])
     words(batch.Circles, thing, 1)
     words(batch.stream_colliding_pairs, thing)
 
 
-def test_lists_where_batches_belong_say_how_to_make_one():
+def test_a_list_instead_of_a_batch_is_refused_with_the_way_to_make_one():
     made = batch.Polygons([TRIANGLE])
     for call in (
         lambda: batch.relate([TRIANGLE], made),
@@ -419,7 +419,7 @@ def test_lists_where_batches_belong_say_how_to_make_one():
             call()
 
 
-def test_shapes_of_other_libraries_and_our_own_are_taken():
+def test_shapes_of_other_libraries_and_our_own_are_accepted():
     shapely = pytest.importorskip("shapely")
     made = batch.Polygons(
         [shapely.Polygon(TRIANGLE), sv.Polygon(TRIANGLE), TRIANGLE, np.array(TRIANGLE), iter(TRIANGLE)]
@@ -432,7 +432,10 @@ def test_shapes_of_other_libraries_and_our_own_are_taken():
 
 
 def any_outline(rng):
-    """Corners of a grid or steps at random, or in order with repeats and straight-on vertices, once around or twice."""
+    """Return a random outline on a grid, which may be invalid.
+
+    It is a random walk, random points, or an outline with repeated and collinear vertices that winds once or twice.
+    """
     kind = rng.random()
     if kind < 0.2:
         return rng.integers(0, 3, (int(rng.integers(0, 8)), 2)).tolist()
@@ -451,14 +454,14 @@ def any_outline(rng):
 
 
 def around(corners):
-    """From the lowest corner on."""
+    """Return the corners rotated so that the lowest one comes first."""
     corners = list(map(tuple, corners))
     first = corners.index(min(corners))
     return corners[first:] + corners[:first]
 
 
 @pytest.mark.parametrize("block", one_in(3, [1, 3, 4, 11, 100, outlines.BLOCK_CORNERS]))
-def test_outlines_are_judged_as_one_by_one_however_many_at_a_time(block, monkeypatch):
+def test_outlines_are_validated_as_single_polygons_are_in_blocks_of_any_size(block, monkeypatch):
     monkeypatch.setattr(outlines, "BLOCK_CORNERS", block)
     rng = np.random.default_rng(block)
     good, bad = [], []
@@ -489,7 +492,7 @@ def test_outlines_are_judged_as_one_by_one_however_many_at_a_time(block, monkeyp
 
 @pytest.mark.parametrize("concave", ["refuse", "split"])
 @pytest.mark.parametrize("order", ["C", "F", "transposed", "by coordinate", "one", "reversed"])
-def test_the_callers_array_is_never_written_to(order, concave):
+def test_the_array_of_the_caller_is_never_written_to(order, concave):
     given = {
         "C": np.ascontiguousarray(CLOCKWISE),
         "F": np.asfortranarray(CLOCKWISE),
@@ -507,7 +510,7 @@ def test_the_callers_array_is_never_written_to(order, concave):
 
 @pytest.mark.parametrize("concave", ["refuse", "split"])
 @pytest.mark.parametrize("order", ["C", "F"])
-def test_vertices_one_after_another_and_arrays_in_a_list_are_never_written_to(order, concave):
+def test_vertices_with_offsets_and_arrays_in_a_list_are_never_written_to(order, concave):
     given = CLOCKWISE.reshape(-1, 2).copy(order=order)
     start = np.arange(0, 10, 3)
     batch.Polygons(given, offsets=start, concave=concave)
@@ -529,7 +532,7 @@ def test_a_mapped_file_is_never_written_to(tmp_path, mode, fortran):
     assert (tmp_path / "rings.npy").read_bytes() == before
 
 
-def test_what_the_caller_changes_later_changes_no_verdict():
+def test_later_changes_of_the_input_change_no_relation():
     centers, radii, rings = np.array([(0.0, 0.0), (3.0, 0.0)]), np.array([1.0, 1.0]), np.array([TRIANGLE] * 2)
     column = np.asfortranarray(centers)
     made = [batch.Circles(centers, radii), batch.Circles(column, radii), batch.Polygons(rings)]
@@ -564,7 +567,7 @@ def three_in_parts():
     ],
     ids=str,
 )
-def test_shapes_are_chosen_as_from_a_list_whether_split_or_not(where):
+def test_indexing_selects_the_same_shapes_as_in_a_list_split_or_not(where):
     rings = [TRIANGLE, ELL, TRIANGLE]
     names = np.atleast_1d(np.arange(3)[where])
     far = [(9, 9), (10, 9), (9, 10)]
@@ -582,27 +585,27 @@ def test_shapes_are_chosen_as_from_a_list_whether_split_or_not(where):
 
 
 @pytest.mark.parametrize("where", [3, -4, [0, 3], np.array([True]), "a", 1.5, [[0, 1]], None])
-def test_shapes_that_are_not_there_are_an_index_error(where):
+def test_an_index_beyond_the_shapes_is_an_index_error(where):
     for shapes in (three_in_parts(), batch.Polygons([TRIANGLE] * 3)):
         with pytest.raises(IndexError):
             shapes[where]
 
 
-def test_shapes_in_parts_keep_their_owners_when_batches_are_joined():
+def test_parts_keep_their_owners_when_batches_are_concatenated():
     joined = batch.concat([three_in_parts(), batch.Circles([(0, 0)], 1), three_in_parts(), three_in_parts()[1]])
     assert joined.owner.tolist() == [0, 1, 1, 2, 3, 4, 5, 5, 6, 7, 7]
     assert joined.bounds[[1, 3, 5, 7]].round().tolist() == [[0, 0, 4, 4], [-1, -1, 1, 1], [0, 0, 4, 4], [0, 0, 4, 4]]
 
 
-def test_only_batches_with_shapes_in_parts_have_owners_when_they_are_joined():
-    plain, parts = batch.Polygons([TRIANGLE] * 2), three_in_parts()
-    assert batch.concat([plain, plain]).owner is None and batch.concat([]).owner is None
+def test_concatenated_batches_have_owners_only_if_a_shape_is_split():
+    convex, parts = batch.Polygons([TRIANGLE] * 2), three_in_parts()
+    assert batch.concat([convex, convex]).owner is None and batch.concat([]).owner is None
     both = batch.concat([parts, parts]).owner
     assert both.dtype == np.int64 and both.tolist() == [*parts.owner, *(parts.owner + 3)]
 
 
-def test_what_is_known_of_joined_shapes_holds_for_them_all():
-    """How far they reach, how long an edge is at most, and whether all are upright boxes."""
+def test_the_maxima_of_concatenated_batches_hold_for_all_shapes():
+    """These are the largest coordinate, the largest edge component, and whether all shapes are upright boxes."""
     box = np.array([(0, 0), (1, 0), (1, 1), (0, 1)])
     kite = np.array([(0, -1), (1, 0), (0, 1), (-1, 0)])
     some = [(box * 1e-9, True), (box[[1, 2, 3, 0]], True), (kite * 9, False), (box * 1e-3 - 5, True), (kite / 9, False)]
@@ -618,7 +621,7 @@ def test_what_is_known_of_joined_shapes_holds_for_them_all():
         assert made.tile_maxima == group.tile_maxima and made.upright == group.upright
 
 
-def test_the_largest_and_least_numbers_of_corners_are_told_also_of_no_shapes():
+def test_the_largest_and_smallest_numbers_of_corners_exist_also_for_an_empty_batch():
     mixed = batch.concat([batch.Polygons([TRIANGLE, [(0, 0), (1, 0), (1, 1), (0, 1)]]), batch.Circles([(0, 0)], 1)])
     assert (mixed.max_corners, mixed.min_corners) == (4, 1) and (mixed[:2].max_corners, mixed[:2].min_corners) == (4, 3)
     assert (mixed[:0].max_corners, mixed[:0].min_corners) == (0, 0)
@@ -626,8 +629,8 @@ def test_the_largest_and_least_numbers_of_corners_are_told_also_of_no_shapes():
         assert none.bounds.shape == (0, 4) and none.flat.bounds.shape == (0, 4)
 
 
-def test_the_box_of_a_circle_holds_all_of_it():
-    """Though center and radius together are mostly no floats."""
+def test_the_box_of_a_circle_contains_the_circle():
+    """The sum of a center's coordinate and the radius is usually no float, so the box is rounded outwards."""
     rng = np.random.default_rng(1)
     x, y, r = rng.uniform(-1, 1, (3, 300)) * 2.0 ** rng.integers(-60, 60, (3, 300))
     for (left, low, right, top), *circle in zip(batch.Circles(np.c_[x, y], np.abs(r)).bounds.tolist(), x, y, np.abs(r)):
@@ -635,7 +638,7 @@ def test_the_box_of_a_circle_holds_all_of_it():
         assert left < x0 - r0 and low < y0 - r0 and x0 + r0 < right and y0 + r0 < top
 
 
-def test_what_was_worked_out_before_changes_no_box_and_no_choice():
+def test_cached_values_change_no_box_and_no_selection():
     def mixed():
         return batch.concat([batch.Polygons([TRIANGLE]), batch.Circles([(5, 5), (0, 2)], 1)])
 
@@ -647,7 +650,7 @@ def test_what_was_worked_out_before_changes_no_box_and_no_choice():
         assert np.array_equal(fresh[where].bounds, used[where].bounds)
 
 
-def test_a_split_batch_has_a_box_a_shape():
+def test_a_split_batch_has_one_box_for_each_shape():
     assert three_in_parts().bounds.tolist() == [[0, 0, 1, 1], [0, 0, 4, 4], [0, 0, 1, 1]]
 
 
@@ -709,7 +712,7 @@ def test_every_option_of_the_batch_is_among_those_tested():
         for value, error in WRONG[option][0]
     ],
 )
-def test_an_option_that_is_none_is_named_before_any_work(name, option, value, error, monkeypatch):
+def test_an_invalid_option_is_named_before_any_work(name, option, value, error, monkeypatch):
     def work(*_, **__):
         raise AssertionError("work was begun")
 
@@ -747,7 +750,7 @@ def fresh_choice():
 @pytest.mark.parametrize(
     "fault", [ImportError("numba needs an older NumPy"), RuntimeError("cannot cache function 'circles'")], ids=str
 )
-def test_numpy_answers_where_numba_does_not_work_and_says_so_once(fresh_choice, monkeypatch, fault):
+def test_numpy_replaces_a_broken_numba_with_one_warning(fresh_choice, monkeypatch, fault):
     import builtins
 
     import_ = builtins.__import__
@@ -758,16 +761,16 @@ def test_numpy_answers_where_numba_does_not_work_and_says_so_once(fresh_choice, 
         return import_(name, globals, locals, fromlist, level)
 
     monkeypatch.setattr(builtins, "__import__", broken)
-    with warnings.catch_warnings(record=True) as told:
+    with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         shapes = batch.Polygons([TRIANGLE])
         assert batch.relate(shapes, shapes).tolist() == [2] == batch.relate(shapes, shapes).tolist()
-    assert [str(w.message) for w in told] == [f"numba does not work here, so NumPy does the work: {fault}"]
+    assert [str(w.message) for w in caught] == [f"numba does not work here, so NumPy does the work: {fault}"]
     with pytest.raises(ImportError, match=r"does not work here: .*engine=.numpy. does"):
         batch.relate(shapes, shapes, engine="numba")
 
 
-def test_where_numba_is_not_installed_asking_for_it_says_what_to_install(fresh_choice, monkeypatch):
+def test_the_numba_engine_without_numba_is_refused_with_the_command_to_install_it(fresh_choice, monkeypatch):
     monkeypatch.setattr(engines, "find_spec", lambda name: None)
     monkeypatch.setitem(sys.modules, "numba", None)
     for name in [name for name in sys.modules if name.startswith("satviz.batch.with_numba")]:
@@ -801,7 +804,7 @@ def test_masked_indices_are_refused_and_a_tuple_is_a_list():
         assert len(shapes[()]) == 0 and shapes[(1, 0)].bounds.tolist() == shapes[[1, 0]].bounds.tolist()
 
 
-def test_a_stream_of_nothing_has_the_door_and_the_engines_of_any_other():
+def test_an_empty_stream_has_the_validation_and_the_engines_of_others():
     for bad in np.empty((0, 3, 3)), np.empty((0, 3, 2), "U3"):
         assert words(batch.Polygons, bad) == words(lambda given: list(batch.stream_colliding_pairs(given)), bad)
     assert list(batch.stream_colliding_pairs(np.empty((0, 3, 2)))) == []
@@ -811,10 +814,10 @@ def test_a_stream_of_nothing_has_the_door_and_the_engines_of_any_other():
 
 @pytest.mark.parametrize("none", [[], (), np.empty((0, 2)), np.empty((0, 2), int)], ids=repr)
 @pytest.mark.parametrize("engine", [None, "numpy"])
-def test_no_pairs_are_none_however_they_are_written(none, engine):
-    plain = batch.Polygons([[(0, 0), (1, 0), (0, 1)]])
+def test_no_pairs_give_no_relations_for_every_way_to_write_them(none, engine):
+    triangle = batch.Polygons([[(0, 0), (1, 0), (0, 1)]])
     split = batch.Polygons([[(0, 0), (3, 0), (3, 1), (1, 1), (1, 3), (0, 3)]], concave="split")
-    for shapes in plain, split, plain[:0], split[:0]:
+    for shapes in triangle, split, triangle[:0], split[:0]:
         assert batch.relate(shapes, shapes, none, engine=engine).shape == (0,)
         assert batch.hits(shapes, shapes, none, engine=engine).shape == (0,)
     assert batch.relate(split[:0], split[:0], engine=engine).shape == (0,)
@@ -829,7 +832,7 @@ def test_no_pairs_are_none_however_they_are_written(none, engine):
     ],
     ids=["polygons of an array", "polygons of a list", "circles"],
 )
-def test_batches_are_not_made_silently_where_small_numbers_are_taken_for_nothing(make, monkeypatch):
+def test_making_a_batch_warns_where_the_processor_flushes_subnormal_numbers_to_zero(make, monkeypatch):
     make()
     monkeypatch.setattr(predicates, "MIN_FLOAT", 0.0)
     with pytest.warns(RuntimeWarning, match="answers are exact only where"):

@@ -1,4 +1,4 @@
-"""How much work is done and where: executors, chunks, memory, kernels on disk, files in strips."""
+"""Tests of how much work is done and where: executors, chunks, memory, kernels on disk, files in strips."""
 
 import inspect
 import os
@@ -48,15 +48,15 @@ def test_kernels_on_disk_are_compiled_anew_when_a_file_that_they_call_changes(tm
         "print(batch.relate(s, s, [[0, 1]], engine='numba')[0])"
     )
     env = {k: v for k, v in os.environ.items() if k != "NUMBA_CACHE_DIR"} | {"PYTHONPATH": str(tmp_path)}
-    ask = partial(subprocess.run, [sys.executable, "-c", code], env=env, cwd=tmp_path, capture_output=True, check=True)
-    assert ask().stdout.split() == [b"2"]
+    run = partial(subprocess.run, [sys.executable, "-c", code], env=env, cwd=tmp_path, capture_output=True, check=True)
+    assert run().stdout.split() == [b"2"]
     codes = tmp_path / "satviz" / "batch" / "codes.py"
     codes.write_text(codes.read_text().replace("= 0, 1, 2", "= 0, 1, 7"))
-    assert ask().stdout.split() == [b"7"]
+    assert run().stdout.split() == [b"7"]
 
 
 def test_processes_that_compile_a_kernel_at_once_never_run_each_others_code(tmp_path, monkeypatch):
-    """Arrays whose numbers lie side by side, and those that skip some, take code of their own."""
+    """Contiguous and strided arrays are compiled separately, so the processes compile different code."""
     numba = pytest.importorskip("numba", reason="needs numba: python -m pip install '.[fast]'")
     monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path))
     from satviz.batch.with_numba.jit_cache import compiled
@@ -85,16 +85,16 @@ def test_processes_that_compile_a_kernel_at_once_never_run_each_others_code(tmp_
     ("module", "name"),
     [("indexed", "relate_few_corners"), ("indexed", "LANES"), ("exact", "_certified_cross"), ("grid", "_stored_range")],
 )
-def test_what_a_test_replaces_is_named_by_no_compiled_kernel(module, name, monkeypatch):
-    """Compiled for the first time in that test, it would fail or keep the value that the test put there."""
+def test_no_compiled_kernel_names_a_function_or_constant_that_a_test_replaces(module, name, monkeypatch):
+    """A kernel compiled for the first time in such a test would fail, or keep the value that the test put there."""
     as_python(monkeypatch, kernels_of(module), name)
     python = [value for m in numba_modules() for value in vars(m).values() if inspect.isfunction(value)]
     python.append(getattr(kernels_of(module), name))
     assert not [kernel for kernel in compiled_kernels() if names_any(kernel, set(map(id, python)))]
 
 
-def ways_to_make():
-    """Batches of polygons and circles by each way in, with what is first asked of some of them."""
+def batches_of_every_constructor():
+    """Yield (name, batch) for each way to make or select a batch of polygons or circles."""
     outlines, centers = ngons(RNG(1), 40, 5), RNG(2).random((40, 2))
     start = np.arange(0, 201, 5)
     yield "array", batch.Polygons(outlines)
@@ -115,15 +115,15 @@ def ways_to_make():
         yield f"mask of {name}", some[np.arange(len(some)) % 3 == 0]
 
 
-@pytest.mark.parametrize("way, shapes", [pytest.param(*both, id=both[0]) for both in ways_to_make()])
-def test_a_group_lies_in_memory_row_by_row_whatever_it_was_made_of(way, shapes):
-    """Else NumPy copies the whole group for each selection: touching 256-gons took six times as long."""
+@pytest.mark.parametrize("name, shapes", [pytest.param(*both, id=both[0]) for both in batches_of_every_constructor()])
+def test_groups_of_every_constructor_are_contiguous_by_rows(name, shapes):
+    """Otherwise NumPy copies the whole group for each selection: touching 256-gons took six times as long."""
     assert shapes.groups and all(group.block.flags.c_contiguous for group in shapes.groups.values())
 
 
 @pytest.mark.parametrize("v", [1, 4])
-def test_the_columns_of_chosen_shapes_lie_row_by_row_without_gaps(v):
-    """Kernels are compiled for that."""
+def test_the_rows_of_selected_columns_are_contiguous(v):
+    """Kernels are compiled for contiguous rows."""
     shapes = circles(RNG(1), 20) if v == 1 else batch.Polygons(ngons(RNG(1), 20, v))
     for where in slice(3, 9), slice(2, 15, 2), slice(None, None, -1), np.array([7, 3, 3]), np.arange(20) % 3 == 0:
         for group in shapes[where].uniform, shapes.uniform.columns(np.arange(20)[where]):
@@ -133,23 +133,23 @@ def test_the_columns_of_chosen_shapes_lie_row_by_row_without_gaps(v):
 
 
 @pytest.mark.parametrize(("v", "n"), [(3, 20_000), (300, 5_000)])
-def test_circles_picked_with_polygons_are_looked_at_once_in_blocks_that_bound_the_memory(v, n, monkeypatch):
-    rng, looked, real = RNG(v), [], narrow_phase._evaluate_block
-    monkeypatch.setattr(narrow_phase, "_evaluate_block", lambda *args: looked.append(args[-1].size) or real(*args))
+def test_circles_picked_with_polygons_are_evaluated_once_in_blocks_that_bound_the_memory(v, n, monkeypatch):
+    rng, evaluated, real = RNG(v), [], narrow_phase._evaluate_block
+    monkeypatch.setattr(narrow_phase, "_evaluate_block", lambda *args: evaluated.append(args[-1].size) or real(*args))
     some, polygons = circles(rng, 50), batch.Polygons(regular(rng, 50, v))
     pairs = rng.integers(0, 50, (n, 2))
     for a, b, index in (some, polygons, pairs), (polygons, some, pairs[:, ::-1]):
         assert batch.relate(a, b, index, engine="numpy").any()
         at_once = min(narrow_phase.BLOCK_PAIRS, max(exact_signs.MIN_BLOCK_PAIRS, exact_signs.MAX_BLOCK_CORNERS // v))
-        assert set(looked[:-1]) == {at_once} and sum(looked) == n
-        looked.clear()
+        assert set(evaluated[:-1]) == {at_once} and sum(evaluated) == n
+        evaluated.clear()
 
 
 @pytest.mark.parametrize("kinds", [(3, 3), (3, 300), (300, 3), (300, 300), (1, 3), (300, 1), (1, 1)])
-def test_the_exact_twin_takes_each_pair_once_in_blocks_that_bound_the_memory(kinds, monkeypatch):
-    looked = []
+def test_exact_evaluation_takes_each_pair_once_in_blocks_that_bound_the_memory(kinds, monkeypatch):
+    sizes = []
     for name in "_relate_circles", "_relate_polygons":
-        monkeypatch.setattr(exact_numpy, name, lambda a, _: looked.append(len(a.x[0])) or np.zeros(looked[-1], np.int8))
+        monkeypatch.setattr(exact_numpy, name, lambda a, _: sizes.append(len(a.x[0])) or np.zeros(sizes[-1], np.int8))
     a, b = (circles(RNG(k), 2) if k == 1 else batch.Polygons(regular(RNG(k), 2, k)) for k in kinds)
     n = 100_000 if max(kinds) < 9 else 10_000
     exact_numpy.relations(a.uniform, np.zeros(n, np.intp), b.uniform, np.ones(n, np.intp))
@@ -158,10 +158,11 @@ def test_the_exact_twin_takes_each_pair_once_in_blocks_that_bound_the_memory(kin
         at_once = min(
             exact_numpy.BLOCK_SIGNS, max(exact_signs.MIN_BLOCK_PAIRS, exact_signs.MAX_BLOCK_CORNERS // max(kinds))
         )
-    assert set(looked[:-1]) == {at_once} and sum(looked) == n
+    assert set(sizes[:-1]) == {at_once} and sum(sizes) == n
 
 
 def run_with(executor, **more):
+    """Check that batches give the same relations and colliding pairs with this executor as without it."""
     rng = RNG(4)
     a, b = batch.Polygons(ngons(rng, 5000, 3)), batch.Polygons(ngons(rng, 5000, 4))
     index = rng.integers(0, 5000, (7000, 2))
@@ -177,7 +178,7 @@ def run_with(executor, **more):
 
 
 def run_split_with(executor, **more):
-    """Concave shapes: chunks count shapes, whatever their parts."""
+    """Check the same for concave shapes, where chunks count shapes and not parts."""
     rng = RNG(5)
     ell = np.array([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)])
     rings = [ell + rng.uniform(0, 30, 2) if i % 3 else ngons(rng, 1, 5, 15)[0] for i in range(90)]
@@ -198,13 +199,13 @@ def run_split_with(executor, **more):
 
 
 @pytest.mark.parametrize("chunk", [2, 7, 12, 100])
-def test_each_chunk_is_answered_for_its_own_pairs_wherever_the_work_is_done(chunk):
+def test_each_chunk_has_the_relations_of_its_own_pairs_with_and_without_an_executor(chunk):
     rng = RNG(chunk)
-    plain = [sv.Polygon(ring) for ring in ngons(rng, 12, 3)]
+    triangles = [sv.Polygon(ring) for ring in ngons(rng, 12, 3)]
     mixed = [sv.Polygon(ring) for ring in (*ngons(rng, 5, 4), *(ELL + rng.uniform(-2, 2, (4, 1, 2))))]
     parted = batch.Polygons([p.vertices for p in mixed], concave="split")
     round_ = circles(rng, 3)
-    known = [(batch.Polygons([p.vertices for p in plain]), plain)]
+    known = [(batch.Polygons([p.vertices for p in triangles]), triangles)]
     known.append((batch.concat([parted, round_]), mixed + scalar(round_)))
     known += [(s[k : k + n], alone[k : k + n]) for s, alone in known[:2] for k, n in ((4, 1), (8, 1), (8, 2))]
     known.append((parted[:0], []))
@@ -213,22 +214,22 @@ def test_each_chunk_is_answered_for_its_own_pairs_wherever_the_work_is_done(chun
             continue
         n = 0 if 0 in (len(a), len(b)) else max(len(a), len(b))
         side_by_side = [(i % len(a), i % len(b)) for i in range(n)]
-        anyhow = rng.permutation(side_by_side)[: n // 2 + 1] if n else np.empty((0, 2), int)
-        for index, asked in ((None, side_by_side), (anyhow, anyhow)):
-            right = [int(sv.relate(p[i], q[j])) for i, j in asked]
+        shuffled = rng.permutation(side_by_side)[: n // 2 + 1] if n else np.empty((0, 2), int)
+        for index, pairs in ((None, side_by_side), (shuffled, shuffled)):
+            exact = [int(sv.relate(p[i], q[j])) for i, j in pairs]
             for executor in (None, Elsewhere()):
                 done = []
-                how = {"engine": "numpy", "executor": executor, "chunk": chunk}
-                found = batch.relate(a, b, index, progress=lambda *at: done.append(at), **how)  # noqa: B023
-                assert found.dtype == np.int8 and found.tolist() == right
-                ends = [*range(chunk, len(right), chunk), len(right)] if right else []
-                assert done == [(end, len(right)) for end in ends]
+                options = {"engine": "numpy", "executor": executor, "chunk": chunk}
+                found = batch.relate(a, b, index, progress=lambda *at: done.append(at), **options)  # noqa: B023
+                assert found.dtype == np.int8 and found.tolist() == exact
+                ends = [*range(chunk, len(exact), chunk), len(exact)] if exact else []
+                assert done == [(end, len(exact)) for end in ends]
                 assert executor is None or len(executor.sent) == len(ends)
 
 
 @pytest.mark.parametrize("engine", ENGINES)
-def test_parts_beyond_a_block_are_told_as_those_in_it(engine):
-    """Six pairs of parts in each pair of shapes, so that a block ends amid a pair."""
+def test_relations_of_concave_shapes_are_right_in_every_block(engine):
+    """Each pair of shapes has six pairs of parts, so that a block ends inside a pair of shapes."""
     rng, cross = (
         RNG(1),
         [(1, 0), (2, 0), (2, 1), (3, 1), (3, 2), (2, 2), (2, 3), (1, 3), (1, 2), (0, 2), (0, 1), (1, 1)],
@@ -245,7 +246,7 @@ def test_parts_beyond_a_block_are_told_as_those_in_it(engine):
         .transpose(0, 2, 1, 3)
         .reshape(20, 20, 6)
     )
-    index[first] = np.argwhere(hits[..., rank] & (hits.sum(axis=2) == 1))[0]  # all hangs on these parts
+    index[first] = np.argwhere(hits[..., rank] & (hits.sum(axis=2) == 1))[0]  # only these parts hit
     assert (batch.relate(a, b, index, engine=engine) == known[tuple(index.T)]).all()
 
 
@@ -267,7 +268,7 @@ def test_only_a_few_chunks_are_under_way_at_once():
     assert len(under_way) == 50 and max(under_way) == chunks.MAX_WAITING_CHUNKS
 
 
-def test_to_elsewhere_each_chunk_takes_only_the_shapes_it_needs():
+def test_each_chunk_sends_only_the_shapes_it_needs():
     rng = RNG(3)
     many, one = batch.Polygons(ngons(rng, 2000, 3)), batch.Polygons(ngons(rng, 1, 3))
     few = rng.integers(0, 5, (2000, 2))
@@ -328,7 +329,7 @@ def test_touching_shapes_of_many_corners_take_little_memory(engine, v):
 @pytest.mark.parametrize("engine", ENGINES)
 @pytest.mark.parametrize("other", one_in(4, ["few corners", "touching circles", "as many corners", "circles"]))
 def test_one_shape_of_many_corners_against_many_takes_little_memory(engine, other):
-    """However it is copied beside each of them."""
+    """The one shape is repeated beside each of the others."""
     v, n = 2_000, 900
     k = np.arange(float(v))
     bowl = np.stack([k, k * k], axis=1)
@@ -376,7 +377,7 @@ def test_a_dask_cluster_of_two_workers_gives_the_same_in_order(tmp_path):
 
 
 class Failing(ThreadPoolExecutor):
-    """Fails the third piece of work."""
+    """A thread pool whose third task fails."""
 
     count = 0
 
@@ -401,10 +402,10 @@ def test_a_chunk_that_fails_without_any_pool_names_its_range_too(monkeypatch):
         return real(a, b, start, stop, engine) if start != 200 else 1 / 0
 
     monkeypatch.setattr(narrow_phase, "_relate_range", failing)
-    a, told = batch.Circles(np.zeros((1000, 2)), 1), []
+    a, reported = batch.Circles(np.zeros((1000, 2)), 1), []
     with pytest.raises(ChunkFailed, match="items 200 to 299 failed: ZeroDivisionError") as failed:
-        batch.relate(a, a, engine="numpy", chunk=100, progress=lambda *at: told.append(at))
-    assert (failed.value.start, failed.value.stop) == (200, 300) and told == [(100, 1000), (200, 1000)]
+        batch.relate(a, a, engine="numpy", chunk=100, progress=lambda *at: reported.append(at))
+    assert (failed.value.start, failed.value.stop) == (200, 300) and reported == [(100, 1000), (200, 1000)]
 
 
 def test_a_pool_that_takes_no_work_names_the_range():
@@ -426,7 +427,7 @@ def test_an_interrupt_stops_the_work():
 
 
 class Waiting(Executor):
-    """Ends the first piece of work, with an error if there is one, and begins no other."""
+    """An executor that ends its first task, with an error if one is given, and begins no other task."""
 
     def __init__(self, error):
         self.error, self.futures = error, []
@@ -438,13 +439,13 @@ class Waiting(Executor):
         return future
 
 
-@pytest.mark.parametrize(("error", "told"), [(None, KeyboardInterrupt), (ValueError("no"), ChunkFailed)])
-def test_an_interrupt_and_a_failed_chunk_cancel_those_that_wait(error, told):
+@pytest.mark.parametrize(("error", "raised"), [(None, KeyboardInterrupt), (ValueError("no"), ChunkFailed)])
+def test_an_interrupt_and_a_failed_chunk_cancel_the_waiting_chunks(error, raised):
     def stop(done, total):
         raise KeyboardInterrupt
 
     a, pool = batch.Circles(np.zeros((100, 2)), 1), Waiting(error)
-    with pytest.raises(told):
+    with pytest.raises(raised):
         batch.relate(a, a, engine="numpy", executor=pool, chunk=10, progress=stop)
     assert len(pool.futures) == chunks.MAX_WAITING_CHUNKS and all(future.cancelled() for future in pool.futures[1:])
 
@@ -453,18 +454,16 @@ def test_a_file_in_strips_gives_each_pair_once(tmp_path):
     rings = ngons(RNG(6), 4000, 3, spread=60)
     np.save(tmp_path / "rings.npy", rings)
     mapped = np.load(tmp_path / "rings.npy", mmap_mode="r")
-    told = []
-    found = np.concatenate(list(batch.stream_colliding_pairs(mapped, strip=700, progress=lambda *at: told.append(at))))
+    done = []
+    found = np.concatenate(list(batch.stream_colliding_pairs(mapped, strip=700, progress=lambda *at: done.append(at))))
     expected = batch.colliding_pairs(batch.Polygons(rings))
     assert sorted(map(tuple, found.tolist())) == [tuple(p) for p in expected.tolist()]
-    assert told[-1] == (6, 6)
+    assert done[-1] == (6, 6)
     assert list(batch.stream_colliding_pairs(rings[:0])) == []
 
 
 @pytest.mark.parametrize("strip", [1, 5, 6, 7, 12, 40])
-def test_a_stream_loses_no_pair_that_touches_where_a_strip_begins_and_reads_only_what_reaches_into_it(
-    strip, monkeypatch
-):
+def test_a_stream_finds_pairs_that_touch_at_the_border_of_a_strip_and_reads_only_shapes_near_it(strip, monkeypatch):
     x, y = RNG(3).permutation([(i, j) for i in range(9) for j in range(6)]).T
     diamonds = np.stack([np.c_[x, y - 0.5], np.c_[x + 0.5, y], np.c_[x, y + 0.5], np.c_[x - 0.5, y]], axis=1)
     read = []
@@ -480,7 +479,7 @@ def test_a_stream_loses_no_pair_that_touches_where_a_strip_begins_and_reads_only
     ("thing", "words"),
     [([[(0, 0), (1, 0), (0, 1)]], "is a list"), (np.zeros((3, 2)), "an array of the shape \\(3, 2\\)")],
 )
-def test_what_no_stream_can_be_read_from_is_named(thing, words):
+def test_a_stream_refuses_lists_and_arrays_of_other_shapes(thing, words):
     with pytest.raises(sv.InvalidShape, match=words):
         next(batch.stream_colliding_pairs(thing))
 

@@ -1,4 +1,4 @@
-"""Evidence is checked with fractions alone: what it proves is accepted, what it nearly proves is not."""
+"""Tests of certificates: they are checked with fractions alone, and one that nearly proves a relation is refused."""
 
 from fractions import Fraction
 from math import nextafter
@@ -45,7 +45,7 @@ def test_a_line_separates_only_strictly_between_the_shapes(a, b, normal, lo, hi)
 
 @pytest.mark.parametrize("a", [box(0, 0, 1, 1), sv.Circle((0.5, 0), 0.5)], ids=["box", "circle"])
 @pytest.mark.parametrize("b", [box(3, 5, 4, 6), sv.Circle((3.5, 5), 0.5)], ids=["box", "circle"])
-def test_a_line_through_a_shape_separates_nothing_wherever_it_cuts(a, b):
+def test_a_line_through_a_shape_separates_nothing_at_every_place_of_the_cut(a, b):
     for offset in (0.25, 0.5, 0.75, 3.25, 3.5, 3.75):
         assert not SeparatingLine(a, b, frac(1, 0), Fraction(offset)).check()
         assert not SeparatingLine(b, a, frac(1, 0), Fraction(offset)).check()
@@ -88,7 +88,7 @@ def test_a_separating_line_runs_in_the_middle_of_the_gap(e):
                 assert near == pytest.approx(far, rel=1e-4)
 
 
-def test_the_normal_of_a_line_is_the_shortest_in_whole_numbers():
+def test_the_normal_of_a_line_is_the_shortest_integer_vector():
     assert sv.record(box(0, 0, 1, 1), box(6, 0, 7, 1)).certificate.normal == (1, 0)
     slanted = sv.Polygon([(0, 0), (6, 0), (0, 4)]), sv.Polygon([(6, 4), (6, 5), (5, 5)])
     assert sv.record(*slanted, axes=sv.axes.edge_normals_of_a).certificate.normal == (2, 3)
@@ -168,7 +168,7 @@ def test_the_shared_point_lies_well_inside_the_overlap_or_on_the_touch(a, b, poi
         assert found.point == pytest.approx(point) and {type(c) for c in found.point} == {float}
 
 
-def test_where_a_float_will_do_the_shared_point_is_one():
+def test_the_shared_point_has_float_coordinates_where_these_suffice():
     a, b = sv.Polygon([(0, 0), (7, 1), (2, 6)]), sv.Polygon([(3, 0), (8, 5), (1, 4)])
     found = sv.record(a, b).certificate
     assert (found.x, found.y) == (Fraction(float(found.x)), Fraction(float(found.y)))
@@ -193,7 +193,7 @@ def test_needles_that_cross_between_the_floats_share_a_fraction():
     assert third > 5
 
 
-def test_a_point_in_both_is_found_at_the_rim_of_float64():
+def test_a_shared_point_is_found_at_the_limit_of_float64():
     wide = box(-1.7e308, -1.7e308, 1.7e308, 1.7e308)
     for other in (
         wide,
@@ -204,7 +204,7 @@ def test_a_point_in_both_is_found_at_the_rim_of_float64():
 
 
 @pytest.mark.parametrize("way", [1, -1])
-def test_a_point_in_both_is_found_where_only_one_coordinate_is_at_the_rim(way):
+def test_a_shared_point_is_found_where_only_one_coordinate_is_at_the_limit(way):
     m = 1.7e308
     rings = [(0.8 * m, 2), (0.6 * m, 0), (-m, -1)], [(m, 1), (0.6 * m, 0), (0.8 * m, 3)]
     a, b = (sv.Polygon([v[::way] for v in ring]) for ring in rings)
@@ -244,7 +244,7 @@ def test_lines_past_all_parts_of_a_concave_outline_are_a_proof(ring):
             assert isinstance(lines, PartLines) and lines.check()
 
 
-def test_a_separating_line_at_the_rim_of_float64_has_a_point_to_show():
+def test_a_separating_line_at_the_limit_of_float64_has_a_point_to_draw():
     most = 1.7976931348623157e308
     k = most / 1024
     a = sv.Polygon([(most - 2 * k, most), (most - 4 * k, most - 8 * k), (most, most - 4.83 * k)])

@@ -14,10 +14,13 @@ from speeds import one_in
 
 import satviz as sv
 from satviz.checking import asking
+from satviz.checking.answers import Rules
 from satviz.checking.checked import Checked
-from satviz.checking.mistakes import HYPOTHESES, SYMPTOMS, mistakes_with
+from satviz.checking.mistakes import HYPOTHESES, SYMPTOMS, mistakes_with, predicted_answer
 from satviz.checking.pairs import KINDS, kind_of, near_pairs, whole_number_pairs
 from satviz.scenes.failing import NAMED
+
+SAME = {"line-for-axis": ("line-for-axis", "one-overlap")}  # the y axis alone
 
 
 def corners(checked):
@@ -387,6 +390,26 @@ def test_what_users_see_leads_to_mistakes():
 
 def test_every_hypothesis_names_a_failing_case():
     assert {hypothesis.name for hypothesis in HYPOTHESES} <= NAMED.keys() and len(HYPOTHESES) > 20
+
+
+@pytest.mark.parametrize("i", one_in(60, range(len(HYPOTHESES))))
+def test_each_way_to_make_a_mistake_is_named_for_it(i):
+    """A function that answers as one hypothesis does, and rightly where this one knows no answer."""
+    hypothesis, case = HYPOTHESES[i], NAMED[HYPOTHESES[i].name]
+    in_moves = case.is_about_push or "digit" in hypothesis.words or "the smallest, too" in hypothesis.words
+    rules = Rules("mtv" if in_moves else "hit")  # those two are seen in hardly any verdict
+    if not hypothesis.is_about(rules):
+        pytest.skip("no answer for two shapes shows it")
+
+    def fn(a, b):
+        predicted = predicted_answer(hypothesis, a, b, rules)
+        return predicted[0] if predicted else sv.record(a, b).mtv if in_moves else bool(sv.relate(a, b))
+
+    kinds = {"boxes", "convex", kind_of(*case.shapes)} | (
+        {"circles", "circle and polygon"} if "circle" in hypothesis.words else set()
+    )
+    found = sv.check(fn, form="shapes", returns=rules.returns, kinds=sorted(kinds), seconds=30)
+    assert found.finding == "wrong" and found.behaves_like[0].name in SAME.get(hypothesis.name, (hypothesis.name,))
 
 
 @pytest.mark.slow

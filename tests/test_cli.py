@@ -102,9 +102,9 @@ def test_draw_writes_one_step_or_some(tmp_path, capsys):
 def test_a_page_a_link_and_a_frame_ask_what_they_are_told_to(tmp_path, capsys):
     made = ["draw", "far-centers", "--predict", "--format", "html", "--out", str(tmp_path), "--format", "link"]
     assert main([*made, "--format", "embed", "--site", "https://example.org/s", "--theme", "dark"]) == 0
-    page, told = (tmp_path / "far-centers.html").read_text(), capsys.readouterr().out
+    page, captured = (tmp_path / "far-centers.html").read_text(), capsys.readouterr().out
     assert page == sv.page("far-centers", predict=True, title=sv.scene("far-centers").title)
-    link, *frame = told.splitlines()[:-1]
+    link, *frame = captured.splitlines()[:-1]
     assert link == sv.link("far-centers", site="https://example.org/s", predict=True)
     assert (
         "\n".join(frame) == sv.embed("far-centers", site="https://example.org/s", predict=True, theme="dark").rstrip()
@@ -362,8 +362,8 @@ def test_no_name_steers_the_terminal(tmp_path, capsys):
     ):
         with suppress(SystemExit):
             main(args)
-        told = "".join(capsys.readouterr())
-        assert told.count("\n") == 1 and told[:-1].isprintable() and "x1b" in told, args
+        captured = "".join(capsys.readouterr())
+        assert captured.count("\n") == 1 and captured[:-1].isprintable() and "x1b" in captured, args
 
 
 def test_file_names_that_are_no_text_are_told(tmp_path):
@@ -625,8 +625,8 @@ CLASHES = {
 def test_options_that_cannot_be_together_get_one_line(line, capsys, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert main(line.split()) == 2
-    told = capsys.readouterr()
-    assert CLASHES[line] in told.err and told.err.count("\n") == 1 and told.out == ""
+    captured = capsys.readouterr()
+    assert CLASHES[line] in captured.err and captured.err.count("\n") == 1 and captured.out == ""
     assert not list(tmp_path.iterdir())
 
 

@@ -1,4 +1,4 @@
-"""The claim beside the truth: each failing scene's picture shows the wrong number, struck out, and the right one."""
+"""Tests of comparison pictures: each failing scene shows the wrong number, struck out, and the right one."""
 
 import math
 import re
@@ -40,7 +40,7 @@ def texts(drawn: Picture, prefix: str) -> dict[str, str]:
 
 
 def struck(drawn: Picture) -> list[str]:
-    """What is struck out: the labels through each of whose lines a line goes, but for the remark below a gap."""
+    """Return the texts that are struck out: a line crosses each line of the label, except a remark below a gap."""
     lines = [mark for mark in drawn.marks if mark.part.endswith("-strike")]
     found = []
     for line in lines:
@@ -56,7 +56,7 @@ def struck(drawn: Picture) -> list[str]:
 
 
 def boxes(drawn: Picture) -> list[tuple[str, tuple[float, float, float, float]]]:
-    """Each label's text and box in points."""
+    """Return each label's text and its box in points."""
     found = []
     x0, y0 = drawn.limits[:2]
     for mark in drawn.labels:
@@ -67,7 +67,7 @@ def boxes(drawn: Picture) -> list[tuple[str, tuple[float, float, float, float]]]
 
 
 def no_overlap(drawn: Picture) -> bool:
-    """No label lies on another or off the canvas; an AssertionError says which does."""
+    """Check that no label overlaps another or leaves the canvas; an AssertionError names the label."""
     found = boxes(drawn)
     width, height = drawn.size
     for i, (text, (x0, y0, x1, y1)) in enumerate(found):
@@ -104,8 +104,8 @@ def test_the_shortcuts_number_stands_on_the_left_struck_out_and_the_right_one_on
         "corner-inside": ("apart", "overlap 1, way out 2"),
     }.get(case.name, ("", ""))
     if not left:
-        told = [case.in_words(answer) for answer in (case.claimed, case.actual)]
-        left, right = map(ascii_minus, told)
+        values = [case.in_words(answer) for answer in (case.claimed, case.actual)]
+        left, right = map(ascii_minus, values)
     assert left in saw and right in truth
     true_overlap = "true, but " in saw or "on y, true" in saw or case.name == "faces-in-3d"  # only the verdict is wrong
     true = true_overlap or case.name == "tunnelling" or case.claims_less
@@ -216,7 +216,7 @@ def test_every_shortcut_is_drawn_for_pairs_of_every_kind(name):
 
 
 def refusal(case):
-    """The error line, in which the picture names the edges by their corners."""
+    """Return the error line, in which the picture names the edges by their corners."""
     named = "edges a1a2 and a4a5 cross (rings)"
     return f"Refused: {re.sub(r'edges 0 and 3 cross near [(][^)]*[)]', named, case.actual)}."
 
@@ -455,7 +455,7 @@ LARGER = [pytest.param(size, marks=pytest.mark.slow) for size in ((3.1, 4.6), (4
 @pytest.mark.parametrize("size", [(2.3, 2.3), *LARGER])
 @pytest.mark.parametrize("name", one_in(4, [case.name for case in FAILURE_CASES]))
 def test_both_panels_hold_on_axes_of_any_size(name, size):
-    """On Axes of one's own, however small: each word inside, none over another (a small picture loops no more)."""
+    """On given Axes of any size each word is inside and none overlaps another (a small picture loops no more)."""
     fig = Figure(figsize=size)
     FigureCanvasAgg(fig)
     ax = fig.add_axes((0, 0, 1, 1))

@@ -1,4 +1,4 @@
-"""The parts of a concave polygon fill it exactly, and relate is right about concave shapes."""
+"""Tests of convex parts: they fill a concave polygon exactly, and `relate` is right for concave shapes."""
 
 import functools
 import math
@@ -35,7 +35,7 @@ ULP = 2.0**-52
 
 
 def untangled(points: Iterable[tuple[float, float]]) -> Ring:
-    """The points in an order without crossings where 2-opt finds one; exact on small grids, else what comes out."""
+    """Return the points in an order without crossings if 2-opt finds one; it is exact on small grids."""
     ring = list(dict.fromkeys(points))
     n = len(ring)
     for _ in range(200):
@@ -56,7 +56,7 @@ def spread(rng: Random, n: int, coordinate: Callable[[Random], float]) -> Ring:
 
 
 def star_shaped(rng: Random, n: int, size: float, step: float = 0) -> Ring:
-    """Around the origin, rounded to a grid so that vertices, edges and lines fall together."""
+    """Return a star-shaped ring around the origin, rounded to a grid so that vertices, edges and lines coincide."""
     angles = sorted(rng.uniform(0, math.tau) for _ in range(n))
     arms = [(rng.uniform(size / 5, size), angle) for angle in angles]
     ring = [(r * math.cos(angle), r * math.sin(angle)) for r, angle in arms]
@@ -64,7 +64,7 @@ def star_shaped(rng: Random, n: int, size: float, step: float = 0) -> Ring:
 
 
 def polyomino(rng: Random, n: int) -> Ring:
-    """The outline of n squares grown together: only right angles, many edges on one line."""
+    """Return the outline of n connected squares: it has only right angles, and many edges on one line."""
     cells = {(0, 0)}
     while len(cells) < n:
         x, y = rng.choice(sorted(cells))
@@ -106,7 +106,7 @@ every_kind = pytest.mark.parametrize("kind", KINDS)
 
 
 def concave_polygons(kind: str, count: int, most: int = 30, seed: int = 1) -> Iterator[Polygon]:
-    """Concave polygons of one kind with 4 to `most` vertices; what satviz refuses to build is drawn again."""
+    """Yield concave polygons of one kind with 4 to `most` vertices; invalid ones are drawn again."""
     rng = Random(f"{kind} {seed}")
     while count:
         try:
@@ -123,7 +123,7 @@ def sample(kind: str) -> tuple[Polygon, ...]:
     return tuple(concave_polygons(kind, 25))
 
 
-# -- what is true ----------------------------------------------------------------------------------
+# -- the oracle ------------------------------------------------------------------------------------
 
 
 def boxes_meet(a: Polygon, b: Polygon) -> bool:
@@ -137,12 +137,12 @@ def reflex_count(polygon: Polygon) -> int:
 
 
 def refute(polygon: Polygon) -> str:
-    """What is wrong with the parts of a concave polygon, with the polygon to paste back; else nothing."""
+    """Return what is wrong with the parts of a concave polygon, with the polygon to paste; empty if nothing is."""
     found = parts(polygon)
     own, *rings = integers(polygon.corners, *(part.vertices for part in found))
     wrong = []
     if not all(part.is_convex and not part.notes and truth.twice_signed_area(part.vertices) > 0 for part in found):
-        wrong.append("a part is not convex, not counter-clockwise, or has a straight-on vertex")
+        wrong.append("a part is not convex, not counter-clockwise, or has a collinear vertex")
     if sum(map(truth.twice_signed_area, rings)) != truth.twice_signed_area(own):
         wrong.append("the areas do not add up")
     if any(truth.polygons(p, q) is OVERLAPPING for p, q in combinations(found, 2) if boxes_meet(p, q)):
@@ -162,7 +162,7 @@ def refute_all(polygons: Iterable[Polygon]) -> None:
 
 
 def refute_at_any_size(polygon: Polygon) -> str:
-    """As refute, without the oracle, with as much work as the parts have corners.
+    """Return the same as `refute`, in time linear in the corners of the parts, without the oracle.
 
     Parts fill the polygon once if their edges, as signed lengths on their lines, add up to its own edges:
     then they wind around every point as often as it does.
@@ -285,7 +285,7 @@ ARM += [(40, 20), (-3, 20)]
 
 @pytest.mark.parametrize("ring", [ARM, [(x, -y) for x, y in ARM[::-1]]], ids=["left", "right"])
 def test_of_two_vertices_on_one_ray_a_cut_ends_on_the_nearer_from_any_first_vertex(ring):
-    """A ray from the reflex vertex turns up to both at once; the lines of its edges end between floats."""
+    """A rotating ray from the reflex vertex reaches both at once; the lines of its edges end between floats."""
     refute_all(Polygon(ring[i:] + ring[:i]) for i in range(len(ring)))
 
 
@@ -350,8 +350,8 @@ def test_well_known_outlines_have_the_fewest_parts(name, ring, count):
 
 @WELL_KNOWN
 @pytest.mark.parametrize("turned", [(1, 1), (-1, 1), (1, -1), (-1, -1)])
-def test_they_have_from_any_first_vertex_and_turned_any_way(name, ring, count, turned):
-    """The partners of a reflex vertex are judged by both its edges, also across the first vertex."""
+def test_well_known_outlines_have_the_fewest_parts_from_any_first_vertex_at_any_rotation(name, ring, count, turned):
+    """The partners of a reflex vertex are checked against both its edges, also across the first vertex."""
     for start in range(len(ring)):
         for x, y in (0, 1), (1, 0):
             around = [(p[x] * turned[0], p[y] * turned[1]) for p in ring[start:] + ring[:start]]
@@ -418,7 +418,7 @@ def test_a_reflex_vertex_takes_two_cuts_only_where_float64_holds_neither_end_of_
 
 
 def fewest_without_new_points(polygon: Polygon) -> int:
-    """The least number of convex parts whose corners are all the polygon's own, by trying every chain of diagonals."""
+    """Return the least number of convex parts without new corners, by trying every chain of diagonals."""
     (at,) = integers(polygon.corners)
     n = len(at)
 
@@ -427,7 +427,7 @@ def fewest_without_new_points(polygon: Polygon) -> int:
         return (before and after) if cross(at[i - 1], at[i], at[(i + 1) % n]) > 0 else (before or after)
 
     def clear(i: int, j: int) -> bool:
-        """An edge of the polygon, or a diagonal that meets none but at its ends."""
+        """Return whether i j is an edge of the polygon, or a diagonal that meets edges only at its ends."""
         far = [(k, (k + 1) % n) for k in range(n) if not {i, j} & {k, (k + 1) % n}]
         beside = any(on_segment(at[k], at[i], at[j]) for k in range(n) if k not in (i, j))
         alone = not (beside or any(meet(at[i], at[j], at[k], at[m]) for k, m in far))
@@ -437,18 +437,18 @@ def fewest_without_new_points(polygon: Polygon) -> int:
 
     @functools.cache
     def fewest(i: int, j: int) -> float:
-        """Of the polygon on the outer side of i j: one part along i j, and what is left behind its other sides."""
+        """Return the fewest parts beyond i j: one part along i j, and those behind its other sides."""
         return 0 if j - i == 1 else 1 + min((chain(i, j, k, j) for k in range(i + 1, j)), default=math.inf)
 
     @functools.cache
     def chain(i: int, j: int, k: int, m: int) -> float:
-        """The convex chains i ... k m below i j: what is behind their sides."""
+        """Return the fewest parts behind the sides of a convex chain i ... k m below i j."""
         if (k, m) not in seen or (m == j and cross(at[k], at[j], at[i]) < 0):
             return math.inf
         if k == i:
             return fewest(i, m) if cross(at[j], at[i], at[m]) >= 0 else math.inf
-        ways = (chain(i, j, h, k) for h in range(i, k) if cross(at[h], at[k], at[m]) >= 0)
-        return fewest(k, m) + min(ways, default=math.inf)
+        chains = (chain(i, j, h, k) for h in range(i, k) if cross(at[h], at[k], at[m]) >= 0)
+        return fewest(k, m) + min(chains, default=math.inf)
 
     return fewest(0, n - 1)
 
@@ -489,7 +489,7 @@ def test_no_two_parts_with_an_edge_in_common_could_be_one(kind):
             assert not Polygon(joined).is_convex, repr(polygon)
 
 
-# -- what a part tells -----------------------------------------------------------------------------
+# -- names and labels of parts ---------------------------------------------------------------------
 
 
 def test_a_circle_and_a_convex_polygon_are_their_own_only_part():
@@ -532,7 +532,7 @@ def test_parts_carry_the_labels_of_the_vertices_and_none_for_new_points():
     assert all(part.labels is None for part in parts(Polygon(L)))
 
 
-def test_a_cut_that_ends_on_a_straight_on_vertex_takes_its_label():
+def test_a_cut_that_ends_on_a_collinear_vertex_takes_its_label():
     ring = [(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4), (0, 2)]
     bottom, top = parts(Polygon(ring, labels=list("abcdefg")))
     assert bottom.labels == ("a", "b", "c", "g")
@@ -550,7 +550,7 @@ def test_of_a_repeated_vertex_the_first_label_counts():
 
 
 def concave_pairs(count: int) -> Iterator[tuple[Polygon, Polygon]]:
-    """Pairs near each other, on grids that let vertices and edges fall on each other."""
+    """Return pairs near each other, on grids where vertices and edges often coincide."""
     kinds = ["small grid", "quarters", "star of integers", "star of quarters", "right angles"]
     pools = [list(concave_polygons(kind, 40, most=10, seed=3)) for kind in kinds]
     rng = Random(4)
@@ -631,7 +631,7 @@ def stairs(n: int) -> Ring:
 
 
 def towers(n: int) -> Ring:
-    """Right angles only: columns of random heights above and below a line."""
+    """Return an outline with only right angles: columns of random heights above and below a line."""
     rng, count = Random(n), n // 4
     low = [p for x in range(count) for y in [-rng.randint(1, count)] for p in ((x, y), (x + 1, y))]
     high = [p for x in reversed(range(count)) for y in [rng.randint(1, count)] for p in ((x + 1, y), (x, y))]
@@ -639,9 +639,9 @@ def towers(n: int) -> Ring:
 
 
 def hall(n: int) -> Ring:
-    """Rooms around a circular hall whose walls look at the next room, so that hardly a line halves it."""
-    room = 4 * math.tau / n
-    arms = [((10, 12, 12, 10)[i % 4], i // 4 * room + (0, 0.1, 0.5, 0.6)[i % 4] * room) for i in range(n // 4 * 4)]
+    """Return chambers around a circular hall, each with walls turned to the next, so that few lines halve it."""
+    angle = 4 * math.tau / n
+    arms = [((10, 12, 12, 10)[i % 4], i // 4 * angle + (0, 0.1, 0.5, 0.6)[i % 4] * angle) for i in range(n // 4 * 4)]
     return polar(arms)
 
 
@@ -655,7 +655,7 @@ def bowl(n: int) -> Ring:
 
 
 def subdivided(ring: Ring) -> Ring:
-    """With vertices straight on in the edges."""
+    """Return the ring with collinear vertices added on its edges."""
     return [(p[0] + (q[0] - p[0]) * i / 4, p[1] + (q[1] - p[1]) * i / 4) for p, q in edges(ring) for i in range(4)]
 
 
@@ -685,7 +685,7 @@ BIG: dict[str, Callable[[int], Ring]] = {
     ),
     "one dent": lambda n: [*polar((9, math.tau * (i + 0.5) / n) for i in range(n - 1)), (1.0, -0.001)],
     "needles": lambda n: star(n // 2, 1e-6),
-    "needles with straight-on vertices": lambda n: subdivided(comb(n // 16)),
+    "needles with collinear vertices": lambda n: subdivided(comb(n // 16)),
     "offset of 1e15": lambda n: on_grid([(x * 64 * n, y * 64 * n) for x, y in star(n // 2)], 1.0, 1e15),
     "subnormal": lambda n: on_grid([(x * 64 * n, y * 64 * n) for x, y in star(n // 2)], 5e-324),
 }
@@ -717,7 +717,7 @@ def test_no_cut_ends_inside_a_diagonal_that_only_halves_so_that_it_can_be_taken_
 
 @pytest.mark.parametrize("kind", one_in(10, BIG))
 def test_hardly_more_parts_come_of_halving(kind, monkeypatch):
-    """None where all its cuts are diagonals that no vertex needs: they are taken back."""
+    """Halving adds no part where all its cuts are diagonals that no vertex needs, since they are undone."""
     halved = len(parts(Polygon(BIG[kind](600))))
     monkeypatch.setattr(convex_parts, "MAX_REFLEX_VERTICES", 600)
     whole = len(parts(Polygon(BIG[kind](600))))
@@ -747,12 +747,12 @@ QUICK = ("towers", "comb", "one dent")
 
 @pytest.mark.parametrize("kind", [k if k in QUICK else pytest.param(k, marks=pytest.mark.slow) for k in BIG])
 def test_splitting_grows_almost_as_the_outline(kind, monkeypatch):
-    """Counted in turns and in corners gone through; n log n would be 10.7 times as much."""
-    looks: Counter = Counter()
+    """The work is counted in orientations and visited corners; n log n would be 10.7 times as much."""
+    work_done: Counter = Counter()
 
     def counted(owner: object, name: str, work: Callable[..., int]) -> None:
         done = getattr(owner, name)
-        monkeypatch.setattr(owner, name, lambda *args: looks.update({name: work(*args)}) or done(*args))
+        monkeypatch.setattr(owner, name, lambda *args: work_done.update({name: work(*args)}) or done(*args))
 
     for name in "orient_det", "_turn_at":
         counted(convex_parts, name, lambda *_: 1)
@@ -762,7 +762,7 @@ def test_splitting_grows_almost_as_the_outline(kind, monkeypatch):
         counted(convex_parts._Pieces, name, lambda _, ring, *rest: len(ring))
     cost = []
     for n in (300, 2400) if kind in QUICK else (500, 4000):
-        looks.clear()
+        work_done.clear()
         parts(Polygon(BIG[kind](n)))
-        cost.append(looks.total())
+        cost.append(work_done.total())
     assert cost[1] < 13 * cost[0], cost

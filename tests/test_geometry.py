@@ -1,11 +1,11 @@
-"""The values that every floor speaks in."""
+"""Tests of the values that every layer uses: relations and ranges."""
 
 import pytest
 
 import satviz as sv
 
 
-def test_a_relation_is_a_number_true_when_it_is_a_hit_and_printed_in_small_letters():
+def test_a_relation_is_an_integer_true_for_a_hit_and_printed_in_small_letters():
     assert [int(relation) for relation in sv.Relation] == [0, 1, 2]
     assert [bool(relation) for relation in sv.Relation] == [False, True, True]
     assert [str(relation) for relation in sv.Relation] == ["apart", "touching", "overlapping"]
@@ -15,5 +15,5 @@ def test_a_relation_is_a_number_true_when_it_is_a_hit_and_printed_in_small_lette
     ("one", "other", "gap"),
     [((0, 1), (3, 9), 2), ((0, 1), (1, 2), 0), ((0, 5), (3, 9), -2), ((0, 9), (3, 4), -4), ((0, 9), (5, 6), -4)],
 )
-def test_the_gap_of_two_ranges_is_how_far_apart_or_how_deep_they_are(one, other, gap):
+def test_the_gap_of_two_ranges_is_their_distance_or_minus_their_overlap(one, other, gap):
     assert sv.Interval(*one).gap(sv.Interval(*other)) == sv.Interval(*other).gap(sv.Interval(*one)) == gap

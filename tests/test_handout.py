@@ -1,4 +1,4 @@
-"""Handouts to print: they ask everything and answer nothing, and the solutions answer all of it."""
+"""Tests of handouts: they contain all questions and no answer, and the solutions contain all answers."""
 
 import re
 from html import unescape
@@ -27,7 +27,7 @@ CHAPTERS = [chapter.title.split()[0] for chapter in chapters()]
 
 
 def words(html):
-    """The text of a page, without its style sheet, with single spaces."""
+    """Return the text of a page, without its style sheet, with single spaces."""
     body = re.sub(r"<style>.*?</style>|<[^>]+>", " ", html, flags=re.DOTALL)
     return re.sub(r"\s+", " ", unescape(body))
 

@@ -107,9 +107,9 @@ def test_the_server_sends_the_sites_own_page_with_the_status_404(files, tmp_path
     with server(tmp_path) as serving:
         thread = threading.Thread(target=serving.serve_forever, daemon=True)
         thread.start()
-        with pytest.raises(urllib.error.HTTPError) as told:
+        with pytest.raises(urllib.error.HTTPError) as error:
             urllib.request.urlopen(f"http://127.0.0.1:{serving.server_address[1]}/nothing/here.html")
-        assert told.value.code == 404 and told.value.read() == files[hosting.NOT_FOUND]
+        assert error.value.code == 404 and error.value.read() == files[hosting.NOT_FOUND]
         serving.shutdown()
         thread.join()
 

@@ -33,7 +33,7 @@ def test_the_origin_lies_in_b_minus_a_as_the_shapes_lie_to_each_other(b, where):
     assert ["outside", "on the rim of", "inside"][where + 1] in drawn.sentence
 
 
-def test_the_mtv_leads_from_the_rim_to_the_origin():
+def test_the_mtv_leads_from_the_boundary_to_the_origin():
     trace = sv.record(box(0, 0, 4, 2), TRIANGLE)
     tail, tip = sv.difference(trace).mark("mtv").points
     assert tip == (0, 0) and (-tail.x, -tail.y) == trace.mtv
@@ -64,7 +64,7 @@ def test_one_shape_has_no_difference():
         sv.difference(box(0, 0, 1, 1))
 
 
-def test_the_explorer_shows_it_beside_the_pair_when_asked():
+def test_the_explorer_shows_the_difference_beside_the_pair_on_request():
     from satviz.widgets.explorer_model import ExplorerModel
 
     explorer = ExplorerModel(sv.scene("triangles"))
@@ -91,7 +91,7 @@ def test_the_gap_lies_on_the_canvas_and_the_difference_is_seen_however_far_and_s
 @pytest.mark.parametrize(
     "name", one_in(3, ["concave", "circle-polygon", "circles", "triangles", "gap-as-distance", "touch-as-apart"])
 )
-def test_while_b_minus_a_comes_about_the_shapes_stay_and_the_turned_a_covers_only_what_belongs_to_it(name):
+def test_during_the_construction_of_b_minus_a_the_shapes_stay_and_the_reflected_a_covers_only_the_difference(name):
     trace = sv.scene(name).record()
     steps = sv.difference_steps(trace)
     assert len({step.limits for step in steps}) == 1 and len({step.mark("B.outline") for step in steps}) == 1
@@ -114,7 +114,7 @@ def test_while_b_minus_a_comes_about_the_shapes_stay_and_the_turned_a_covers_onl
 @pytest.mark.parametrize(
     "b", [sv.Circle((4, 1), 2), sv.Polygon(circle_points(sv.Vec(4.0, 1.0), 2.0, 40))], ids=["circle", "40-gon"]
 )
-def test_the_turned_a_goes_round_the_border_of_b_and_not_along_its_chords(a, b):
+def test_the_reflected_a_moves_along_the_boundary_of_b_and_not_along_chords(a, b):
     last = [mark for step in sv.difference_steps(a, b) for mark in step.marks if mark.part == "covered"][-1]
     for ring in (m.points for m in sv.difference(a, b).marks if m.part == "difference"):
         for corner in ring:  # what the difference is, at most a hair's breadth of a circle drawn as a polygon less

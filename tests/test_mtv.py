@@ -1,4 +1,4 @@
-"""The way out of an overlap: it ends it, and no shorter move does."""
+"""Tests of the minimum translation vector (MTV): it ends the overlap, and no shorter move does."""
 
 from collections import Counter
 from contextlib import suppress
@@ -21,7 +21,7 @@ B = sv.Polygon([(5, 5), (8, 3), (4, 1)], labels=["v1", "v2", "v3"])
 L = sv.Polygon([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)])
 
 
-def test_the_mtv_really_ends_the_overlap_and_hardly_less_does_not():
+def test_the_mtv_ends_the_overlap_and_a_slightly_shorter_move_does_not():
     overlapping = 0
     for _, a, b in pairs(5, 400, [kind for kind in CONVEX if kind != "many corners"]):
         trace = sv.record(a, b)
@@ -47,7 +47,7 @@ def test_the_mtv_really_ends_the_overlap_and_hardly_less_does_not():
         (sv.Circle((0, 0), 3), sv.Circle((4, 0), 2), (1, 0)),
     ],
 )
-def test_the_mtv_is_right_where_shortcuts_go_wrong_and_exact_where_float64_holds_it(a, b, mtv):
+def test_the_mtv_is_right_where_shortcuts_are_wrong_and_exact_where_float64_holds_it(a, b, mtv):
     assert sv.record(a, b).mtv == mtv
 
 
@@ -134,14 +134,14 @@ def test_a_concave_mtv_scales_with_the_scene(e):
 
 
 @pytest.mark.parametrize("notch", [[], [(0, 0.9)]], ids=["convex", "concave"])
-def test_a_move_beyond_float64_is_none_and_said(notch):
+def test_an_mtv_beyond_float64_is_none_with_a_note(notch):
     huge = sv.Polygon([(1.7e308 * x, 1.7e308 * y) for x, y in [(-1, -1), (1, -1), (1, 1), *notch, (-1, 1)]])
     trace = sv.record(huge, sv.Polygon([(-1e308, -1e308), (1e308, -1e308), (0, 1e308)]))
     assert trace.mtv is None and "No move" in trace.sentence and trace.certificate.check()
     assert sv.Trace.from_json(trace.to_json()) == trace
 
 
-def test_the_mtv_of_too_many_parts_is_refused_with_the_numbers_and_what_to_do():
+def test_the_mtv_of_too_many_parts_is_refused_with_the_counts_and_a_remedy():
     trace = sv.record(star(40), star(40, 1.3, 0.1))
     with pytest.raises(
         sv.InvalidScene, match=r"1,681 pairs .* 13,120 corners.* 4,000 .*trace\.colliding\.mtv"
@@ -162,7 +162,7 @@ def test_the_limit_on_the_mtv_counts_the_corners_of_all_pairs(monkeypatch):
         assert trace.mtv
 
 
-def test_the_mtv_is_searched_for_once_and_not_for_a_picture_of_what_is_apart(monkeypatch):
+def test_the_mtv_is_computed_once_and_not_for_a_picture_of_shapes_that_are_apart(monkeypatch):
     mtv_module.mtv_of_parts.cache_clear()
     trace = sv.record(L, sv.Circle((3.2, 3.2), 1.5))
     assert mtv_module.mtv_of_parts.cache_info().misses == 0
@@ -219,7 +219,7 @@ def test_the_mtv_of_a_circle_is_away_from_edges_and_corners(a, circle, mtv, mirr
 
 
 @pytest.mark.parametrize("k", range(20))
-def test_a_rounded_crossing_is_helped_outwards_by_next_to_nothing(k):
+def test_a_rounded_crossing_is_nudged_outwards_by_a_tiny_step(k):
     x, y, radius = k / 173, 0.1 + k / 91, 1.2 + k / 311
     up = sv.record(PRONGS, sv.Circle((x, y), radius)).mtv
     assert up == pytest.approx((-x, (radius**2 - 1) ** 0.5 - y), abs=1e-14)
@@ -228,8 +228,8 @@ def test_a_rounded_crossing_is_helped_outwards_by_next_to_nothing(k):
 
 
 @pytest.mark.parametrize("first", range(0, 300, 50))
-def test_a_circle_goes_up_in_a_groove_with_a_wall_that_ends_where_it_touches(first):
-    """Rounded, the crossing of both borders lies beyond the end of the side or of the arc, or of both."""
+def test_a_circle_leaves_a_groove_upwards_where_a_wall_ends_at_the_touching_point(first):
+    """The rounded crossing of both borders lies beyond the end of the side, of the arc, or of both."""
     for k in range(first, first + 50):
         c, s, up = cos(k), sin(k), 1 + k % 5
         ring = [(0, 0), (24, 32), (60, 32), (0, -60), (-60, 16), (-12, 16)]
@@ -240,8 +240,8 @@ def test_a_circle_goes_up_in_a_groove_with_a_wall_that_ends_where_it_touches(fir
 
 @pytest.mark.parametrize("e", [8, 16, 20, 24])
 @pytest.mark.parametrize("k", range(1, 4))
-def test_a_box_goes_back_in_a_slot_that_hardly_narrows_and_not_all_the_way_out(k, e):
-    """Where walls are nearly parallel, the sum of their normals is nearly 0 and helped no rounded crossing out."""
+def test_a_box_moves_back_in_a_slightly_narrowing_slot_and_not_out_of_it(k, e):
+    """Where walls are nearly parallel, the sum of their normals is nearly 0 and cannot nudge a rounded crossing out."""
     c, s, narrow = cos(k), sin(k), 2.0**-e
     ring = [(-1, 1), (-3, 1), (-3, -3), (3, -3), (3, 1), (1, 1), (1 - 1.5 * narrow, -0.5), (1.5 * narrow - 1, -0.5)]
     slot, fits = (
@@ -253,7 +253,7 @@ def test_a_box_goes_back_in_a_slot_that_hardly_narrows_and_not_all_the_way_out(k
 
 @pytest.mark.parametrize("first", range(8))
 def test_a_circle_leaves_a_slot_as_wide_as_itself_by_the_mouth(first):
-    """Whether it fits in the slot is up to rounding; past the mouth it is free."""
+    """Rounding decides whether the circle fits in the slot; past the mouth it is free."""
     ring = [(-3, 1), (-3, -3), (3, -3), (3, 1), (1, 1), (1, -2), (-1, -2), (-1, 1)]
     for k in range(40):
         turn = complex(cos(k), sin(k))
@@ -264,7 +264,7 @@ def test_a_circle_leaves_a_slot_as_wide_as_itself_by_the_mouth(first):
         assert along.real == pytest.approx(-0.1, abs=1e-7) and -1e-6 < along.imag < 0.1 + 1e-6, k
 
 
-def test_a_circle_about_a_corner_goes_out_by_its_radius():
+def test_the_mtv_of_a_circle_centered_on_a_corner_has_the_length_of_its_radius():
     trace = sv.record(L, sv.Circle((4, 2), 0.5))
     assert hypot(*trace.mtv) == pytest.approx(0.5) and ends_overlap(trace.a, trace.b, trace.mtv)
 
@@ -293,7 +293,7 @@ def forbidden(a, b, wider=0.0):
 
 @pytest.mark.parametrize("kind", ["circle", "convex", "concave"])
 @pytest.mark.parametrize("seed", one_in(3, range(8)))
-def test_the_mtv_of_a_concave_outline_is_to_the_nearest_move_that_is_not_forbidden(kind, seed):
+def test_the_mtv_of_a_concave_outline_is_the_shortest_move_that_is_not_forbidden(kind, seed):
     rng, found = Random(f"{kind} {seed}"), 0
     while found < 15:
         with suppress(sv.InvalidShape, NotConvex):
@@ -309,8 +309,8 @@ def test_the_mtv_of_a_concave_outline_is_to_the_nearest_move_that_is_not_forbidd
                 found += 1
                 mtv = sv.record(a, b).mtv
                 nearest = forbidden(a, b).boundary.distance(shapely.Point(0, 0))
-                room = 1e-9 * nearest + 1e-5 * (a.radius + b.radius)
-                assert ends_overlap(a, b, mtv) and hypot(*mtv) <= nearest + room
+                tolerance = 1e-9 * nearest + 1e-5 * (a.radius + b.radius)
+                assert ends_overlap(a, b, mtv) and hypot(*mtv) <= nearest + tolerance
 
 
 def a_tight_fit(rng):
@@ -338,7 +338,7 @@ def a_tight_fit(rng):
 
 @pytest.mark.parametrize("seed", one_in(3, range(6)))
 def test_no_shorter_move_ends_the_overlap_where_a_shape_just_fits_between_two_walls(seed):
-    """The crossing of borders that hardly turn is rounded far off, and the sum of their normals has no right digit."""
+    """The crossing of nearly parallel borders is rounded far off, and the sum of their normals has no correct digit."""
     rng, found = Random(f"tight {seed}"), 0
     while found < 40:
         a, b = rng.sample(a_tight_fit(rng), 2)
@@ -358,7 +358,7 @@ def test_a_large_and_a_small_concave_outline_have_an_mtv(power):
         assert ends_overlap(a, b, trace.mtv) and sv.Trace.from_json(trace.to_json()) == trace
 
 
-def test_outlines_at_the_rim_of_float64_have_an_mtv():
+def test_outlines_at_the_limit_of_float64_have_an_mtv():
     rim = sv.Polygon([(c * 4e307, d * 4e307) for c, d in L.vertices])
     circle = sv.Circle((1.7e308, 1.7e308), 1.7e308)
     for a, b in [(rim, circle), (circle, rim)]:
@@ -373,34 +373,34 @@ def test_the_mtv_needs_no_tested_axis():
 @pytest.mark.parametrize(
     "b", [star(8, 1.3, 0.1), sv.Circle((0.1, 0.2), 0.3), box(-0.2, -0.3, 0.3, 0.2), sv.Circle((0.1, 0.2), 2)], ids=repr
 )
-def test_hardly_a_move_that_floats_can_refuse_is_checked_exactly_and_buried_borders_are_not_crossed(b, monkeypatch):
-    asked = Counter()
+def test_few_moves_are_checked_exactly_and_borders_inside_a_region_are_not_crossed(b, monkeypatch):
+    calls = Counter()
     for name in ("relate_moved", "_crossing_candidates"):
         done = getattr(mtv_module, name)
-        monkeypatch.setattr(mtv_module, name, lambda *args, name=name, done=done: asked.update([name]) or done(*args))
+        monkeypatch.setattr(mtv_module, name, lambda *args, name=name, done=done: calls.update([name]) or done(*args))
     a = star(9)
     assert mtv_module.mtv_of_parts.__wrapped__(a, b)
-    assert asked["relate_moved"] < 4 * len(sv.parts(a)) * len(sv.parts(b)) and asked["_crossing_candidates"] < 600
+    assert calls["relate_moved"] < 4 * len(sv.parts(a)) * len(sv.parts(b)) and calls["_crossing_candidates"] < 600
 
 
 SMALL = [box(-0.5, 0.25, 0.5, 2), sv.Polygon([(0, 0.5), (1, 1), (0, 2)]), sv.Circle((0, 1), 0.5)]
 
 
 @pytest.mark.parametrize("b", [*(scaled(b, -600) for b in SMALL), scaled(sv.Circle((0, 1), 1.5), 499)], ids=range(4))
-def test_a_tooth_so_small_that_its_parts_vanish_at_the_size_of_its_outline_has_an_mtv(b):
+def test_an_outline_with_a_tooth_that_underflows_at_the_size_of_the_outline_has_an_mtv(b):
     huge, tiny = 2.0**500, 2.0**-600
     a = sv.Polygon([(-huge, -huge), (huge, -huge), (huge, 0), (tiny, 0), (0, tiny), (-tiny, 0), (-huge, 0)])
     for first, second in (a, b), (b, a):
         assert ends_overlap(first, second, sv.record(first, second).mtv)
 
 
-def test_sides_of_one_direction_are_one_side_of_the_sum():
+def test_parallel_sides_become_one_side_of_the_minkowski_sum():
     square = [0j, 1 + 0j, 1 + 1j, 1j]
     assert mtv_module._minkowski_sum(square, [2 * v for v in square[2:] + square[:2]]) == [3 * v for v in square]
 
 
 @pytest.mark.parametrize("seed", range(20))
-def test_only_a_circle_bends_borders_and_the_hull_of_each_holds_it(seed):
+def test_only_circles_give_curved_borders_and_the_hull_of_each_border_contains_it(seed):
     rng = Random(seed)
     corners = shapely.MultiPoint([(rng.gauss(0, 1), rng.gauss(0, 0.01)) for _ in range(rng.randint(3, 6))])
     ring = [complex(x, y) for x, y in reversed(corners.convex_hull.exterior.coords[1:])]
@@ -409,12 +409,12 @@ def test_only_a_circle_bends_borders_and_the_hull_of_each_holds_it(seed):
         bare = corners.convex_hull.buffer(radius, quad_segs=512).boundary
         for border in mtv_module._borders(ring, radius):
             hull = shapely.MultiPoint([(v.real, v.imag) for v in border.hull]).convex_hull
-            bare -= hull.buffer(1e-4)  # shapely leaves out arcs hardly bent
+            bare -= hull.buffer(1e-4)  # shapely leaves out nearly straight arcs
         assert bare.is_empty
 
 
 @pytest.mark.parametrize("radius", [0.0, 0.5, 1.0, 3.0])
-def test_no_piece_of_border_is_nearer_than_it_says(radius):
+def test_no_border_is_nearer_than_its_attribute_nearest(radius):
     for turn in (1, 1j, -1, -1j):
         for border in mtv_module._borders([turn * v for v in (2 + 1j, 3 + 1j, 2.5 + 3j)], radius):
             assert border.nearest <= min(abs(border.p), abs(border.q)) + 1e-9

@@ -1,4 +1,4 @@
-"""No form of the verdict is ever wrong: against rationals, under changes that change nothing, and about each find."""
+"""Tests that no form of the verdict is wrong: against rationals, under equivalent changes, and for each find."""
 
 import ctypes
 import functools
@@ -38,22 +38,22 @@ Known = list[tuple[Shape, Shape, Relation]]
 
 
 def shown(known: Sequence[tuple]) -> str:
-    """Pairs to paste back, with what was said and what is."""
+    """Return the first wrong pairs to paste, each with its answer and the true relation."""
     return "\n".join(f"says {said}, is {right}:\na = {a!r}\nb = {b!r}" for a, b, right, said in known[:3])
 
 
 def refute(form: Form, known: Known, name: str = "") -> None:
-    """Fail if the form is wrong about any of the pairs it is asked."""
-    asked = known[:: form.one_in]
-    answers = form.ask([(a, b) for a, b, _ in asked])
-    assert len(answers) == len(asked)
+    """Fail if the form is wrong for any of the pairs it is given."""
+    tried = known[:: form.one_in]
+    answers = form.ask([(a, b) for a, b, _ in tried])
+    assert len(answers) == len(tried)
     wrong = [
         (a, b, right, said)
-        for (a, b, right), said in zip(asked, answers, strict=True)
+        for (a, b, right), said in zip(tried, answers, strict=True)
         if said is not None and not form.fits(said, right)
     ]
     if wrong:
-        pytest.fail(f"{name} wrong about {len(wrong)} of {len(asked)} pairs\n{shown(wrong)}", pytrace=False)
+        pytest.fail(f"{name} wrong about {len(wrong)} of {len(tried)} pairs\n{shown(wrong)}", pytrace=False)
 
 
 # -- against rationals -----------------------------------------------------------------------------
@@ -133,9 +133,9 @@ def flushed() -> Iterator[None]:
         math.fesetenv(kept)
 
 
-def test_a_thread_that_takes_the_smallest_numbers_for_0_is_warned():
+def test_a_thread_that_flushes_subnormal_numbers_to_zero_gets_a_warning():
     ring = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]
-    doors = {
+    constructors = {
         "Polygon": lambda: Polygon(ring),
         "Circle": lambda: Circle((0, 0), 1),
         "Polygons": lambda: batch.Polygons(np.array([ring])),
@@ -144,10 +144,10 @@ def test_a_thread_that_takes_the_smallest_numbers_for_0_is_warned():
         "Circles": lambda: batch.Circles(np.zeros((2, 2)), 1.0),
         "boxes": lambda: batch.candidate_pairs(np.array([[0.0, 0.0, 1.0, 1.0]])),
     }
-    for through in doors.values():
-        through()
+    for make in constructors.values():
+        make()
         with flushed(), pytest.warns(RuntimeWarning, match="exact only where every number given is 0 or beyond 1e-290"):
-            through()
+            make()
 
 
 def numbers(shape: Shape) -> list[float]:
@@ -269,20 +269,20 @@ def refute_by_changes(form: Form, kind: str, name: str = "") -> None:
 
 
 @pytest.mark.parametrize("form", COMPARED)
-def test_what_changes_nothing_changes_no_answer(form):
+def test_an_equivalent_pair_has_the_same_answer(form):
     refute_by_changes(FORMS[form], ALL)
 
 
 @pytest.mark.slow
 @every_kind
-def test_what_changes_nothing_changes_no_answer_about_a_kind(kind):
+def test_an_equivalent_pair_of_each_kind_has_the_same_answer(kind):
     for name in COMPARED:
         refute_by_changes(FORMS[name], kind, name)
 
 
 @pytest.mark.slow
 def test_every_change_is_made_to_pairs_of_every_kind():
-    """Exact moves and straight vertices are not to be had everywhere; of all pairs many are."""
+    """Exact moves and collinear vertices do not exist for every pair, but for many."""
     made = Counter(change for kind in KINDS for change, *_ in changed(kind, 6))
     assert min(made.values()) > 2 * len(KINDS), made
 
@@ -295,7 +295,7 @@ QUICK = [name for name, form in FORMS.items() if form.one_in < 20]
 @given(pair=some_pairs(), data=st.data())
 @settings(max_examples=150, deadline=None, database=None, suppress_health_check=list(HealthCheck))
 def test_no_form_is_wrong_about_a_drawn_pair(pair, data):
-    """hypothesis looks for the smallest pair it is wrong about, in whichever form."""
+    """Hypothesis searches for the smallest pair for which any form is wrong."""
     name = data.draw(st.sampled_from(QUICK))
     note(f"{name}:\na = {pair[0]!r}\nb = {pair[1]!r}")
     refute(FORMS[name], [(*pair, relation(*pair))])

@@ -1,4 +1,4 @@
-"""Numbers as text: what is printed of the ranges never contradicts what is printed of the gap."""
+"""Tests of numbers as text: the printed ranges never contradict the printed gap."""
 
 import re
 from fractions import Fraction
@@ -34,7 +34,7 @@ def sign(number):
 
 
 def placed(rng, size, far):
-    """Two polygons or circles of about that size, so far out, with every kind of gap."""
+    """Return two polygons or circles of about that size, that far from the origin, with every kind of gap."""
     where = size * far * rng.choice((-1, 1)), size * far * rng.choice((-1, 0, 1))
     near = size * rng.choice((1, 1e-3, 1e-9, 1e-15))
     a = sv.Polygon([(where[0] + x * size, where[1] + y * size) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))])
@@ -56,8 +56,8 @@ def test_printed_ranges_agree_with_the_printed_gap(seed):
             continue
         trace = sv.record(a, b, every_axis=True)
         for t in trace.tests:
-            told = describe.digits(trace, t)
-            text, gap = told.ranges(t), value(told.signed(t.gap).lstrip("+"))
+            digits = describe.digits(trace, t)
+            text, gap = digits.ranges(t), value(digits.signed(t.gap).lstrip("+"))
             assert sign(printed_gap(text)) == sign(t.gap) == sign(gap), (text, t.gap)
             assert abs(printed_gap(text) - gap) <= abs(gap) / 50, (text, gap)
             assert max(map(len, text)) < 52
@@ -107,8 +107,11 @@ def test_an_overlap_has_three_digits_however_narrow_the_range_that_lies_inside(s
         trace = sv.record(sv.Polygon([(0, 0), (size, 0), (size, size), (0, size)]), inner)
         for t in trace.tests:
             shared = min(t.a.interval.hi, t.b.interval.hi) - max(t.a.interval.lo, t.b.interval.lo)
-            told = describe.digits(trace, t)
-            said = [value(word.rstrip(",")) for word in describe.outcome(t, told).split() if word[0].isdigit()]
+            digits = describe.digits(trace, t)
+            said = [value(word.rstrip(",")) for word in describe.outcome(t, digits).split() if word[0].isdigit()]
             for number, text in zip((shared, -t.gap), (said[0], said[-1]), strict=True):
                 if number == shared or len(said) > 1:
-                    assert abs(text - Fraction(number)) <= Fraction(number) / 199, (describe.outcome(t, told), number)
+                    assert abs(text - Fraction(number)) <= Fraction(number) / 199, (
+                        describe.outcome(t, digits),
+                        number,
+                    )

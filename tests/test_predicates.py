@@ -1,4 +1,4 @@
-"""The signs and the numbers that everything else rests on: exact at every size, and quick where floats can tell."""
+"""Tests of the predicates: signs are exact at every size, and certified by floats where these suffice."""
 
 import ctypes
 import math
@@ -23,7 +23,7 @@ def no_integers(monkeypatch) -> None:
     """Make every use of integers fail from here on."""
 
     def refuse(*_):
-        raise AssertionError("floats can tell this")
+        raise AssertionError("the float filter should have certified this")
 
     monkeypatch.setattr(predicates, "to_integers", refuse)
 
@@ -32,14 +32,14 @@ def test_the_sign_of_a_number():
     assert [predicates.sign(n) for n in (-(10**30), -2, -1, 0, 1, 2, 10**30)] == [-1, -1, -1, 0, 1, 1, 1]
 
 
-def test_numbers_become_integers_over_the_coarsest_power_of_two():
+def test_to_integers_divides_by_the_largest_power_of_two():
     assert predicates.to_integers([3.0]) == (0, [3])
     assert predicates.to_integers([0.5, -3.0, 0.0, 0.75]) == (2, [2, -12, 0, 3])
     assert predicates.to_integers([5e-324, 1.0]) == (1074, [1, 1 << 1074])
     assert predicates.to_int_points([(0.5, -3.0), (0.0, 0.75), (1.0, 2.0)]) == (2, [(2, -12), (0, 3), (4, 8)])
 
 
-def test_two_shapes_come_to_one_unit_whichever_is_finer():
+def test_two_shapes_get_a_common_unit_whichever_is_finer():
     class Given:
         def __init__(self, *integers):
             self.integers = integers
@@ -51,7 +51,7 @@ def test_two_shapes_come_to_one_unit_whichever_is_finer():
 
 
 @pytest.mark.parametrize("size", SIZES)
-def test_a_turn_is_exact_at_every_size(size):
+def test_an_orientation_is_exact_at_every_size(size):
     rng = Random(str(size))
     seen = set()
     for _ in range(600):
@@ -62,7 +62,7 @@ def test_a_turn_is_exact_at_every_size(size):
     assert seen == {-1, 0, 1}
 
 
-def test_a_turn_is_exact_where_its_products_lose_bits():
+def test_an_orientation_is_exact_where_its_products_lose_bits():
     p, q, r = (
         ("0x1.94a11cacfb9c4p-513", "-0x1.1379841beacd0p-514"),
         ("0x1.27776777918f9p-515", "-0x1.8414987598bebp-516"),
@@ -73,7 +73,7 @@ def test_a_turn_is_exact_where_its_products_lose_bits():
 
 
 @pytest.mark.parametrize("size", SIZES[5:11])
-def test_an_ordinary_turn_needs_no_integers(size, no_integers):
+def test_an_ordinary_orientation_needs_no_integers(size, no_integers):
     for p, q, r in (((0, 0), (3, 1), (2, 2)), ((-4, 1), (3, 5), (-1, 9)), ((7, -2), (-3, -2), (5, -1))):
         points = [(x * size, y * size) for x, y in (p, q, r)]
         assert (
@@ -122,7 +122,7 @@ def test_a_number_beyond_float64_keeps_its_sign():
 
 
 def well_rounded(value: float, s: int, r: int, square: int, k: int) -> bool:
-    """Does value lie within a unit in the last place of (s / sqrt(square) - r) / 2**k, by a bracket of 600 bits?"""
+    """Return whether value is within a unit in the last place of (s / sqrt(square) - r) / 2**k, by 600-bit bounds."""
     bits = 600
     root = math.isqrt((s * s << 2 * bits) // square) * (1 if s > 0 else -1)
     low, high = (Fraction(root + d - (r << bits), 1 << bits) / Fraction(2) ** k for d in (-1, 1))
@@ -147,16 +147,16 @@ def test_a_difference_from_a_root_is_right_to_a_unit_in_the_last_place(draw: str
         assert value == 0 or well_rounded(value, s, r, square, k), (s, r, square, k)
 
 
-def test_a_touch_is_no_difference_at_all():
+def test_the_difference_from_a_root_is_zero_at_a_touch():
     for s, r, square in ((0, 0, 5), (15, 3, 25), (5 << 300, 1 << 300, 25)):
         assert repr(predicates.root_difference(s, r, square, 7)) == "0.0"
 
 
-def test_a_thread_that_takes_small_numbers_for_nothing_is_warned_of(monkeypatch):
+def test_a_thread_that_flushes_subnormal_numbers_to_zero_gets_a_warning(monkeypatch):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         predicates.warn_if_flushed()
-    monkeypatch.setattr(predicates, "MIN_FLOAT", 0.0)  # as such a thread takes it
+    monkeypatch.setattr(predicates, "MIN_FLOAT", 0.0)  # the value that such a thread computes with
     with pytest.warns(RuntimeWarning, match="takes numbers below 2.3e-308 for 0"):
         predicates.warn_if_flushed()
 
@@ -165,8 +165,8 @@ def test_a_thread_that_takes_small_numbers_for_nothing_is_warned_of(monkeypatch)
     (sys.platform, platform.machine(), platform.libc_ver()[0]) != ("linux", "x86_64", "glibc"),
     reason="sets the processor's flags as on Linux, x86-64, with its usual C library",
 )
-def test_what_a_flushing_thread_computes_is_what_the_warning_checks():
-    """The C library's environment of x86-64 floats holds the processor's register of flags from byte 28 on."""
+def test_a_thread_with_the_flush_to_zero_flag_gets_the_warning():
+    """In the C library's x86-64 floating-point environment the control register MXCSR begins at byte 28."""
     libm, flags, flush = ctypes.CDLL("libm.so.6"), ctypes.create_string_buffer(64), 0x8040
 
     def flushed():
@@ -174,13 +174,13 @@ def test_what_a_flushing_thread_computes_is_what_the_warning_checks():
         register = int.from_bytes(flags[28:32], "little")
         flags[28:32] = (register | flush).to_bytes(4, "little")
         libm.fesetenv(flags)
-        with warnings.catch_warnings(record=True) as told:
+        with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
             predicates.warn_if_flushed()
         flags[28:32] = register.to_bytes(4, "little")
         libm.fesetenv(flags)
         predicates.warn_if_flushed()
-        return [warning.category for warning in told]
+        return [warning.category for warning in caught]
 
     with ThreadPoolExecutor(1) as thread:
         assert thread.submit(flushed).result() == [RuntimeWarning]

@@ -1,4 +1,4 @@
-"""A recommendation is the simplest model that can be proven, and the work for it is bounded."""
+"""Tests of recommendations: the model is the simplest that can be proven, and the work is bounded."""
 
 import math
 import re
@@ -30,7 +30,7 @@ ROUND = {"float32": lambda v: Fraction(float(np.float32(float(v)))), "float64": 
 
 
 def coordinates(rng, count):
-    """Numbers on a common grid, near or far, of any size; and some that are on no grid."""
+    """Return numbers on a common grid, near or far, of any size, and some that are on no grid."""
     power = rng.choice((0, 0, 0, -500, -530, -545, 500, -60, -75, 60, -1070, 30))
     far = rng.choice((0, 0, 2.0**22, 2.0**27, 2.0**40, 1000)) * 2.0**power
     strange = (rng.uniform(-9, 9), 0.1 * rng.randint(-3, 3), 0.0, 2.0 ** rng.choice((10, 24, 52)))
@@ -40,7 +40,7 @@ def coordinates(rng, count):
     ]
 
 
-def asked(formula, arithmetic, numbers):
+def evaluated(formula, arithmetic, numbers):
     points = list(zip(numbers[::2], numbers[1::2], strict=True))
     if formula is rounding.polygons:
         list(formula(arithmetic, points[:3], points[3:7]))
@@ -57,9 +57,9 @@ def test_arrays_and_fractions_agree_on_what_rounds_nothing(name, form):
     triples = rng.choices([(0, 0, 1, 3, 4, 2), (5, 1, 7, 17, 6, 1), (2, 0, 1, 2, 9, 3)], k=60)
     rows += [[c + far for c in row[:2]] + [row[2]] + [c + far for c in row[3:5]] + [row[5]] + [0.0] * 8
              for row in triples for far in [float(rng.choice((0, 1000, 2**23, 2**26, 2**50)))]]  # fmt: skip
-    one_by_one = [asked(formula, rounding.Exact(form), list(map(Fraction, row))) for row in rows]
+    one_by_one = [evaluated(formula, rounding.Exact(form), list(map(Fraction, row))) for row in rows]
     with np.errstate(all="ignore"):
-        many = asked(formula, Errors(form, len(rows)), list(np.array(rows).T))
+        many = evaluated(formula, Errors(form, len(rows)), list(np.array(rows).T))
     assert many.tolist() == one_by_one
     assert 10 < sum(one_by_one) < 300
 
@@ -85,13 +85,13 @@ def test_a_number_is_held_exactly_where_rounding_to_the_format_keeps_it():
 
 
 def every_partial_sum(terms, held):
-    """Does every order of the sum keep every partial sum?  The last sum only gives its sign."""
+    """Return whether every order of the sum keeps every partial sum; only the sign of the last sum counts."""
     terms = [t for t in terms if t]
     return all(held(sum(order[:k])) for order in permutations(terms) for k in range(1, len(terms)))
 
 
 def sat_rounds_nothing(a, b, name):
-    """A check by fractions that shares nothing with the proofs: each edge, each corner, each order of the sum."""
+    """Return whether nothing is rounded for any edge, corner and order of the sum, in fractions."""
 
     def held(value):
         return ROUND[name](value) == value
@@ -128,7 +128,7 @@ def circles_round_nothing(a, b, name):
 
 
 def on_pixels(rng):
-    """Two triangles or two circles in whole or half numbers, often touching, up to far from the origin."""
+    """Return two triangles or two circles in whole or half numbers, often touching, near or far from the origin."""
     unit = rng.choice((1.0, 1.0, 0.5, 2.0**-10, 16.0))
     far = rng.choice((0, 600, 1500, 5000, 100_000, 2**22, 2**24, 2**27, 2**40, 2**50)) + rng.randint(0, 9)
     shift = [far * unit, rng.choice((far, 0, -far)) * unit]
@@ -146,7 +146,7 @@ def on_pixels(rng):
 
 
 def not_least(seed, count):
-    """Scenes in which a smaller model is right by a check of every partial sum; and how many scenes there were."""
+    """Return the scenes in which a smaller model passes a check of every partial sum, and the number of all scenes."""
     rng, found, seen = Random(seed), [], 0
     while seen < count:
         try:
@@ -223,7 +223,7 @@ def test_a_coin_that_rests_on_a_box_needs_the_boxes_only():
 
 
 def by_ranges(a, b, dtype, unit):
-    """Ranges on the axes that README names, far from the origin too, by a normal as it is or made to unit length."""
+    """Return the relation by ranges on the axes that README names, with normals as they are or of unit length."""
     shapes = [([(dtype(x), dtype(y)) for x, y in s.core], dtype(s.radius)) for s in (a, b)]
     (circle, r), (ring, _) = shapes if a.radius else shapes[::-1]
     (x, y), touching = circle[0], False
@@ -249,7 +249,7 @@ def by_ranges(a, b, dtype, unit):
 
 
 def resting(rng):
-    """A coin that nearly rests on a polygon's edge, on its corner, or on another coin, far from the origin or not."""
+    """Return a circle that nearly touches a polygon's edge, its corner or another circle, near the origin or far."""
     far = rng.choice((0, 10, 1000, 50_000, 2.0**22))
     x, y, way, size = far + rng.uniform(0, 9), far + rng.uniform(0, 9), rng.uniform(0, 7), 2.0 ** rng.randint(-4, 8)
     off = rng.choice((0, 1, -1)) * 2.0 ** rng.randint(-50, -10) * (far + size)
@@ -314,7 +314,7 @@ def all_by(model, shapes, pairs):
 
 
 def crowds(seed):
-    """Batches of one kind and mixed ones, in which boxes settle most pairs."""
+    """Yield batches of one kind and mixed ones, in which boxes decide most pairs."""
     rng = np.random.default_rng(seed)
     notched = np.array([[0, 0], [4, 0], [4, 4], [2, 1], [0, 4]], float)
     at = rng.uniform(0, 60, (30, 1, 2))

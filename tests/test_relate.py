@@ -1,4 +1,4 @@
-"""relate: the oracle it is held against, exact transforms, and the bounds of its filters."""
+"""Tests of `relate`: against the oracle, under exact transforms, and at the error bounds of its filters."""
 
 import math
 import sys
@@ -42,7 +42,7 @@ from satviz.study import truth as oracle
 
 
 def recorded(a: Shape, b: Shape) -> Relation:
-    """Return what the recorded tests alone say."""
+    """Return the relation that the recorded tests alone claim."""
     return record(a, b).claim
 
 
@@ -58,7 +58,7 @@ every_method = pytest.mark.parametrize("method", METHODS, ids=lambda method: met
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_relate_and_its_integers_are_right_about_pairs_of_every_kind_whichever_comes_first(kind):
+def test_relate_and_its_integer_path_are_right_for_pairs_of_every_kind_in_both_orders(kind):
     for _, a, b in pairs(13, 40, [kind]):
         for first, second in ((a, b), (b, a)):
             assert relate(first, second) is relation(a, b), (first, second)
@@ -67,7 +67,7 @@ def test_relate_and_its_integers_are_right_about_pairs_of_every_kind_whichever_c
 
 
 @pytest.mark.parametrize("place", [(50, 0), (0, 50), (-50, 0), (0, -50), (50, -50), (2**20, 2**20 + 1)], ids=str)
-def test_relate_is_right_wherever_a_pair_lies(place):
+def test_relate_is_right_at_every_place(place):
     rng = Random(16)
     for _ in range(60):
         p, q, x, y = (rng.randint(-4, 4) for _ in range(4))
@@ -85,7 +85,7 @@ def bowl(half: int) -> list[tuple[int, int]]:
 @pytest.mark.parametrize("half", [7, 8, 20])
 @pytest.mark.parametrize("way", [(1, 0), (0, 1), (-1, 0), (0, -1), (3, 4), (-12, 5)], ids=str)
 @pytest.mark.parametrize("place", [(0, 0), (900, 0), (0, 900), (-900, 900)], ids=str)
-def test_of_many_corners_one_that_only_touches_is_not_taken_for_one_inside(half, way, place):
+def test_a_corner_that_only_touches_is_not_classified_as_inside_among_many_corners(half, way, place):
     rng = Random(str((half, way, place)))
     box, diamond = [(-500, -200), (500, -200), (500, 0), (-500, 0)], [(0, 0), (-300, -300), (0, -600), (300, -300)]
     for below in (box, diamond, [(x, -y) for x, y in bowl(half)]):
@@ -98,7 +98,7 @@ def test_of_many_corners_one_that_only_touches_is_not_taken_for_one_inside(half,
 
 
 def steps_of_relate(a: Shape, b: Shape) -> int:
-    """Return how many lines of `relate` run for a pair, each line of its loops every time."""
+    """Return how many lines of `relate` are executed for a pair."""
     steps = 0
 
     def count(frame, *_):
@@ -117,7 +117,7 @@ def steps_of_relate(a: Shape, b: Shape) -> int:
 
 @pytest.mark.parametrize("apart", [0.5, 1.2, 1.9])
 @pytest.mark.parametrize("corners", [32, 128])
-def test_two_round_shapes_that_overlap_are_decided_in_a_few_steps_a_corner(corners, apart):
+def test_two_overlapping_round_shapes_take_few_steps_for_each_corner(corners, apart):
     turns = [math.tau * i / corners for i in range(corners)]
     for way in range(12):
         x, y = way - 6 + apart * math.cos(way), 3 + apart * math.sin(way)
@@ -127,7 +127,7 @@ def test_two_round_shapes_that_overlap_are_decided_in_a_few_steps_a_corner(corne
 
 
 @pytest.mark.parametrize(("size", "steps"), [(1, 9), (8, 17)])
-def test_two_round_shapes_that_are_barely_apart_are_decided_in_a_few_steps_a_corner(size, steps):
+def test_two_round_shapes_that_are_barely_apart_take_few_steps_for_each_corner(size, steps):
     turns = [math.tau * i / 128 for i in range(128)]
     for way in range(12):
         x, y = ((1.05 + size) * u for u in (math.cos(way), math.sin(way)))
@@ -137,7 +137,7 @@ def test_two_round_shapes_that_are_barely_apart_are_decided_in_a_few_steps_a_cor
         assert steps_of_relate(a, b) < steps * 128 > steps_of_relate(b, a)
 
 
-def test_a_point_on_the_edges_that_two_shapes_share_is_inside_neither_wherever_their_rings_begin():
+def test_a_point_on_edges_of_both_shapes_is_inside_neither_for_every_first_corner():
     ring = [(3, 1), (1, 3), (-1, 3), (-3, 1), (-3, -1), (-1, -3), (1, -3), (3, -1)]
     rings = [ring[i:] + ring[:i] for i in range(8)]
     for i, (x, y) in enumerate(ring):
@@ -149,7 +149,7 @@ def test_a_point_on_the_edges_that_two_shapes_share_is_inside_neither_wherever_t
 
 
 @pytest.mark.parametrize("e", [-500, -520, -532, -535, -536, -537, -538, -539, -545, -1000])
-def test_a_circle_over_an_edge_so_short_that_its_square_loses_bits_is_decided_by_its_distance(e):
+def test_a_circle_over_an_edge_whose_squared_length_loses_bits_is_decided_by_its_distance(e):
     for turn in ((1, 0), (0, 1), (-1, 0), (3, 4)):
         for half in (1.25, 1.375):
             center, *ring = spun(
@@ -174,12 +174,12 @@ def test_a_circle_over_an_edge_so_short_that_its_square_loses_bits_is_decided_by
         ),
     ],
 )
-def test_a_center_inside_is_not_outside_of_an_edge_that_the_next_hardly_bends_from(ring, center):
-    """Floats put it inside the edge below, and on the line of the one beside, which is far."""
+def test_a_center_inside_is_not_classified_as_outside_beside_two_nearly_collinear_edges(ring, center):
+    """Floats place the center inside the edge below it, and on the line through the neighboring edge, which is far."""
     assert relate(Polygon(ring), Circle(center, 1e-40)) is OVERLAPPING
 
 
-def test_a_dot_of_a_circle_a_rounding_off_an_edge_is_on_its_own_side():
+def test_a_tiny_circle_within_rounding_of_an_edge_is_on_the_right_side():
     rng, seen = Random(17), Counter()
     for _ in range(500):
         px, py, qx, qy, x, y = near_edge_line(rng)
@@ -194,20 +194,20 @@ def test_a_dot_of_a_circle_a_rounding_off_an_edge_is_on_its_own_side():
 
 
 @pytest.mark.parametrize("far", [0, 9])
-def test_shapes_of_other_libraries_are_refused_wherever_they_are(far):
+def test_shapes_of_other_libraries_are_refused_at_every_place(far):
     other, ours = SimpleNamespace(bounds=(far, far, far + 1, far + 1)), Polygon([(0, 0), (2, 0), (0, 2)])
     for a, b in ((other, ours), (ours, other), (other, Circle((0, 0), 1))):
         with pytest.raises(TypeError, match=r"make it a satviz\.Polygon"):
             relate(a, b)
 
 
-def test_integers_see_that_an_edge_is_nearer_than_its_end_even_if_by_one():
-    """Both ends on the circle or beyond it, and the foot one unit from an end."""
+def test_integers_detect_that_an_edge_is_nearer_than_its_end_by_one_unit():
+    """Both ends of the edge are on the circle or beyond it, and the foot is one unit from an end."""
     circle, triangle = Circle((0, 0), 5), Polygon([(3, 4), (4, 3), (9, 9)])
     assert relate_integers(*to_common_unit(circle, triangle)[:3]) is relation(circle, triangle) is OVERLAPPING
 
 
-def test_integers_see_that_a_center_is_inside_even_if_by_one():
+def test_integers_detect_that_a_center_is_inside_by_one_unit():
     hardly, ring = (
         Circle((0, 0), 1),
         Polygon([(-9, -2), (1, 0), (5, 1), (-2, 9)]),
@@ -224,7 +224,7 @@ def test_an_error_inside_a_shape_is_passed_on():
     "grains", [(0, 0, 0), (5, 0, 0), (0, 5, 0), (0, 0, 5), (20, 3, 9), (3, 9, 20), (9, 20, 3)], ids=str
 )
 def test_a_moved_shape_is_tested_at_its_new_place(grains):
-    """Whichever of a, b and the move has the finest coordinates."""
+    """Each of a, b and the move has the finest coordinates in some case."""
     rng = Random(14)
 
     def whole(grain: int) -> float:
@@ -238,7 +238,7 @@ def test_a_moved_shape_is_tested_at_its_new_place(grains):
 
 
 @pytest.mark.parametrize("hair", [2.0**-60, 2.0**-700, 5e-324])
-def test_a_move_too_small_for_the_coordinates_still_counts(hair):
+def test_a_move_smaller_than_the_spacing_of_the_coordinates_changes_the_relation(hair):
     for touching in (Circle((9, 4), 1), Polygon([(8, 0), (9, 0), (8, 9)])):
         for way, truth in ((1, APART), (0, TOUCHING), (-1, OVERLAPPING)):
             box = Polygon([(0, 0), (8, 0), (8, 8), (0, 8)])
@@ -262,7 +262,7 @@ def test_relate_is_never_wrong_where_products_lose_bits_or_overflow(power):
 
 
 @pytest.mark.parametrize("size", [1e100, 1e160, 1e200, 1e280, 1e300])
-def test_a_small_triangle_beside_a_huge_one_is_apart_though_only_an_edge_of_the_huge_one_shows_it(size):
+def test_a_small_triangle_is_apart_from_a_huge_one_where_only_an_edge_of_the_huge_one_separates_them(size):
     small = Polygon([(-1, 0.5), (-3, 0.5), (-3, -5)])
     for first in range(3):
         huge = [(0, 0), (size, size), (-size, size)]
@@ -285,7 +285,7 @@ def test_a_small_triangle_beside_a_huge_one_is_apart_though_only_an_edge_of_the_
         (250, -700),
     ],
 )
-def test_relate_is_right_about_shapes_of_very_different_size_where_the_products_of_one_alone_overflow(larger, power):
+def test_relate_is_right_for_shapes_of_very_different_size_where_only_products_of_one_overflow(larger, power):
     rng = Random(18)
 
     def corner(power: int) -> tuple[float, float]:
@@ -299,7 +299,7 @@ def test_relate_is_right_about_shapes_of_very_different_size_where_the_products_
 
 
 @pytest.mark.parametrize("aside", [2.0**-4, 2.0**-20])
-def test_a_circle_beside_a_long_edge_is_right_at_the_very_size_where_products_overflow(aside):
+def test_a_circle_beside_a_long_edge_is_right_at_the_size_where_products_begin_to_overflow(aside):
     for step in range(96):
         size = 2.0**510 * (1 + step / 32)
         half = Polygon([(-size, -size), (size, size), (-size, size)])
@@ -353,7 +353,7 @@ def test_known_answers_of_the_oracle_and_of_relate(a, b, truth):
 @pytest.mark.parametrize("power", [-500, 0, 440])
 @pytest.mark.parametrize("way", [(1, 0), (3, 4), (-5, 12), (-1, -1)], ids=str)
 def test_a_circle_off_the_tip_of_a_needle_is_decided_by_its_distance_from_the_tip(method, way, power):
-    """The thinnest are so thin that no edge tells on which side of it the center lies."""
+    """The thinnest needles are so thin that floats certify the side of no edge on which the center lies."""
     for length, width in ((64, 1), (2**20, 1), (2**48, 1)):
         needle = spun([(-length, 0), (0, -width), (length, 0), (0, width)], *way)
         for beyond in (1 / 64, 1, length):
@@ -365,7 +365,7 @@ def test_a_circle_off_the_tip_of_a_needle_is_decided_by_its_distance_from_the_ti
                     assert method(a, b) is method(b, a) is oracle.relation(a, b), (a, b)
 
 
-def test_the_oracle_knows_the_distance():
+def test_the_oracle_returns_the_distance():
     box = Polygon([(0, 0), (2, 0), (2, 2), (0, 2)])
     assert oracle.squared_distance(box, Polygon([(5, 6), (9, 9), (5, 9)])) == 25  # corner to corner
     assert oracle.squared_distance(box, Polygon([(3, 1), (9, -9), (9, 9)])) == 1  # corner to edge
@@ -502,12 +502,12 @@ def test_beyond_the_bounds_is_apart_and_at_the_bounds_touches(method, a, b):
 
 
 class Undecided(Exception):
-    """Raised where `relate` asks for an exact sign."""
+    """Raised where `relate` would evaluate an exact sign."""
 
 
 @pytest.fixture
 def float_only(monkeypatch) -> Callable[[Shape, Shape], Relation | None]:
-    """Give `relate` without its exact signs: it returns None where it would ask for one."""
+    """Return `relate` without exact evaluation: a function that returns None where an exact sign is needed."""
 
     def no_sign(*_):
         """Raise Undecided."""
@@ -538,7 +538,7 @@ def long_edges(rng: Random) -> tuple[Shape, Shape]:
 
 
 def at_the_bound(seed: int, count: int, circles: int) -> list[tuple[Shape, Shape]]:
-    """Near contacts with full mantissas, moved on by up to a few rooms (some ten units in the last place each)."""
+    """Return near contacts with full mantissas, moved by up to a few error bounds of some ten ulps each."""
     rng = Random(seed)
     near = [make for kind, make in KINDS.items() if kind.startswith("near")]
     found: list[tuple[Shape, Shape]] = []
@@ -564,7 +564,7 @@ def at_the_bound(seed: int, count: int, circles: int) -> list[tuple[Shape, Shape
 
 
 @pytest.mark.parametrize("circles", [0, 1, 2], ids=["polygons", "circle and polygon", "circles"])
-def test_the_float_filter_alone_is_never_wrong_about_what_it_decides(float_only, circles):
+def test_the_float_filter_is_never_wrong_where_it_decides(float_only, circles):
     known = [(a, b, oracle.relation(a, b)) for a, b in at_the_bound(11, 1_000, circles)]
     said = [float_only(a, b) for a, b, _ in known]
     wrong = [(a, b, truth, s) for (a, b, truth), s in zip(known, said, strict=True) if s not in (None, truth)]
@@ -576,11 +576,11 @@ def test_the_float_filter_alone_is_never_wrong_about_what_it_decides(float_only,
 
 
 def test_a_polygon_filter_without_an_error_bound_is_wrong(float_only, monkeypatch):
-    """The pairs above do lie where roundings decide: with a room of half a rounding the filter errs."""
-    monkeypatch.setattr(relate_module, "ERROR_FACTOR_F64", U / 8)  # times two spans and two reaches
+    """The pairs of the test above are hard: with an error bound of half a rounding the filter is wrong."""
+    monkeypatch.setattr(relate_module, "ERROR_FACTOR_F64", U / 8)  # times two widths and two largest coordinates
     monkeypatch.setattr(relate_module, "MIN_ERROR_BOUND", 0.0)
     wrong = sum(float_only(a, b) not in (None, oracle.relation(a, b)) for a, b in at_the_bound(11, 1_000, 0))
-    print(f"wrong without room: {wrong} of 1000")
+    print(f"wrong without an error bound: {wrong} of 1000")
     assert wrong > 3
 
 
@@ -596,7 +596,7 @@ def tilted_boxes(rng: Random) -> tuple[Shape, Shape]:
 
 
 @pytest.mark.parametrize("power", [-400, -40, 0, 40, 400])
-def test_floats_decide_all_pairs_that_are_nowhere_near_a_touch(float_only, power):
+def test_floats_decide_all_pairs_that_are_far_from_touching(float_only, power):
     rng = Random(15)
     for _ in range(150):
         a, b = (scaled(shape, power) for shape in rng.choice((random_polygons, random_circles, tilted_boxes))(rng))
@@ -628,14 +628,14 @@ def test_two_upright_boxes_are_decided_by_their_bounds_alone(float_only, power):
 
 @pytest.fixture(params=BOUNDS)
 def bound(request):
-    if request.param == "batch: the float64 look":
+    if request.param == "batch: float64":
         pytest.importorskip("numba", reason="needs numba: python -m pip install '.[fast]'")
     return BOUNDS[request.param]
 
 
 def test_the_worst_rounding_found_stays_within_the_derived_bound(bound):
     worst = search(bound, 17, tries=12)
-    print(f"worst {worst.share:.3g} of the room, {bound.derived:.3g} derived, at {worst.numbers}")
+    print(f"worst {worst.share:.3g} of the error bound, {bound.derived:.3g} derived, at {worst.numbers}")
     assert 0 < worst.share <= bound.derived
 
 

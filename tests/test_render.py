@@ -1,4 +1,4 @@
-"""The matplotlib pen and the files it makes."""
+"""Tests of the matplotlib pen and of the files it writes."""
 
 import copy
 import errno
@@ -277,7 +277,7 @@ def test_a_folder_is_no_file_even_with_force(tmp_path):
 
 
 def words_and_numbers(svg):
-    """What a picture says and where: its texts, and the points of its paths in points of the canvas."""
+    """Return the texts of a picture and the points of its paths, in points of the canvas."""
     root = ET.fromstring(svg)
     texts = [t.text for t in root.iter(f"{SVG}text")]
     numbers = []

@@ -1,4 +1,4 @@
-"""Pictures hold at any scale: nothing overlaps, is clipped or invisible, and the printed numbers agree."""
+"""Tests of pictures at every scale: nothing overlaps, is clipped or invisible, and the printed numbers agree."""
 
 import math
 from itertools import combinations
@@ -17,7 +17,7 @@ SEEN = 5.0  # points
 
 
 def ring(rng, corners, center, size, squeeze=1.0):
-    """A convex outline of that many corners."""
+    """Return a convex outline of that many corners."""
     turn, (x, y) = rng.random(), center
     angles = sorted(rng.uniform(0, 2 * math.pi) for _ in range(corners))
     points = [(size * math.cos(t), size * squeeze * math.sin(t)) for t in angles]
@@ -26,7 +26,7 @@ def ring(rng, corners, center, size, squeeze=1.0):
 
 
 def comb(teeth, center, size):
-    """A concave outline of some teeth, so of about as many convex parts."""
+    """Return a concave outline with that many teeth, and so about as many convex parts."""
     x, y = center
     w = size / (2 * teeth)
     points = [(0.0, 0.0), (size, 0.0)]
@@ -36,7 +36,7 @@ def comb(teeth, center, size):
 
 
 def scene(rng):
-    """Two shapes: sizes 1e-9 to 1e9, offsets to 2**40 sizes, 3 to 60 corners, circles, needles, up to 12 parts."""
+    """Return two shapes of sizes 1e-9 to 1e9, offsets to 2**40 sizes, up to 60 corners or 12 parts, also needles."""
     size = 10.0 ** rng.uniform(-9, 9)
     far = rng.choice((0.0, 1.0, 2.0 ** rng.uniform(0, 40)))
     center = size * far * rng.uniform(-1, 1), size * far * rng.uniform(-1, 1)
@@ -81,7 +81,7 @@ def some_steps(trace, rng):
 
 
 def hold(trace, rng):
-    """All that must hold of a scene's pictures."""
+    """Check all that must hold of a scene's pictures."""
     for i in some_steps(trace, rng):
         picture = sv.picture(trace, i)
         placed = list(boxes(picture))
@@ -101,7 +101,7 @@ def hold(trace, rng):
 
 
 def seen(mark, scale):
-    """How large a mark of a shape is, in points."""
+    """Return the size of a mark of a shape in points."""
     if mark.kind == "dot":
         return mark.style.size
     if mark.kind not in ("outline", "disc"):

@@ -1,4 +1,4 @@
-"""What is asked of shapes at the door: bad input gets a clear error, and nothing the owner gave is lost."""
+"""Tests of the validation of shapes: invalid input gets a clear error, and valid input loses no information."""
 
 import copy
 import math
@@ -263,9 +263,9 @@ every_crossing = pytest.mark.parametrize("ring", CROSSED.values(), ids=CROSSED)
 def test_an_outline_that_crosses_or_touches_itself_is_refused(ring):
     assert not oracle.is_simple(ring)
     for turned in rotations(ring):
-        with refused(r"edges \d+ and \d+ cross|at vertex \d+ \(a spike\)") as told:
+        with refused(r"edges \d+ and \d+ cross|at vertex \d+ \(a spike\)") as error:
             Polygon(turned)
-        assert_reported_place_is_on_both_edges(turned, str(told.value))
+        assert_reported_place_is_on_both_edges(turned, str(error.value))
 
 
 @every_crossing
@@ -275,9 +275,9 @@ def test_a_crossing_is_seen_at_every_scale(ring, power):
         pytest.skip("holds subnormals already")
     ring = [(math.ldexp(x * 10, power), math.ldexp(y * 10, power)) for x, y in ring]
     assert not oracle.is_simple(ring)
-    with refused(r"edges \d+ and \d+ cross|at vertex \d+ \(a spike\)") as told:
+    with refused(r"edges \d+ and \d+ cross|at vertex \d+ \(a spike\)") as error:
         Polygon(ring)
-    assert_reported_place_is_on_both_edges(ring, str(told.value))
+    assert_reported_place_is_on_both_edges(ring, str(error.value))
 
 
 def test_the_crossing_edges_are_named_with_the_place():
@@ -324,21 +324,21 @@ def _star(n: int) -> list[tuple[float, float]]:
 
 @pytest.mark.parametrize("outline_of", [_in_rows, _star, lambda n: [(y, x) for x, y in _in_rows(n)[::-1]]])
 def test_the_search_for_crossings_grows_almost_as_the_outline(outline_of, monkeypatch):
-    """Counted in orientation tests; n log n would be 10.7 times as many."""
-    asked = 0
+    """The work is counted in orientations; n log n would be 10.7 times as many."""
+    count = 0
 
     def counted(*points):
-        nonlocal asked
-        asked += 1
+        nonlocal count
+        count += 1
         return predicates.orient(*points)
 
     monkeypatch.setattr(polygon_validation, "orient", counted)
     monkeypatch.setattr(sweep, "orient", counted)
     cost = []
     for n in (500, 4000):
-        asked = 0
+        count = 0
         assert not Polygon(outline_of(n)).is_convex
-        cost.append(asked)
+        cost.append(count)
     assert cost[1] < 12 * cost[0] and cost[0] < 20 * 500, cost
 
 
@@ -556,7 +556,7 @@ def test_a_geometry_that_is_not_one_simple_polygon_is_refused(geometry, match):
 
 
 class Interface:
-    """A thing of another library that shows itself as it is told to."""
+    """An object of another library with the given `__geo_interface__`."""
 
     def __init__(self, shown):
         self.shown = shown
@@ -786,16 +786,16 @@ def test_star_shaped_outlines_are_accepted_with_the_right_winding(ring, start, c
 
 
 def assert_reported_place_is_on_both_edges(ring: Sequence[tuple[float, float]], message: str) -> None:
-    """A crossing is told with its place: to six digits, on each of the two edges that it names."""
-    if told := re.search(r"edges (\d+) and (\d+) cross near \((.*), (.*)\)", message):
-        first, second, *place = told.groups()
+    """Check that a reported crossing has a place, to six digits, on each of the two edges that it names."""
+    if match := re.search(r"edges (\d+) and (\d+) cross near \((.*), (.*)\)", message):
+        first, second, *place = match.groups()
         size = Fraction(max(abs(c) for v in ring for c in v))
-        told_at, *at = (complex(*(float(Fraction(c) / size) for c in v)) for v in (place, *ring))
+        reported, *at = (complex(*(float(Fraction(c) / size) for c in v)) for v in (place, *ring))
         for i in map(int, (first, second)):
             end = next(q for q in at[i + 1 :] + at if q != at[i])
-            way, out = end - at[i], told_at - at[i]
+            way, out = end - at[i], reported - at[i]
             foot = at[i] + way * min(1, max(0, (out / way).real))
-            assert abs(told_at - foot) < 1e-5 + float(Fraction(5e-324) / size), (message, ring)
+            assert abs(reported - foot) < 1e-5 + float(Fraction(5e-324) / size), (message, ring)
 
 
 def agrees_with_the_oracle(ring: Sequence[tuple[float, float]]) -> bool:
@@ -930,9 +930,9 @@ def test_a_slab_holds_all_corners_and_ends_on_an_edge(ring, count):
         slabs = Polygon(turned).slabs
         assert len(slabs) == count
         for nx, ny, lo, hi, edges in slabs:
-            looks = sorted(nx * x + ny * y for x, y in ring)
-            assert looks[-2:] == [hi, hi]
-            assert lo == -math.inf or looks[:2] == [lo, lo]
+            landings = sorted(nx * x + ny * y for x, y in ring)
+            assert landings[-2:] == [hi, hi]
+            assert lo == -math.inf or landings[:2] == [lo, lo]
             assert [{nx * x + ny * y for x, y in edge} for edge in edges] == [{hi}, {lo}][: 1 + (lo > -math.inf)]
         assert sum(lo > -math.inf for _, _, lo, _, _ in slabs) == len(ring) - count
 

@@ -1,4 +1,4 @@
-"""A file of many shapes: what it may hold is looked at before it is unpacked, and told by the names of its arrays."""
+"""Tests of files of many shapes: contents are checked before they are unpacked, and errors name the array."""
 
 import io
 import zipfile
@@ -84,8 +84,8 @@ BAD_NUMBERS = [
 def test_an_invalid_number_is_named_by_the_array_of_the_file(name, array, says, saved, capsys):
     path = saved(**WHOLE | {name: array})
     assert main(["advise", str(path)]) == 2
-    told = capsys.readouterr().err
-    assert told.startswith(f"satviz: {path}: {says}") and told.count("\n") == 1 and "vertices " not in told[:60]
+    err = capsys.readouterr().err
+    assert err.startswith(f"satviz: {path}: {says}") and err.count("\n") == 1 and "vertices " not in err[:60]
 
 
 @pytest.mark.parametrize("name", WHOLE)

@@ -677,8 +677,8 @@ def test_a_site_is_at_an_address_of_http_or_https(site, capsys, monkeypatch):
     with pytest.raises(InvalidScene, match=r"^site is .*: expected an address such as https://"):
         sv.link("triangles", site=site)
     assert main(["draw", "triangles", "--format", "link", f"--site={site}"]) == 2
-    told = capsys.readouterr()
-    assert told.out == "" and "site is" in told.err and told.err.count("\n") == 1
+    captured = capsys.readouterr()
+    assert captured.out == "" and "site is" in captured.err and captured.err.count("\n") == 1
     pytest.importorskip("anywidget")
     widget = sv.play("aabb")
     with pytest.raises(InvalidScene, match=r"^site is"):
@@ -711,8 +711,8 @@ def test_of_the_address_of_a_page_the_folder_is_taken(page, capsys):
 
 def test_an_empty_address_is_refused_on_the_command_line(capsys):
     assert main(["draw", "triangles", "--format", "link", "--site", ""]) == 2
-    told = capsys.readouterr()
-    assert told.out == "" and "--site is empty" in told.err and told.err.count("\n") == 1
+    captured = capsys.readouterr()
+    assert captured.out == "" and "--site is empty" in captured.err and captured.err.count("\n") == 1
 
 
 def test_a_site_that_is_no_text_is_named():
@@ -764,7 +764,7 @@ def test_touching_is_exact():
     box = sv.Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
     assert stands("touch", box, sv.Circle((2, 0.5), 1)).met
     hair = stands("touch", box, sv.Circle((2.0000000000000004, 0.5), 1))
-    assert not hair.met and "e" in hair.says  # a gap too small for three decimals is not told as 0
+    assert not hair.met and "e" in hair.says  # a gap too small for three decimals is not shown as 0
     assert stands("touch", box, sv.Circle((1.9999999999999998, 0.5), 1)).says == "They overlap."
 
 

@@ -1,4 +1,4 @@
-"""The benchmark: it runs, counts wrong answers against rationals, and says what it left out."""
+"""Tests of the benchmark: it runs, counts wrong answers against rationals, and lists what it left out."""
 
 import json
 from contextlib import redirect_stdout
@@ -29,7 +29,7 @@ MORE = plan_bench(300, 2, 0)._replace(corners=(3, 32), numbers=(10, 300), boxes=
 
 @pytest.fixture(scope="module")
 def run_once(tmp_path_factory):
-    """What the command says as JSON about one run, and the folder of its charts."""
+    """Return the JSON output of one run of the command, and the folder of its charts."""
     folder = tmp_path_factory.mktemp("bench") / "charts"
     with pytest.MonkeyPatch.context() as patch, redirect_stdout(StringIO()) as said:
         patch.setattr(bench, "plan_bench", lambda pairs, rounds, seed: MORE)
@@ -125,7 +125,7 @@ def scene_of(work, n, seed):
 
 
 def as_set(pairs):
-    """The pairs of any method: an array, or a set of tuples."""
+    """Return the pairs of any method as a set of tuples; they come as an array or as such a set."""
     return {tuple(sorted(map(int, pair))) for pair in pairs}
 
 

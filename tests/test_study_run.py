@@ -35,7 +35,7 @@ QUICK = Settings(quick=True, seed=7)
 
 
 def small(count):
-    """A section of `count` cells and one chart."""
+    """Return a section of `count` cells and one chart."""
     return SimpleNamespace(
         cells=lambda settings: [
             Cell(f"gap-{k}", axis_order.count_tested_axes, (2, 4 + k, settings)) for k in range(count)
@@ -269,9 +269,9 @@ def test_the_guide_is_right_about_who_is_the_fastest():
     times = {(r["section"], r["work"], r["size"], r["method"]): r["time"] for r in BENCH["rows"] + FRAMES["rows"]}
     numpy, numba = ENGINES
     for (section, work, size, method), time in times.items():
-        if method == "shapely":  # with numba nowhere slower, with NumPy only for many corners
+        if method == "shapely":  # with numba nowhere slower; with NumPy for many corners, and for few boxes
             assert times.get((section, work, size, numba), 0) <= time
-            assert times.get((section, work, size, numpy), 0) <= time or section == "corners"
+            assert times.get((section, work, size, numpy), 0) <= time or section == "corners" or size == 1000
         if section == "frames" and method.endswith("STRtree"):
             assert times[section, work, size, numba] <= time
     frames = {key[1:]: time for key, time in times.items() if key[0] == "frames"}
@@ -293,10 +293,10 @@ def test_what_answers_were_checked_by_is_never_added_up():
         of_bench(engine, wrong=1, checked=10 ** (k + 1), by=by) for k, by in enumerate(CHECKED_BY) for engine in ENGINES
     ]
     rows += [of_bench("shapely", 2.0), of_bench("GJK in numba", wrong=5, checked=7, by="rationals")]
-    told = bench_chart.bench_chart(rows, "").reading
+    prose = bench_chart.bench_chart(rows, "").reading
     for k, words in enumerate(CHECKED_BY.values()):
-        assert f"2 of {2 * 10 ** (k + 1):,} {words}" in told
-    assert len(re.findall(r"\d of \d", told)) == len(CHECKED_BY)
+        assert f"2 of {2 * 10 ** (k + 1):,} {words}" in prose
+    assert len(re.findall(r"\d of \d", prose)) == len(CHECKED_BY)
 
 
 def test_every_place_where_satviz_is_slower_than_shapely_is_told():
@@ -316,16 +316,16 @@ def test_every_place_where_satviz_is_slower_than_shapely_is_told():
         of_bench("shapely", 1.0, "even", "broad phase", 10),
         of_bench("satviz numpy", 4.0, "even", "broad phase", 10),
     ]
-    told = bench_chart.bench_chart(rows, "").reading
-    assert "touching, 64 corners (0.50)" in told and "10 boxes, even (0.25)" in told and "3 corners" not in told
-    assert "from 0.2 times as fast as shapely unprepared (10 boxes, even)" in told and "100,000 boxes" not in told
+    prose = bench_chart.bench_chart(rows, "").reading
+    assert "touching, 64 corners (0.50)" in prose and "10 boxes, even (0.25)" in prose and "3 corners" not in prose
+    assert "from 0.2 times as fast as shapely unprepared (10 boxes, even)" in prose and "100,000 boxes" not in prose
 
 
 def test_times_as_fast_as_shapely_say_which_shapely():
     rows = [of_bench("shapely", 8.0), of_bench("shapely, prepared", 4.0), of_bench("satviz numba", 1.0)]
-    told = bench_chart.bench_chart(rows, "").reading
-    assert "8.0 times (tiles; 4.0 times as fast as prepared)" in told
-    assert "shapely" not in told.replace("shapely unprepared", "")
+    prose = bench_chart.bench_chart(rows, "").reading
+    assert "8.0 times (tiles; 4.0 times as fast as prepared)" in prose
+    assert "shapely" not in prose.replace("shapely unprepared", "")
 
 
 def test_every_chart_of_the_study_is_drawn_from_the_stored_rows():
@@ -359,7 +359,7 @@ GUIDE = (refresh_charts.GUIDES / "speed-and-accuracy.md").read_text(encoding="ut
 
 
 def test_every_measured_number_of_the_guide_comes_from_the_stored_charts():
-    """Beside the numbers of the readings, the guide names only those that it explains."""
+    """The guide contains no numbers but those of the readings and those that it explains."""
     known = " ".join([*(chart.reading for chart in stored_charts().values()), *STORED["machine"].values()])
     text = re.sub(
         r"```.*?```|<picture>.*?</picture>|\]\([^)]*\)|float(32|64)|`[^`]*`|[Cc]hapter 7", "", GUIDE, flags=re.S

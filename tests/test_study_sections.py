@@ -91,6 +91,7 @@ SMALL = {  # the arguments of every cell before the settings, where they are sma
     margin_strips.count_circles: (4,),
     margin_strips.count_touching: (40,),
     margin_strips.search: (300, 6),
+    margin_strips.search_circles: (300, 2),
     mtv_by_method.measure: (8,),
     pose_error.measure: (1,),
     axis_order.count_tested_axes: (3, 30),
@@ -344,6 +345,20 @@ def test_what_a_search_finds_is_wrong_and_below_the_proven_bound(name, seed):
     assert wrong_answers(answers, right).tolist() == [True]
     assert 3 < found.margin < speed_against_accuracy.PROVEN_MARGINS[name]
     assert relative_margins(batch.Polygons(found.a), batch.Polygons(found.b))[0] == found.margin
+
+
+def test_a_search_finds_gjk_wrong_where_edges_are_parallel():
+    """Its differences of corners are exact, but rounding picks the wrong end of a facing edge."""
+    (method,) = (m for m in all_methods() if (m.language, m.name) == (COMPILED, "GJK"))
+    found = worst_pair(method, kilometre_shapes, np.random.default_rng(1), 1000, 6, metres=True)
+    assert truth.squared_gap(Polygon(found.a[0]), Polygon(found.b[0])) > 5e-14**2
+    ((_, answers),) = answers_by_method([method], found.a, found.b)
+    assert wrong_answers(answers, true_relations(found.a, found.b)).tolist() == [True]
+
+
+def test_what_a_search_finds_about_circles_is_below_the_proven_bound():
+    found = {row["method"]: row["margin"] for row in margin_strips.search_circles(2000, 2, Settings())}
+    assert found["satviz"] == 0 and 2 < found["squares, float64"] < margin_strips.CIRCLE_MARGIN
 
 
 def test_a_search_finds_satviz_and_shapely_never_wrong():

@@ -1,4 +1,4 @@
-"""An axis that turns, and marks that move from step to step."""
+"""Tests of sweeps: the axis rotates, and marks move from step to step."""
 
 import pytest
 
@@ -26,7 +26,7 @@ def test_while_an_axis_turns_no_shape_and_no_name_moves(name):
 
 
 @pytest.mark.parametrize("name", ["triangles", "circles", "circle-polygon", "aabb"])
-def test_bars_sign_and_dial_tell_the_gap_of_the_axis(name):
+def test_bars_sign_and_dial_show_the_gap_of_the_axis(name):
     a, b = sv.scene(name).a, sv.scene(name).b
     scales = set()
     for degree, frame in zip(range(0, 181, 15), sv.sweep(a, b, step=15), strict=True):

@@ -1,4 +1,4 @@
-"""What users see of a mistake, by simulation: each failing case is asked, and B is moved as it says."""
+"""Tests of symptoms by simulation: each failing case decides, and B is moved accordingly."""
 
 from collections import Counter
 from math import hypot
@@ -6,7 +6,7 @@ from math import hypot
 import pytest
 
 from satviz.checking.mistakes import SYMPTOMS
-from satviz.checking.pairs import KINDS, kind_of, whole_number_pairs
+from satviz.checking.pairs import KINDS, KNOWN_SCENES, PAST_ONE_EDGE, kind_of, whole_number_pairs
 from satviz.engine.geometry import Relation
 from satviz.engine.trace import record
 from satviz.scenes.failing import FAILURE_CASES, FALSE_HIT, MISSED_HIT, NAMED
@@ -14,7 +14,8 @@ from satviz.scenes.shape_tools import translated
 
 NOTHING, THROUGH, JITTERS, TOO_FAR, WRONG_WAY, STICKS = SYMPTOMS
 OF_OVERLAPS = THROUGH, TOO_FAR, WRONG_WAY, STICKS
-PAIRS = whole_number_pairs(tuple(KINDS), 1)[::3]
+# without the scenes of mistakes, so that a new case does not change the shares of the others
+PAIRS = [pair for pair in whole_number_pairs(tuple(KINDS), 1) if pair.group not in (KNOWN_SCENES, PAST_ONE_EDGE)][::3]
 SEEN_OTHERWISE = {
     "tunnelling": {THROUGH},
     "touch-on-paper": {JITTERS},
@@ -23,12 +24,12 @@ SEEN_OTHERWISE = {
 
 
 def gives_an_answer(case):
-    """Whether the mistake is about a verdict or a move, as a user sees it."""
+    """Return whether the user sees the mistake in a verdict or in a move."""
     return case.how in (FALSE_HIT, MISSED_HIT) or case.is_about_push
 
 
 def seen(case, a, b):
-    """What a user sees of two shapes where the case's shortcut decides."""
+    """Return the symptom of two shapes where the case's shortcut decides."""
     run, truth = record(a, b, axes=case.shortcut, every_axis=True), record(a, b)
     if truth.relation is not Relation.OVERLAPPING:
         wrong = (run.claim is Relation.APART) is not (truth.relation is Relation.APART)
@@ -46,11 +47,11 @@ def seen(case, a, b):
 
 
 def seen_of(case):
-    """What the case's own scene shows, and what more than half of the pairs show in which it can be seen."""
+    """Return (what the own scene or most pairs show, what the own scene or at least many pairs show)."""
     found, of = Counter(), Counter()
-    own = kind_of(*case.shapes)
+    kind = kind_of(*case.shapes)
     for pair in PAIRS:
-        if pair.kind not in (own, "boxes", *(("convex",) if own == "boxes" else ())):
+        if pair.kind not in (kind, "boxes", *(("convex",) if kind == "boxes" else ())):
             continue
         try:
             found.update(seen(case, pair.a, pair.b))
@@ -58,7 +59,8 @@ def seen_of(case):
             continue
         relation = record(pair.a, pair.b).relation
         of.update({Relation.APART: [NOTHING], Relation.TOUCHING: [JITTERS]}.get(relation, OF_OVERLAPS))
-    return seen(case, *case.shapes) | {symptom for symptom in found if found[symptom] > of[symptom] / 2}
+    own = seen(case, *case.shapes)
+    return tuple(own | {symptom for symptom in found if found[symptom] > share * of[symptom]} for share in (0.6, 0.4))
 
 
 LISTED = {name for names in SYMPTOMS.values() for name in names}
@@ -69,4 +71,5 @@ CASES = sorted(LISTED | {case.name for case in FAILURE_CASES if gives_an_answer(
 @pytest.mark.parametrize("name", CASES)
 def test_a_mistake_stands_under_what_users_see_of_it_and_nowhere_else(name):
     listed = {symptom for symptom, names in SYMPTOMS.items() if name in names}
-    assert listed == (SEEN_OTHERWISE.get(name) or seen_of(NAMED[name]))
+    most, many = [SEEN_OTHERWISE[name]] * 2 if name in SEEN_OTHERWISE else seen_of(NAMED[name])
+    assert most <= listed <= many

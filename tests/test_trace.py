@@ -1,4 +1,4 @@
-"""What a trace records, what it says, and what follows from it."""
+"""Tests of traces: what they record, describe and prove, and which trace files are accepted."""
 
 import json
 import re
@@ -141,7 +141,7 @@ def test_a_choice_made_beforehand_is_as_good_as_its_name_and_its_trace_loads(nam
 
 @pytest.mark.parametrize("name", one_in(2, axes.NAMED))
 def test_axes_in_any_order_prove_as_much_and_their_trace_loads(name):
-    """As of a game that asks first for the axis that separated last time."""
+    """A game tests first the axis that separated the shapes in the last frame."""
     rng = Random(3)
     for a, b in [
         (box(0, 0, 2, 1), box(1, 0, 2, 1)),
@@ -190,8 +190,8 @@ def test_an_axis_that_the_shapes_do_not_have_is_refused_and_its_numbers_are_its_
     ],
     ids=str,
 )
-def test_a_direction_of_ones_own_has_the_length_that_it_has(axis):
-    """A shorter one would have told a gap of circles that overlap."""
+def test_a_given_direction_with_a_wrong_length_is_refused(axis):
+    """With a length that is too short, a trace would show a gap between circles that overlap."""
     given = axes.Axis(sv.Vec(*axis[0]), axis[1], axes.Source(axes.GIVEN, None, (0,)))
     for choice in axes.Choice((given,)), axes.Choice(axes.WORLD_AXES, (axes.Skip(given, axes.PARALLEL, 2),)):
         with pytest.raises(ValueError):
@@ -203,7 +203,7 @@ def test_a_direction_of_ones_own_has_the_length_that_it_has(axis):
     [(None, ()), (None, (0, 1)), (None, ("x",)), (None, (True,)), (None, (-1,)), (None, (2**53,)), ("A", (0,))],
     ids=str,
 )
-def test_a_direction_of_ones_own_has_a_number(source):
+def test_a_given_direction_has_a_valid_number(source):
     given = axes.Axis(sv.Vec(1.0, 0.0), 1.0, axes.Source(axes.GIVEN, *source))
     with pytest.raises(ValueError, match="is not an axis of these shapes"):
         sv.record(A, B, axes=axes.Choice((given,)))
@@ -213,7 +213,7 @@ def test_a_direction_of_ones_own_has_a_number(source):
 
 def test_a_choice_may_hold_lists_and_other_numbers_and_its_trace_loads():
     a, b = box(0, 0, 1, 1), sv.Polygon([(2, 0), (3, 0), (3, 1)])
-    plain = sv.record(a, b, axes=axes.needed, every_axis=True)
+    expected = sv.record(a, b, axes=axes.needed, every_axis=True)
     needed = axes.needed(a, b)
 
     def with_each(change):
@@ -230,7 +230,7 @@ def test_a_choice_may_hold_lists_and_other_numbers_and_its_trace_loads():
         with_each(lambda axis: axis._replace(source=axis.source._replace(ids=tuple(map(np.int64, axis.source.ids))))),
     ):
         trace = sv.record(a, b, axes=choice, every_axis=np.True_)
-        assert trace == plain == sv.Trace.from_json(trace.to_json()) and hash(trace) == hash(plain)
+        assert trace == expected == sv.Trace.from_json(trace.to_json()) and hash(trace) == hash(expected)
 
 
 @pytest.mark.parametrize(
@@ -258,7 +258,7 @@ def test_anything_but_a_choice_of_axes_is_a_type_error(choice):
         sv.record(A, B, axes=choice)
 
 
-def test_an_axis_is_tested_or_left_out_and_no_direction_is_none():
+def test_an_axis_is_tested_or_skipped_and_the_zero_vector_is_no_axis():
     a, b = box(0, 0, 2, 2), sv.Circle((2, 2), 1)
     (skip,) = axes.nearest_vertex(a, b).skipped
     with pytest.raises(ValueError, match="has no direction"):
@@ -271,8 +271,8 @@ def test_an_axis_is_tested_or_left_out_and_no_direction_is_none():
             sv.record(a, b, axes=twice)
 
 
-def test_what_is_nearly_parallel_is_not_left_out_as_parallel():
-    """The way from a corner to a center, or between two, where its rounded normal is that of another axis."""
+def test_a_nearly_parallel_axis_is_not_skipped_as_parallel():
+    """The axis leads from a corner to a center, or between centers, and its rounded normal is that of another axis."""
     triangle, (across,) = sv.Polygon([(1, 1), (-1, 0), (1, -1)]), axes.directions((1, -2))(A, B).axes
     for x, parallel in (0, True), (1e-20, False):
         ball, coin = sv.Circle((x, 3), 0.5), sv.Circle((1, 1), 0.5)
@@ -306,17 +306,17 @@ def test_a_chooser_that_claims_to_be_one_of_ours_is_checked():
 
 def test_a_long_choice_is_checked_once_for_each_of_its_axes_and_bounded(monkeypatch):
     a, b = box(0, 0, 1, 1), sv.Polygon([(2, 0), (3, 0), (3, 1)])
-    looked, real, needed = [], axes._parallel_key, axes.needed(a, b)
-    monkeypatch.setattr(axes, "_parallel_key", lambda axis, *shapes: looked.append(axis) or real(axis, *shapes))
+    checked, real, needed = [], axes._parallel_key, axes.needed(a, b)
+    monkeypatch.setattr(axes, "_parallel_key", lambda axis, *shapes: checked.append(axis) or real(axis, *shapes))
     trace = sv.record(a, b, axes=axes.Choice(needed.axes * 1000, needed.skipped * 1000))
-    assert len(looked) == len(set(looked)) and len(trace.choice.skipped) == 1000 * len(needed.skipped)
+    assert len(checked) == len(set(checked)) and len(trace.choice.skipped) == 1000 * len(needed.skipped)
     ball = sv.Circle((0, 0), 0.1)
     monkeypatch.setattr(trace_module, "MAX_SIZE", 500)
     with pytest.raises(sv.InvalidScene, match="a trace lists 500 points and axes at most"):
         sv.record(a, ball, axes=axes.Choice((), axes.nearest_vertex(a, ball).skipped * 500))
 
 
-def test_a_choice_is_as_complete_as_its_axes_whatever_it_says():
+def test_a_choice_is_complete_only_if_its_axes_are():
     triangle, ball = sv.Polygon([(2, 2), (3, 2), (3, 3)]), sv.Circle((3, 3), 1)
     upright = box(0, 0, 1, 1), box(2, 0, 1, 1)
     for a, b, choose, complete in (
@@ -342,7 +342,7 @@ def test_a_choice_is_as_complete_as_its_axes_whatever_it_says():
             assert sv.Trace.from_json(trace.to_json()) == trace
 
 
-def test_an_axis_may_be_left_out_for_the_reason_given_only():
+def test_an_axis_may_be_skipped_only_for_its_true_reason():
     a, b = box(0, 0, 1, 1), sv.Polygon([(2, 0), (3, 0), (3, 1)])
     choice = axes.needed(a, b)
     assert [skip.why for skip in choice.skipped] == [axes.PARALLEL] * 4
@@ -357,8 +357,8 @@ def test_an_axis_may_be_left_out_for_the_reason_given_only():
     assert sv.record(corner, ball, axes=axes.Choice(axes.needed(corner, ball).axes, (skip,))).skipped == (skip,)
 
 
-def test_axes_that_were_chosen_for_other_shapes_are_refused_or_prove_no_more_than_they_do():
-    """As of a trace's choice that is kept, or of a choice that takes the shapes in the other order."""
+def test_axes_chosen_for_other_shapes_are_refused_or_prove_only_what_is_true():
+    """Such a choice was kept from another trace, or made for the shapes in the other order."""
     taken, refused, wrong = 0, 0, 0
     known = [(a, b) for _, a, b in SOME[::2]] + [(box(0, 0, 1, 1), sv.Circle((x, 1.4), 0.5)) for x in (0.5, 1.4, 1.6)]
     for k, (a, b) in enumerate(known):
@@ -380,7 +380,7 @@ def test_axes_that_were_chosen_for_other_shapes_are_refused_or_prove_no_more_tha
     assert taken > 20 and refused > 20 and wrong
 
 
-def test_aabb_is_fooled_by_turned_boxes_and_says_so():
+def test_world_axes_do_not_separate_turned_boxes_and_the_trace_says_so():
     trace = sv.scene("aabb-rotated").record()
     assert trace.false_hit and not trace.hit
     assert [round(t.gap, 3) for t in trace.tests] == [-1.453, -1.095]
@@ -420,7 +420,7 @@ def test_the_shown_gap_has_the_exact_sign(share):
 
 
 def exact_gap_sign(a, b, test):
-    """The sign of the gap in fractions, along the axis's true direction (independent of the engine's integers)."""
+    """Return the sign of the gap along the axis's true direction in fractions, independent of the engine's integers."""
     shapes = {"A": a, "B": b}
     kind, role, ids = test.source
     if kind == axes.EDGE:
@@ -490,7 +490,7 @@ def test_the_shallowest_test_is_given_where_none_separates():
     assert sv.record(box(1, 1, 3, 3), L).shallowest is None  # its pairs have one each
 
 
-def test_a_run_without_a_shortcut_is_the_truth_and_pushes_by_its_mtv():
+def test_a_trace_without_a_shortcut_has_the_true_relation_and_pushes_by_its_mtv():
     for b, mtv in (box(3, 1, 9, 3), (1, 0)), (box(4, 1, 9, 3), (0, 0)), (box(5, 1, 9, 3), None):
         trace = sv.record(box(0, 0, 4, 4), b)
         assert trace.truth is trace and trace.push == trace.mtv == trace.known_mtv == mtv
@@ -505,7 +505,7 @@ def test_without_an_early_exit_every_axis_of_every_pair_is_tested():
         assert whole.without_early_exit() is whole
 
 
-def test_what_parts_claim_is_what_they_prove_and_their_evidence_is_about_the_whole_shapes():
+def test_the_claim_of_parts_is_proven_and_its_certificate_is_about_the_whole_shapes():
     for x, relation in ((2.5, sv.Relation.APART), (2, sv.Relation.TOUCHING), (1, sv.Relation.OVERLAPPING)):
         for a, b in (box(x, x, 3, 3), L), (L, box(x, x, 3, 3)):
             trace = sv.record(a, b)
@@ -633,7 +633,7 @@ def test_an_axis_that_is_not_what_its_source_says_is_refused(lie):
         sv.Trace.from_json(json.dumps(data))
 
 
-def test_every_axis_that_shapes_have_may_be_in_a_choice_of_ones_own():
+def test_every_axis_of_the_shapes_may_be_in_a_given_choice():
     around = sv.Polygon([(1, 1), (2, 1.5), (3, 1), (3, 3), (1, 3)])
     for a, b in [(SQUARE, COIN), (COIN, SQUARE), (COIN, COIN), (COIN, sv.Circle((0, 1), 2)), (SQUARE, around)]:
         own = axes.Choice((*axes.axes_by_source(a, b).values(), *axes.directions((1, 2), (-3e300, 1e-300))(a, b).axes))
@@ -690,25 +690,25 @@ def test_a_trace_of_parts_with_other_axes_shapes_or_pairs_is_refused():
 
 
 def test_an_mtv_as_short_as_ours_is_as_good():
-    """Where two ways are equally short, the rounding of another machine may choose the other."""
+    """Where two moves are equally short, the rounding of another machine may select the other one."""
     mast = sv.Polygon([(-4, -2), (4, -2), (4, 0), (1, 0), (1, 9), (-1, 9), (-1, 0), (-4, 0)])
     trace = sv.record(mast, sv.Circle((0, 5), 0.5))
     data = json.loads(trace.to_json())
     x, y = data["mtv"]
     assert abs(x) == pytest.approx(1.5)
 
-    def told(*move):
+    def load_with_mtv(*move):
         sentence = data["sentence"].replace(
             *(number_format.ascii_minus(number_format.vector(sv.Vec(*v))) for v in ((x, y), move))
         )
         return sv.Trace.from_json(json.dumps(data | {"mtv": list(move), "sentence": sentence}))
 
-    assert told(-x, y) == trace
+    assert load_with_mtv(-x, y) == trace
     for longer in 2**-30, 2**-28:  # a step more or less of those that lead outwards
-        assert told(x * (1 + longer), y).relation is trace.relation
+        assert load_with_mtv(x * (1 + longer), y).relation is trace.relation
     for longer_shorter_or_not_out in (-2 * x, y), (x * (1 + 2**-27), y), (-x * 0.9, y), (0.0, abs(x)):
         with pytest.raises(sv.InvalidScene, match="mtv"):
-            told(*longer_shorter_or_not_out)
+            load_with_mtv(*longer_shorter_or_not_out)
     with pytest.raises(sv.InvalidScene, match="sentence"):
         sv.Trace.from_json(json.dumps(data | {"mtv": [-x, y]}))
 
@@ -720,10 +720,10 @@ def test_a_false_trace_file_is_refused(lie):
 
 
 def altered(data):
-    """Ways to change one thing in a trace file, each made in place and taken back.
+    """Yield for each value of a trace file after changing it in place; the change is then undone.
 
-    Left as they are: the two shapes, and what may be another without a lie (the number of a given direction, and
-    whether every axis was asked for where all were tested).
+    The shapes are not changed, nor values that may differ in a true trace: the number of a given direction, and
+    whether every axis was requested where all were tested.
     """
     inside = list(data.items()) if isinstance(data, dict) else list(enumerate(data))
     for key, value in inside:
@@ -769,7 +769,7 @@ ONE_OF_EACH = {
 @pytest.mark.parametrize("share", one_in(4, range(16)))
 @pytest.mark.parametrize("name", ONE_OF_EACH)
 def test_a_trace_file_with_any_one_thing_changed_is_refused(name, share):
-    """Or it is the trace of a choice that names less of what it leaves out."""
+    """It is accepted only if it is the trace of a choice that lists fewer of the axes it skips."""
     file = [json.loads(ONE_OF_EACH[name].to_json())]
     for _ in islice(altered(file), share, None, 16):
         with suppress(sv.InvalidScene):
@@ -780,7 +780,7 @@ def test_a_trace_file_with_any_one_thing_changed_is_refused(name, share):
 
 
 def flags(data):
-    """Every object of a trace file that holds true or false, and the key that it has it by."""
+    """Yield (object, key) for every true or false in a trace file."""
     for key, value in data.items() if isinstance(data, dict) else enumerate(data):
         if isinstance(value, bool):
             yield data, key
@@ -798,8 +798,8 @@ FLAGGED = {
 
 
 @pytest.mark.parametrize("name", FLAGGED)
-def test_no_flag_of_a_trace_file_can_be_turned_round(name):
-    """Except that every axis was asked for, where the run is the same without that."""
+def test_a_trace_file_with_a_negated_flag_is_refused(name):
+    """The exception is the flag for every axis, where the trace is the same without it."""
     trace = FLAGGED[name]
     other = sv.record(trace.a, trace.b, axes=trace.shortcut or trace.choice, every_axis=not trace.every_axis)
     data = json.loads(trace.to_json())
@@ -833,13 +833,13 @@ def test_one_of_each_survives_json_and_the_rounding_of_another_machine(name):
     assert json.loads(again.to_json()) == data
 
 
-@pytest.mark.parametrize("told", [-(2.0**-48), 0.0, 2.0**-48])
+@pytest.mark.parametrize("stored", [-(2.0**-48), 0.0, 2.0**-48])
 @pytest.mark.parametrize("true", [-(2.0**-48), 0.0, 2.0**-48])
-def test_no_rounding_of_another_machine_changes_the_sign_of_a_gap(told, true):
-    """Not even on an axis that does not matter, here x beside a clear gap along y."""
-    told, true = (sv.record(box(0, 0, 1, 1), box(1 + gap, 3, 2 + gap, 4), every_axis=True) for gap in (told, true))
-    data = json.loads(told.to_json()) | {"b": json.loads(true.to_json())["b"]}
-    if told == true:
+def test_no_rounding_of_another_machine_changes_the_sign_of_a_gap(stored, true):
+    """This holds also on an axis that does not matter, here x beside a large gap along y."""
+    stored, true = (sv.record(box(0, 0, 1, 1), box(1 + gap, 3, 2 + gap, 4), every_axis=True) for gap in (stored, true))
+    data = json.loads(stored.to_json()) | {"b": json.loads(true.to_json())["b"]}
+    if stored == true:
         assert sv.Trace.from_json(json.dumps(data)) == true
     else:
         with pytest.raises(sv.InvalidScene, match="gap"):
@@ -847,7 +847,7 @@ def test_no_rounding_of_another_machine_changes_the_sign_of_a_gap(told, true):
 
 
 @pytest.mark.parametrize("far", [0, 1e6, 1e9, 1e12])
-def test_no_other_gap_or_landing_is_taken_for_rounding_however_far_from_the_origin(far):
+def test_no_wrong_gap_or_landing_is_accepted_as_rounding_far_from_the_origin(far):
     a, b = box(far, far, far + 4, far + 4), box(far + 1, far + 3, far + 5, far + 7)
     trace = sv.record(a, b)
     y, x = trace.tests
@@ -861,21 +861,21 @@ def test_no_other_gap_or_landing_is_taken_for_rounding_however_far_from_the_orig
 
 
 def loads(trace, tests):
-    """Is a file of this trace with these tests in it taken?"""
+    """Return whether a file of this trace with these tests in it is accepted."""
     text = replace(trace, tests=tuple(tests)).to_json()
     with suppress(sv.InvalidScene):
         return sv.Trace.from_json(text).to_json() == text
     return False
 
 
-# a reach of 4 beside one of 1024: whole numbers, so that what is added stays exact
+# largest coordinates 4 and 1024: whole numbers, so that sums stay exact
 SMALL_AND_LARGE = box(1, 1, 4, 3), box(2, 2, 1024, 512)
 
 
 @pytest.mark.parametrize("shapes", [SMALL_AND_LARGE, SMALL_AND_LARGE[::-1]], ids=["small, large", "large, small"])
 @pytest.mark.parametrize("name", [None, "one-overlap", "lengths", "circles-turned-round"])
 def test_each_number_of_a_file_has_the_tolerance_of_how_it_was_measured(name, shapes):
-    """That of a square root in a landing of its own shape; of a shortcut's own floats, that of both shapes."""
+    """Landings have the tolerance of a square root at their shape's size, floats of a shortcut that of both shapes."""
     shortcut = SHORTCUTS[name] if name else axes.world
     trace = sv.record(*shapes, axes=shortcut, every_axis=True)
     test, *others = trace.tests
@@ -883,43 +883,44 @@ def test_each_number_of_a_file_has_the_tolerance_of_how_it_was_measured(name, sh
     rounding = tracefile.FLOAT_ROUNDING if own_way else tracefile.ROUNDING
     assert abs(test.gap) >= 1
     for part, shape in ("gap", None), ("a", shapes[0]), ("b", shapes[1]):
-        room = rounding * (shape.max_coordinate if shape and not own_way else 1024)
-        for off in room, -room, room * 1.5, -room * 1.5:
+        tolerance = rounding * (shape.max_coordinate if shape and not own_way else 1024)
+        for off in tolerance, -tolerance, tolerance * 1.5, -tolerance * 1.5:
             if shape:
                 side = getattr(test, part)
                 moved = side._replace(landings=tuple(c + off for c in side.landings))
             else:
                 moved = test.gap + off
-            assert loads(trace, [test._replace(**{part: moved}), *others]) == (abs(off) == room)
+            assert loads(trace, [test._replace(**{part: moved}), *others]) == (abs(off) == tolerance)
 
 
 @pytest.mark.parametrize("name", [None, "lengths"])
 def test_the_extremes_of_a_circle_have_the_tolerance_of_its_landings(name):
     trace = sv.record(sv.Circle((1, 1), 3), sv.Circle((500, 0), 524), axes=SHORTCUTS[name] if name else axes.needed)
-    test, room = trace.tests[0], 2.0**-18 if name else 2.0**-44
-    for off in room, -room, room * 1.5, -room * 1.5:
+    test, tolerance = trace.tests[0], 2.0**-18 if name else 2.0**-44
+    for off in tolerance, -tolerance, tolerance * 1.5, -tolerance * 1.5:
         moved = test.a._replace(points=(test.a.points[0], sv.Vec(test.a.points[1].x, test.a.points[1].y + off)))
-        assert loads(trace, [test._replace(a=moved)]) == (abs(off) == room)
+        assert loads(trace, [test._replace(a=moved)]) == (abs(off) == tolerance)
 
 
 @pytest.mark.parametrize("name", [None, "one-overlap", "lengths"])
-def test_the_sign_of_a_small_gap_is_its_own_however_it_was_measured(name):
+def test_the_stored_sign_of_a_small_gap_must_be_exact_for_every_way_to_measure(name):
     shortcut = SHORTCUTS[name] if name else axes.world
     small = 2.0**-42
     for true in small, 0.0, -small:
         trace = sv.record(box(1, 0, 4, 2), box(1, 2 + true, 1024, 512), axes=shortcut, every_axis=True)
         test, *others = trace.tests
         assert test.gap == true
-        for told in (sign * small * (1 + off) for sign in (1, 0, -1) for off in (0, 2.0**-50, 2.0**-49, 1)):
-            rounded = told * true > 0 and (name == "lengths" or abs(told) < small * (1 + 2**-49))  # in integers once
-            assert loads(trace, [test._replace(gap=told), *others]) == (told == true or rounded)
+        for stored in (sign * small * (1 + off) for sign in (1, 0, -1) for off in (0, 2.0**-50, 2.0**-49, 1)):
+            # a gap computed in integers is rounded once
+            rounded = stored * true > 0 and (name == "lengths" or abs(stored) < small * (1 + 2**-49))
+            assert loads(trace, [test._replace(gap=stored), *others]) == (stored == true or rounded)
 
 
 @pytest.mark.parametrize("sign", [1, -1])
 def test_a_gap_that_is_exact_on_one_machine_only_is_still_rounding(sign):
-    """Just within the room of zero a gap is worked out in integers; another machine may see it just outside."""
+    """A gap within the error bound is computed in integers; on another machine it may lie just outside that bound."""
     close, half_tolerance = 1024 * sat.CLOSE_GAP_FACTOR, 512 * tracefile.ROUNDING
-    for true, told, good in (
+    for true, stored, accepted in (
         (close, close + half_tolerance, True),
         (close, close - half_tolerance, False),
         (close + half_tolerance, close, True),
@@ -927,7 +928,7 @@ def test_a_gap_that_is_exact_on_one_machine_only_is_still_rounding(sign):
         trace = sv.record(box(1, 0, 4, 2), box(1, 2 + sign * true, 1024, 512), axes=axes.world, every_axis=True)
         test, *others = trace.tests
         assert test.gap == sign * true
-        assert loads(trace, [test._replace(gap=sign * told), *others]) == good
+        assert loads(trace, [test._replace(gap=sign * stored), *others]) == accepted
 
 
 @pytest.mark.parametrize("name", [None, "lengths"])
@@ -958,7 +959,7 @@ def test_where_a_circle_reaches_beyond_float64_landings_are_checked_too():
 
 
 @pytest.mark.parametrize("choose", [axes.world, axes.centers, axes.needed])
-def test_the_normal_of_an_axis_in_a_file_is_its_own_to_the_last_bit(choose):
+def test_the_normal_of_an_axis_in_a_file_must_be_exact_to_the_last_bit(choose):
     data = json.loads(sv.record(box(0, 0, 4, 4), box(1, 3, 5, 7), axes=choose).to_json())
     x, y = data["axes"][0]["normal"]
     for normal in [x + 2**-60 if x == 0 else x * (1 + 2**-52), y], [x, y * (1 - 2**-52)]:
@@ -967,7 +968,7 @@ def test_the_normal_of_an_axis_in_a_file_is_its_own_to_the_last_bit(choose):
             sv.Trace.from_json(json.dumps(data))
 
 
-def test_labels_stand_in_a_file_as_they_are():
+def test_labels_are_stored_in_a_file_unchanged():
     trace = sv.record(A, sv.Polygon(B.vertices, ["é", "😀", "v"]))
     assert "é" in trace.to_json() and "😀" in trace.to_json() and sv.Trace.from_json(trace.to_json()) == trace
 
@@ -981,7 +982,7 @@ def test_no_other_mtv_of_convex_shapes_is_as_good_as_the_exact_one():
         sv.Trace.from_json(json.dumps(data | {"mtv": [0.0, -y], "sentence": other}))
 
 
-def test_a_trace_is_its_tests_one_after_the_other_and_shows_itself_in_a_notebook(monkeypatch):
+def test_a_trace_iterates_over_its_tests_and_is_displayed_in_a_notebook(monkeypatch):
     trace = sv.record(A, B)
     assert tuple(trace) == trace.tests
     monkeypatch.setattr(trace_module.hooks, "mime_bundle", lambda shown: {"shown": shown})
@@ -1017,7 +1018,7 @@ def test_a_trace_is_a_value():
         one.tests = ()
 
 
-def test_the_table_has_a_row_a_test_and_says_no_more_than_was_proved():
+def test_the_table_has_a_row_for_each_test_and_claims_only_what_was_proven():
     text = str(sv.record(A, B))
     assert "2 normal of B's edge v1v3" in text and "+1.213  separates" in text
     assert text.endswith("A and B are apart: axis 2 (normal of B's edge v1v3) leaves a gap of 1.213.")
@@ -1027,10 +1028,10 @@ def test_the_table_has_a_row_a_test_and_says_no_more_than_was_proved():
 
 def test_the_table_shows_on_request_the_sums_behind_the_ends_of_the_ranges():
     trace = sv.record(A, B)
-    plain, rows = trace.table().splitlines(), trace.table(sums=True).splitlines()
+    without, rows = trace.table().splitlines(), trace.table(sums=True).splitlines()
     assert "    v2: 2*8 + 3*3 = 25; 25 / sqrt(13) = 6.934" in rows
-    found = [row for row in rows if row not in plain]
-    assert [row for row in rows if row in plain] == plain and len(found) == 4 * len(trace.tests)
+    found = [row for row in rows if row not in without]
+    assert [row for row in rows if row in without] == without and len(found) == 4 * len(trace.tests)
     for row in found:  # each sum is true, and its result is an end of a range
         whole, *rest = row.split(": ", 1)[1].split("; ")
         left, right = whole.split(" = ")
@@ -1113,12 +1114,12 @@ def test_a_text_that_is_not_what_the_facts_give_is_shown_from_where_it_parts():
         assert said in trace.sentence
         with pytest.raises(sv.InvalidScene, match=r"^trace.sentence is ") as refused:
             sv.Trace.from_json(json.dumps(data))
-        told, found = (
+        given, found = (
             str(refused.value)
             .removeprefix("trace.sentence is ")
             .split(", but the shapes and options in the file give ")
         )
-        assert lie in eval(told) and eval(told) in data["sentence"]
+        assert lie in eval(given) and eval(given) in data["sentence"]
         assert said in eval(found) and eval(found) in number_format.ascii_minus(trace.sentence)
 
 
@@ -1172,7 +1173,7 @@ def test_a_refusal_quotes_no_more_than_a_line_of_what_it_refuses(change):
 
 
 def rewritten(data, whole):
-    """The JSON of other writers: whole floats as integers, written by `whole`."""
+    """Return the JSON as other writers produce it: whole floats as integers, written by `whole`."""
     if isinstance(data, dict):
         return {key: rewritten(value, whole) for key, value in data.items()}
     if isinstance(data, list):
@@ -1210,7 +1211,7 @@ def test_an_integer_that_float64_cannot_hold_is_refused(lossy, path):
         sv.Trace.from_json(changed(put))
 
 
-def test_a_choice_of_ones_own_survives_json():
+def test_a_given_choice_survives_json():
     some = axes.edge_normals(A, B)._replace(complete=False)
     trace = sv.record(A, B, axes=axes.Choice(some.axes[::2]), every_axis=True)
     assert sv.Trace.from_json(trace.to_json()) == trace
@@ -1247,8 +1248,10 @@ def test_a_trace_ends_where_it_outgrows_its_limit(shapes, points, every_axis, mo
     monkeypatch.setattr(trace_module, "MAX_SIZE", size)
     assert sv.record(*shapes, every_axis=every_axis) == whole
     monkeypatch.setattr(trace_module, "MAX_SIZE", size - 1)
-    told = rf"A and B have {points} points to project on {len(whole.choice.axes)} axes: .* {size - 1} .*relate.*world"
-    with pytest.raises(sv.InvalidScene, match=told):
+    message = (
+        rf"A and B have {points} points to project on {len(whole.choice.axes)} axes: .* {size - 1} .*relate.*world"
+    )
+    with pytest.raises(sv.InvalidScene, match=message):
         sv.record(*shapes, every_axis=every_axis)
     assert len(sv.record(*shapes, axes=axes.world).tests) == 2
 
@@ -1265,7 +1268,7 @@ def test_a_trace_of_parts_ends_where_it_outgrows_its_limit(monkeypatch):
 
 @pytest.mark.parametrize("every_axis", [False, True])
 def test_a_trace_of_pieces_ends_where_it_outgrows_its_limit(every_axis, monkeypatch):
-    """Also in a file; and all pieces are looked at, whether one of them overlaps or not."""
+    """The same holds for a file. All pieces count, whether one of them overlaps or not."""
     tiles = SHORTCUTS["tile-seam"]
     for b in box(3, -1, 3.5, 1), box(1, -1, 3, 1):
         whole = sv.record(box(0, 0, 4, 2), b, axes=tiles, every_axis=every_axis)
@@ -1369,16 +1372,13 @@ def test_closing_brackets_without_end_are_not_read_to_the_end():
         strictjson.parse("]" * 1000 + "[" * 13, 2000)
 
 
-# -- the ways out of concave outlines --------------------------------------------------------------
-
-
 # -- other axes ------------------------------------------------------------------------------------
 
 
 def test_each_edge_of_an_upright_box_is_parallel_to_its_own_world_axis():
     left_out = sv.record(box(0, 0, 2, 1), box(1, 0, 3, 2)).skipped
-    told = {(s.axis.normal.x == 0, s.why, s.number) for s in left_out}
-    assert told == {(True, axes.PARALLEL, 1), (False, axes.PARALLEL, 2)}
+    reasons = {(s.axis.normal.x == 0, s.why, s.number) for s in left_out}
+    assert reasons == {(True, axes.PARALLEL, 1), (False, axes.PARALLEL, 2)}
     assert [s.axis.source.ids for s in left_out] == [(0, 1), (1, 2), (2, 3), (0, 3)] * 2
 
 
@@ -1405,11 +1405,11 @@ def test_a_circle_off_a_corner_touches_on_the_axis_of_that_corner_whoever_it_bel
 
 
 def never(*_):
-    raise AssertionError("floats can tell this")
+    raise AssertionError("the float filter should have certified this")
 
 
 @pytest.mark.parametrize("e", [-280, -40, 0, 40, 280])
-def test_the_axes_of_plain_pairs_need_no_integers(e, monkeypatch):
+def test_the_axes_of_ordinary_pairs_need_no_integers(e, monkeypatch):
     monkeypatch.setattr(sat, "_exact_test", never)
     s = 2.0**e
     triangles = [sv.Polygon([(x * s, y * s) for x, y in shape.vertices]) for shape in (A, B)]
@@ -1463,15 +1463,15 @@ def test_axes_are_tested_one_by_one_and_by_default_the_needed_ones():
         if sv.record(a, b).pairs:
             continue
         assert list(sv.axis_tests(a, b)) == list(sv.record(a, b, every_axis=True).tests)
-    asked = []
+    used = []
 
     def watched():
         for axis in axes.needed(A, B).axes:
-            asked.append(axis)
+            used.append(axis)
             yield axis
 
-    assert next(t for t in sv.axis_tests(A, B, watched()) if t.separates).source is asked[-1].source
-    assert len(asked) == 2
+    assert next(t for t in sv.axis_tests(A, B, watched()) if t.separates).source is used[-1].source
+    assert len(used) == 2
 
 
 def test_a_touching_circles_extremes_are_its_points_along_the_axis():

@@ -1,4 +1,4 @@
-"""What type checkers make of programs that use satviz: right ones pass, wrong ones are told of."""
+"""Tests of the types: checkers accept right programs that use satviz and report errors in wrong ones."""
 
 import json
 import os
@@ -153,5 +153,5 @@ def test_readme_passes_but_for_what_may_be_none(said):
 
 def test_each_wrong_use_is_told_of_and_nothing_else(said):
     first = START.count("\n") + 1
-    told = {WRONG[line - first] if line >= first else f"line {line}" for line in said["wrong.py"]}
-    assert told == set(WRONG)
+    reported = {WRONG[line - first] if line >= first else f"line {line}" for line in said["wrong.py"]}
+    assert reported == set(WRONG)

@@ -82,7 +82,7 @@ def recommend_batch(
     least, at = (float(abs(signed[worst])), given.indices(worst)) if given.pairs else (inf, (0, 0))
     apart, touching, over = np.bincount(exact, minlength=3).tolist()
     by_boxes = broad_phase.pairs if broad_phase else 0
-    search = broad_phase_of(a, engine="numpy") if all_pairs else None  # the same wherever it is asked
+    search = broad_phase_of(a, engine="numpy") if all_pairs else None  # without numba, so that all get the same result
     summary = InputSummary(
         kinds, _corners(both), _size_ratio(both), given.pairs, (apart, touching, over), by_boxes, least, at, search
     )

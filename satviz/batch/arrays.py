@@ -109,7 +109,7 @@ class Shapes:
 
     `count`: (N,) corners of each part (a circle has one); `owner`: (N,) which shape each is a part of, where concave
     polygons were split.  Made of `rings` with (N,) radii (None: all are polygons), or of `runs`: groups whose shapes
-    follow each other.  What else is asked for is worked out when it is first needed, and kept; several runs are then
+    follow each other.  Other attributes are computed when first needed, and kept; several runs are then
     joined to rings.  These arrays are the batch's own memory: read them, but do not write to them, since what is
     written there is not checked.
     """
@@ -142,7 +142,7 @@ class Shapes:
     @property
     def part_count(self) -> int:
         """Return the number of convex parts: more than `len` where concave polygons were split."""
-        runs = vars(self).get("runs")  # asked once, since another thread may join them
+        runs = vars(self).get("runs")  # read once, since another thread may join them
         return len(self.rings.start) - 1 if runs is None else sum(map(len, runs))
 
     def _only_run(self) -> Group | None:

@@ -23,7 +23,7 @@ EXPECTED = {
     HIT_AND_MTV: "(hit, move), such as (True, (1, 0)) or (False, None)",
 }
 TOUCHING_AS = "hit", "miss", "either"
-MAX_TEXT, MAX_PARTS, MAX_NUMBER = 1000, 20, 1e300  # letters, parts and size of what is looked at
+MAX_TEXT, MAX_PARTS, MAX_NUMBER = 1000, 20, 1e300  # letters, parts and size of an answer that is evaluated
 MAX_SHOWN = 200  # letters of an answer that cannot be read
 NUMBER_TOLERANCE = 1e-9  # of the scene's size: lengths are rounded, so they are compared to nine digits
 APART, TOUCHING, OVERLAPPING = Relation

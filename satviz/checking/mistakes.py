@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from functools import partial
+from itertools import product
 from math import hypot
 from typing import NamedTuple
 
@@ -22,9 +23,10 @@ from .answers import (
     same_answer,
     size_of,
 )
+from .other_methods import by_shortcut
 from .pairs import BOXES, CIRCLES, CONVEX, KNOWN_SCENES, ROUND, kind_of
 from .results import Result
-from .variants import VARIANTS, Predict, by_shortcut
+from .variants import VARIANTS, Predict
 
 APART, TOUCHING, OVERLAPPING = Relation
 
@@ -49,6 +51,8 @@ SYMPTOMS: dict[str, tuple[str, ...]] = {
         "dart",
         "box-in-u",
         "faces-in-3d",
+        "rounded-normals",
+        "degrees-for-radians",
     ),
     "falls through: no hit where the shapes overlap": (
         "corner-inside",
@@ -66,6 +70,7 @@ SYMPTOMS: dict[str, tuple[str, ...]] = {
         "far-centers",
         "mixed-signs",
         "circles-turned-round",
+        "integer-halves",
     ),
     "is pushed too far": (
         "raw-depth",
@@ -75,6 +80,8 @@ SYMPTOMS: dict[str, tuple[str, ...]] = {
         "one-overlap",
         "line-for-axis",
         "bounding-circles",
+        "degrees-for-radians",
+        "largest-overlap",
     ),
     "is pushed the wrong way": (
         "push-along-normal",
@@ -83,6 +90,7 @@ SYMPTOMS: dict[str, tuple[str, ...]] = {
         "repeated-vertex",
         "raw-depth",
         "corner-inside",
+        "largest-overlap",
     ),
     "sticks, or is not pushed out all the way": (
         "range-inside",
@@ -91,6 +99,8 @@ SYMPTOMS: dict[str, tuple[str, ...]] = {
         "sum-of-parts",
         "repeated-vertex",
         "corner-inside",
+        "half-the-way",
+        "integer-halves",
     ),
 }
 
@@ -197,11 +207,13 @@ def likenesses(results: Sequence[Result], rules: Rules) -> list[Likeness]:
     step = max(1, len(others) // (MAX_COMPARED - len(compared)))
     compared += others[::step][: MAX_COMPARED - len(compared)]
     found: dict[str, Likeness] = {}
+    asked = [rules, rules._replace(touching="miss")][: 1 + _misses_touching(readable, rules)]
     with_circles = any(result.pair.kind in (CIRCLES, ROUND) for result in readable)
-    for hypothesis in HYPOTHESES:
-        if not hypothesis.is_about(rules) or (not with_circles and _own_kind(hypothesis.name) in (CIRCLES, ROUND)):
+    for hypothesis, each in product(HYPOTHESES, asked):
+        is_of_circles = not hypothesis.words and _own_kind(hypothesis.name) in (CIRCLES, ROUND)
+        if not hypothesis.is_about(rules) or (is_of_circles and not with_circles):
             continue
-        likeness = _likeness(hypothesis, compared, rules)
+        likeness = _likeness(hypothesis, compared, rules, each)
         best = found.get(hypothesis.name)
         if likeness and (best is None or _rank(likeness) < _rank(best)):
             found[hypothesis.name] = likeness
@@ -219,12 +231,22 @@ def _rank(likeness: Likeness) -> tuple[float, int]:
     return -likeness.wrong_alike / likeness.either_wrong, -likeness.agrees
 
 
-def _likeness(hypothesis: Hypothesis, results: Sequence[Result], rules: Rules) -> Likeness | None:
-    """Return how like the answers are to the hypothesis's; None where no wrong answer is shared."""
-    agrees = alike = either = missed = 0
+def _misses_touching(results: Sequence[Result], rules: Rules) -> bool:
+    """Return whether most verdicts about touching shapes are a miss: then a mistake is made with < for <=, too."""
+    if rules.returns not in (HIT, HIT_AND_MTV):
+        return False
+    touching = [result.answer for result in results if result.truth.relation is TOUCHING]
+    hits = sum(bool(answer[0] if rules.returns == HIT_AND_MTV else answer) for answer in touching)
+    return 4 * hits < len(touching)
+
+
+def _likeness(hypothesis: Hypothesis, results: Sequence[Result], rules: Rules, asked: Rules) -> Likeness | None:
+    """Return how like the answers are to the hypothesis's by the rules `asked`; None if no wrong answer is shared."""
+    agrees = alike = either = missed = not_touching = 0
     for i, result in enumerate(results):
-        predicted = predicted_answer(hypothesis, result.a, result.b, rules)
-        fits = predicted is not None and is_right(predicted[0], result.a, result.b, result.truth, rules)
+        predicted = predicted_answer(hypothesis, result.a, result.b, asked)
+        # where a mistake has no answer, as one about circles for polygons, it changes nothing
+        fits = predicted is None or is_right(predicted[0], result.a, result.b, result.truth, rules)
         margin = 1e3 * NUMBER_TOLERANCE * size_of(result.a, result.b)
         equal = predicted is not None and _alike(
             predicted[0], result.answer, rules.returns, margin, fits or result.right
@@ -232,10 +254,13 @@ def _likeness(hypothesis: Hypothesis, results: Sequence[Result], rules: Rules) -
         agrees += equal or (fits and result.right)
         either += not (fits and result.right)
         alike += equal and not result.right
+        not_touching += equal and not result.right and result.truth.relation is not TOUCHING
         missed += not result.right and not equal
-        if i == 11 and missed == 12:
-            return None  # none of the first wrong answers is explained
-    return Likeness(hypothesis.name, agrees, len(results), alike, either, hypothesis.words) if alike else None
+        if i >= 11 and missed > 9 * alike:
+            return None  # too few of the wrong answers, which come first, are explained
+    if not alike or (asked != rules and not not_touching):
+        return None  # what is wrong about touching shapes alone is the mistake touch-as-apart
+    return Likeness(hypothesis.name, agrees, len(results), alike, either, hypothesis.words)
 
 
 def _alike(one: Answer, other: Answer, kind: str, margin: float, one_is_right: bool) -> bool:

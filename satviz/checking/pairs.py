@@ -29,11 +29,12 @@ KINDS = {
     ROUND: "a circle and a convex polygon",
     REPEATED: "a vertex that is listed twice",
 }
-KNOWN_SCENES = "scenes of known mistakes"
+KNOWN_SCENES, PAST_ONE_EDGE = "scenes of known mistakes", "just past one edge"
 DEFAULT_KINDS = BOXES, CONVEX
 SIZES = (3, 4, 6, 8, 12, 20, 60, 400)  # of the grids that later pairs lie on, in whole numbers
 PAIRS_PER_SIZE = 24  # where there are many ways to lie beside each other; of the other kinds a third
 MAX_CORNERS = 8
+ONE_EDGE_SIZE = 60  # of shapes that lie past an edge, so near that hardly any other edge shows the gap
 
 Maker = Callable[[Random, int], Shape]
 
@@ -79,7 +80,7 @@ def whole_number_pairs(kinds: Sequence[str], seed: int) -> list[Pair]:
             found.append(Pair(a, b, kind_of(a, b), KNOWN_SCENES))
     for size in SIZES[3:]:
         found += _seeded(kinds, random, size, f"coordinates up to {size}")
-    return found
+    return [*found, *_past_one_edge(random)] if CONVEX in kinds else found
 
 
 def _weight(pair: Pair) -> tuple[int, float]:
@@ -130,6 +131,23 @@ def _seeded(kinds: Sequence[str], random: Random, size: int, group: str) -> Iter
                 a, b = b, a
             b = _placed(a, b, random, size, i % 4)
             yield Pair(a, b, kind_of(a, b), group)
+
+
+def _past_one_edge(random: Random) -> Iterator[Pair]:
+    """Yield convex polygons with B just past the middle of the first or last edge of either, which alone shows it."""
+    for of_a, index in tuple(product((True, False), (0, -1))) * 4:
+        a, b = (_convex(random, ONE_EDGE_SIZE) for _ in "ab")
+        ring = (a if of_a else b).vertices
+        p, q = ring[index], ring[(index + 1) % len(ring)]
+        n = Vec(q.y - p.y, p.x - q.x)
+        inward = sum(n.x * (v.x - p.x) + n.y * (v.y - p.y) for v in ring) > 0
+        n = Vec(-n.x, -n.y) if inward is of_a else n
+        step = max((Vec(2, 0), Vec(-2, 0), Vec(0, 2), Vec(0, -2)), key=lambda way: way.x * n.x + way.y * n.y)
+        middle = Vec(round((p.x + q.x) / 2), round((p.y + q.y) / 2))  # rounded by less than the step along n
+        s = middle if of_a else _support(a, n, random)
+        t = _support(b, Vec(-n.x, -n.y), random) if of_a else middle
+        beside = translated(b, Vec(s.x - t.x + step.x, s.y - t.y + step.y))
+        yield Pair(a, beside, kind_of(a, beside), PAST_ONE_EDGE)
 
 
 def _placed(a: Shape, b: Shape, random: Random, size: int, how: int) -> Shape:

@@ -77,7 +77,7 @@ def project(shape: Shape, axis: Axis) -> Projection:
 
 
 def axis_tests(a: Shape, b: Shape, axes: Iterable[Axis] | None = None) -> Iterator[AxisTest]:
-    """Yield the test of each axis, by default those of `needed`; each is computed only when it is asked for.
+    """Yield the test of each axis, by default those of `needed`; each is computed only when it is requested.
 
     So the early exit is next((t for t in axis_tests(a, b) if t.separates), None).
     TypeError for anything but Polygon and Circle.

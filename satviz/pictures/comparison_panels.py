@@ -25,13 +25,13 @@ from ..scenes.shape_tools import box, translated
 from .claims import is_near
 from .curve import unit_vector
 from .default_panels import (
-    WAY_OUT,
     Panel,
     PanelSketch,
     claimed_tests,
     draw_claimed_tests,
     draw_proof,
     draw_push,
+    mtv_name,
     needs_claimed_tests,
     needs_proof,
     true_run,
@@ -43,6 +43,7 @@ from .letters import text_size, wrap_text
 from .sketch import RING_PT, Sketch
 from .solid_panels import solid_panel
 
+MAX_QUESTION_AXES = 60  # axes tested, up to which there is space for questions above the shapes
 DOT_COUNT = 12  # dots that stand for many shapes
 MAX_AXES = 3  # axes that have space side by side
 ARROW_LENGTH = 74.0  # points
@@ -375,16 +376,20 @@ def draw_line_as_axis(trace: Trace, layout: Layout) -> Sketch:
 
 
 def needs_one_sided_tests(trace: Trace) -> Group:
-    """Return the claimed tests with both shapes, and space for two questions above the shapes."""
+    """Return the claimed tests with both shapes, and space for two questions above the shapes.
+
+    Among the labels of very many axes there is no space for them.
+    """
     x0, y0, x1, y1 = bounding_box([trace.a, trace.b])
     shapes, tests, _ = needs_claimed_tests(trace)
-    return Group([*shapes, box(x0, y1, x1, y1 + (y1 - y0) / 2)], tests)
+    space = [box(x0, y1, x1, y1 + (y1 - y0) / 2)] if len(trace.tests) <= MAX_QUESTION_AXES else []
+    return Group([*shapes, *space], tests)
 
 
 def draw_one_sided_tests(trace: Trace, layout: Layout) -> Sketch:
     """Draw the claimed tests, and which question about the order of the ranges was asked, and which was not."""
     sketch = draw_claimed_tests(trace, layout)
-    measured = claimed_tests(trace)
+    measured = claimed_tests(trace) if len(trace.tests) <= MAX_QUESTION_AXES else ()
     for test in axis_tests(trace.a, trace.b, [test.axis for test in measured]):
         a, b = test.a.interval, test.b.interval
         if b.hi < a.lo:
@@ -414,7 +419,7 @@ def draw_way_out(trace: Trace, layout: Layout) -> Sketch:
     sketch = draw_shapes(trace, layout)
     move = trace.truth.known_mtv
     if trace.relation is Relation.OVERLAPPING and move:
-        draw_mtv(sketch, centroid(trace.b), move, WAY_OUT)
+        draw_mtv(sketch, centroid(trace.b), move, mtv_name(layout))
     return sketch
 
 
@@ -467,7 +472,7 @@ def needs_pieces(trace: Trace) -> Group:
     """Return both shapes, B where each piece pushes it, and space for words above the shapes."""
     shapes = [trace.a, trace.b, *(translated(trace.b, pair.mtv) for pair in trace.pairs if pair.mtv)]
     x0, y0, x1, y1 = bounding_box(shapes)
-    return Group([*shapes, box(x0, y1, x1, y1 + (y1 - y0) / 2.5)])
+    return Group([*shapes, box(x0, y1, x1, y1 + (y1 - y0) / 4.5)])
 
 
 PIECES = Panel(needs_pieces, draw_pieces_panel)

@@ -37,7 +37,12 @@ from .sketch import RING_PT, Sketch
 
 PROVES_NOTHING = "true, but proves nothing"
 RAW_NORMAL = "its normal is"
-WAY_OUT = "shortest way out,\nMTV"
+LEAST_WORDY_PT = 200.0  # width of a panel from which on it explains the MTV
+
+
+def mtv_name(layout: Layout) -> str:
+    """Return how a panel names the MTV: with an explanation where there is space."""
+    return "shortest way out,\nMTV" if layout.size[0] >= LEAST_WORDY_PT else "MTV"
 
 
 class PanelSketch(Sketch):
@@ -247,7 +252,7 @@ def draw_proof(trace: Trace, layout: Layout) -> Sketch:
         sketch.label("shared-name", "in both", "ink", certificate.point, first=4)
         move = trace.truth.known_mtv
         if move and any(move):
-            draw_mtv(sketch, certificate.point, move, WAY_OUT)
+            draw_mtv(sketch, certificate.point, move, mtv_name(layout))
     spot = meeting_point(trace, test) if trace.shortcut and trace.shortcut.touching_separates else ""
     remark = f"{spot} < {spot} is false: no gap" if spot and test.gap == 0 else ""
     best = max(true_run(trace).tests, key=lambda other: other.gap)

@@ -1,6 +1,6 @@
 """The exact relation of any pair of convex polygons, compiled with numba.
 
-For outlines of many corners a few steps of GJK look for an axis or a shared point.  Then both outlines are
+For outlines of many corners a few steps of GJK search for an axis or a shared point.  Then both outlines are
 evaluated edge by edge; the exact sign is computed for every corner within the error bound of zero.
 Names in the kernels: x, y are the coordinates of one outline (corners i0 to i1) and p, q those of the other
 (corners j0 to j1); e and f are the ends of an edge, n its normal; `terms` is scratch for exact sums;

@@ -33,7 +33,7 @@ MIN_CELL = 2.0**-48  # of the farthest coordinate: smaller cells run together
 
 def colliding_pairs(shapes: Shapes) -> Pairs | None:
     """Return the pairs i < j, in order, of the shapes that share a point; None where this way does not decide them."""
-    runs = vars(shapes).get("runs")  # asked once, since another thread may join them
+    runs = vars(shapes).get("runs")  # read once, since another thread may join them
     if runs is not None and len(runs) == 1:
         pairs, decided = _collide_block(runs[0].block)
     elif runs is not None and len(runs) <= MAX_RUNS:

@@ -271,7 +271,7 @@ def _closed_columns(shapes: Shapes) -> tuple[Complexes | None, Array | None]:
     """
     if not 1 < shapes.part_count <= MAX_SHAPES:
         return None, None
-    if (runs := vars(shapes).get("runs")) is not None:  # asked once, since another thread may join them
+    if (runs := vars(shapes).get("runs")) is not None:  # read once, since another thread may join them
         return _closed_runs(runs)
     x, y, start = shapes.rings
     count = start[1:] - start[:-1]

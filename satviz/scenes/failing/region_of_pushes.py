@@ -106,6 +106,14 @@ def region_of_depth(
     return wrong_number_region(a, b, window, wrong)
 
 
+def region_of_every_overlap(a: Shape, b: Shape, window: Window) -> RegionOrReason:
+    """Return the moves for which two polygons overlap: all but a line of them have the wrong push; or say why none."""
+    if why := why_no_cells(a, b):
+        return why
+    (ring,) = minkowski_difference(a, b)
+    return wrong_number_region(a, b, window, [clip_to_window(ring, window)])
+
+
 def region_of_push_to_mean(a: Shape, b: Shape, window: Window) -> RegionOrReason:
     """Return the moves where the MTV points towards A's vertex mean, or why none is shown."""
     if why := why_no_cells(a, b):

@@ -2,14 +2,14 @@
 
 from collections.abc import Sequence
 from functools import partial
-from math import copysign, dist, nan
+from math import atan2, copysign, cos, dist, nan, sin
 
-from ...engine.axes import SLIP, Axis, Choice, edge_normals, needed
+from ...engine.axes import SLIP, Axis, Choice, directions, edge_normals, needed
 from ...engine.convex_parts import parts
 from ...engine.geometry import Vec
 from ...engine.sat import AxisTest, project
 from ...engine.shapes import Polygon, Shape
-from ...engine.shortcut import Shortcut
+from ...engine.shortcut import Shortcut, move_along_axis
 from ...engine.trace import Trace, record
 from ..shape_tools import box, translated, vertex_mean
 from . import true_value
@@ -30,6 +30,7 @@ from .move_space import (
 )
 from .region_of_pushes import (
     region_of_depth,
+    region_of_every_overlap,
     region_of_pieces,
     region_of_push_along_axis,
     region_of_push_to_mean,
@@ -57,6 +58,18 @@ def push_along_axis(a: Shape, b: Shape, tests: Sequence[AxisTest]) -> Vec:
     test = max(tests, key=lambda test: test.gap)
     n = test.axis.direction
     return Vec(-test.gap * n.x, -test.gap * n.y)
+
+
+def push_along_largest(a: Shape, b: Shape, tests: Sequence[AxisTest]) -> Vec:
+    """Return a push of B that ends the largest of the overlaps instead of the least one."""
+    test = min(tests, key=lambda test: test.gap, default=None)
+    return move_along_axis(test, -test.gap) if test else Vec(0.0, 0.0)
+
+
+def push_half_the_way(a: Shape, b: Shape, tests: Sequence[AxisTest]) -> Vec:
+    """Return half of the right push of B, as if A moved by the other half."""
+    test = max(tests, key=lambda test: test.gap, default=None)
+    return move_along_axis(test, -test.gap / 2) if test else Vec(0.0, 0.0)
 
 
 def overlap_after_push(trace: Trace) -> float:
@@ -151,7 +164,7 @@ def region_on_the_way(a: Shape, b: Shape, window: Window) -> RegionOrReason:
     return wrong_number_region(a, b, window, subtract(way, (first, after)))
 
 
-# -- one wrong sign
+# -- one wrong sign, or a normal that is rounded or turned wrongly
 
 
 def slipped_normals(a: Shape, b: Shape) -> Choice:
@@ -162,6 +175,18 @@ def slipped_normals(a: Shape, b: Shape) -> Choice:
         turned = Vec(x, y) if (x, y) > (0, 0) else Vec(-x + 0.0, -y + 0.0)
         found.append(Axis(turned, axis.length, axis.source._replace(kind=SLIP)))
     return Choice(tuple(found))
+
+
+def rounded_normals(a: Shape, b: Shape) -> Choice:
+    """Return, for each edge, the axis along its unit normal with both numbers rounded to whole ones."""
+    normals = (axis.direction for axis in edge_normals(a, b).axes)
+    return directions(*(Vec(float(round(n.x)), float(round(n.y))) for n in normals))(a, b)
+
+
+def turned_by_90_radians(a: Shape, b: Shape) -> Choice:
+    """Return, for each edge, the axis at the edge's angle in radians plus 90."""
+    angles = [atan2(-axis.normal.x, axis.normal.y) + 90 for axis in edge_normals(a, b).axes]
+    return directions(*(Vec(cos(angle), sin(angle)) for angle in angles))(a, b)
 
 
 def slanted_bar(y: float) -> Polygon:
@@ -243,5 +268,36 @@ CASES = (
         true_value=zero,
         is_about_push=True,
         error_region=partial(region_of_pieces, split=tiles, error=squared_distance),
+    ),
+    FailureCase(
+        Shortcut("rounded-normals", "a rounded normal still points the right way", rounded_normals),
+        FALSE_HIT,
+        (Polygon([(0, 0), (4, 0), (0, 2)]), box(3, 1, 4, 2)),
+    ),
+    FailureCase(
+        Shortcut("degrees-for-radians", "a normal has the edge's angle plus 90", turned_by_90_radians),
+        FALSE_HIT,
+        (box(0, 0, 2, 2), box(3, -1, 5, 1)),
+    ),
+    FailureCase(
+        Shortcut("largest-overlap", "the way out is along the axis of the largest overlap", push=push_along_largest),
+        WRONG_NUMBER,
+        (box(0, 0, 4, 4), box(3, 1, 6, 3)),
+        quantity="depth",
+        claimed_value=push_length,
+        true_value=true_value.depth,
+        is_about_push=True,
+        error_region=region_of_every_overlap,
+    ),
+    FailureCase(
+        Shortcut("half-the-way", "each of two shapes moves half the way", push=push_half_the_way),
+        WRONG_NUMBER,
+        (box(0, 0, 4, 4), box(3, 1, 6, 3)),
+        quantity="overlap left:",
+        claimed_value=overlap_after_push,
+        true_value=overlap_after_mtv,
+        is_about_push=True,
+        error_region=region_of_every_overlap,
+        panels=Panels("push", "way out"),
     ),
 )

@@ -2,10 +2,10 @@
 
 from fractions import Fraction
 from functools import partial
-from math import nan
+from math import floor, nan
 
-from ...engine.axes import EDGE, Axis, Source, edge_normals, needed
-from ...engine.geometry import Vec
+from ...engine.axes import EDGE, Axis, Source, edge_normals, needed, world
+from ...engine.geometry import Interval, Vec
 from ...engine.sat import AxisTest, Projection, axis_tests, project
 from ...engine.shapes import Polygon, Shape
 from ...engine.shortcut import Shortcut
@@ -60,6 +60,24 @@ def as_written(a: Shape, b: Shape, axis: Axis) -> AxisTest:
     return AxisTest(axis, p, q, float(gap) / length)
 
 
+def whole_halves(ends: Interval, whole_middle: bool = True) -> Interval:
+    """Return a range after it was kept as its middle and half of its length, both rounded down to a whole number."""
+    middle, half = (ends.lo + ends.hi) / 2, (ends.hi - ends.lo) // 2
+    middle = floor(middle) if whole_middle else middle
+    return Interval(middle - half, middle + half)
+
+
+def by_whole_halves(a: Shape, b: Shape, axis: Axis) -> AxisTest:
+    """Return the test of an axis for ranges that are kept as their middle and half of their length, in integers."""
+
+    def halved(side: Projection) -> Projection:
+        """Return the projection of the first and the last point, which land at the ends of the new range."""
+        order = sorted(zip(side.landings, side.points))
+        return Projection((order[0][1], order[-1][1]), tuple(map(float, whole_halves(side.interval))))
+
+    return measured_test(axis, halved(project(a, axis)), halved(project(b, axis)))
+
+
 FIRST_EDGE_OF_B = Source(EDGE, "B", (0, 1))
 
 
@@ -74,6 +92,11 @@ def true_furthest_vertices(a: Shape, b: Shape) -> float:
     first = (axis for axis in edge_normals(a, b).axes if axis.source == FIRST_EDGE_OF_B)
     found = [test.b for test in axis_tests(a, b, first)]
     return found[0].landings.count(found[0].interval.hi) if found else nan
+
+
+def region_of_halves(a: Shape, b: Shape, window: Window) -> str:
+    """Return the reason why `by_whole_halves` has no error region: its ranges jump while B moves."""
+    return "halves are rounded to whole numbers, so the ranges jump as B moves"
 
 
 def no_region(a: Shape, b: Shape, window: Window) -> str:
@@ -135,5 +158,11 @@ CASES = (
         WRONG_NUMBER,
         (box(0, 0, 0.1 + 0.2, 0.3), box(0.3, 0, 0.6, 0.3)),
         error_region=no_region,
+    ),
+    FailureCase(
+        Shortcut("integer-halves", "half of a whole number is a whole number", world, by_whole_halves),
+        MISSED_HIT,
+        (box(0, 0, 3, 2), box(3, 0, 5, 2)),
+        error_region=region_of_halves,
     ),
 )

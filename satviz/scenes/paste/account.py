@@ -160,8 +160,9 @@ class Account:
             for token in named
         )
         makes = numbers and any(SHAPE_WORDS.search(token.text) and not is_test(token.text) for token in named)
+        adds = numbers > 1 and any(last_of(token.text).lower() in ADDERS | PENS for token in named)
         lists = any(self.tokens[i].kind == OPEN and self.tokens[i + 1].kind == NUMBER for i in self._top(line))
-        return range(0) if not named or changes or makes or lists or numbers > MAX_ASIDE else line
+        return range(0) if not named or changes or makes or adds or lists or numbers > MAX_ASIDE else line
 
     def _is_listed(self, i: int) -> bool:
         """Return whether a number stands in a list or a call, and not among words."""
@@ -214,12 +215,6 @@ class Account:
     def before(self, i: int) -> int:
         """Return the place of the last token before another one that is no line's end."""
         return next((k for k in range(i - 1, -1, -1) if self.tokens[k].kind != LINE), -1)
-
-    def beyond(self, i: int) -> Token:
-        """Return the token at a place or behind it that is no line's end."""
-        while i < len(self.tokens) and self.tokens[i].kind == LINE:
-            i += 1
-        return self.at(i)
 
     def span(self, i: int) -> tuple[int, int]:
         """Return where the bracket that a token opens or closes begins and ends."""
@@ -441,6 +436,10 @@ class Account:
             return
         if token.text.startswith("is") and after.text in ASSIGNS and self.at(i + 2).text in ("true", "false"):
             return  # isBox2: true
+        changes = token.text.lower() in {*CHANGING_CALLS, "not"} and (after.kind == OPEN or not after.text)
+        if changes and self.is_data(i + 1):
+            self.miss(i, i)  # POLYGON mirror ((0 0, 4 0, 0 3))
+            return
         if self.is_variable(token):
             again = "." in token.text and after.text == "=" and root(token.text) in self.changed
             if again and self.at(i + 2).kind == NAME and self.at(i + 3).kind != OPEN:
@@ -457,14 +456,9 @@ class Account:
         elif token.text in ("if", "else", "elif") and (self.gives_value(i) or self.is_choice(i)):
             self.miss(i, i + 1)
         if not frame.data:
-            scales = (
-                token.text.lower() in {*CHANGING_CALLS, "not"}
-                and (after.kind == OPEN or not after.text)
-                and self.is_data(i + 1)
-            )
             start, end = self.line(token)
             told = self.holds(start, end) or NAMED_SHAPE.search(self.text, start, end)
-            if scales or (token.text.lower() in CHANGING_WORDS and told):
+            if token.text.lower() in CHANGING_WORDS and told:
                 self.miss(i, i)  # A: rect(0, 0, 4, 4), twice as large
             if after.text in ASSIGNS and words(token.text) & CHANGING_KEYS and not self.takes_value(i + 1):
                 self.miss(i, i + 2)

@@ -134,7 +134,9 @@ def _walk(tree: Tree, value: Any, name: str) -> Iterator[Left]:
 def _is_harmless(left: Left) -> bool:
     """Return whether a number that no shape has changes none, by its key: a mass, or a scale of 1."""
     said, last = words(left.key.removeprefix("svg.")), words(left.key.split(".")[-1])
-    if "moment" in said or left.key == "pymunk.Body" or not {"bounds", "properties"}.isdisjoint(left.key.split(".")):
+    path = left.key.split(".")
+    aside = not {"bounds", "properties"}.isdisjoint(path) and key(path[-1]) not in ("center", "half", "size")
+    if "moment" in said or left.key == "pymunk.Body" or aside:
         return True
     if any(word.startswith(SHAPE_STEMS) for word in last) and not last & CHANGING_NUMBERS:
         return "count" in last

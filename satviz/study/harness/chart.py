@@ -143,10 +143,10 @@ def draw_headline(fig: Figure, theme: Theme, title: str, *lines: str) -> None:
     style: dict[str, Any] = {"ha": "left", "va": "top", "parse_math": False}
     down = 8.0
     for text, is_title in _headline(title, lines):
-        look: dict[str, Any] = {"color": theme.roles["guide"], "fontsize": TEXT_POINTS}
+        text_style: dict[str, Any] = {"color": theme.roles["guide"], "fontsize": TEXT_POINTS}
         if is_title:
-            look = {"color": theme.roles["ink"], "fontsize": TITLE_POINTS, "fontweight": "bold"}
-        fig.text(6 / WIDTH, 1 - down / height, text, **look, **style)
+            text_style = {"color": theme.roles["ink"], "fontsize": TITLE_POINTS, "fontweight": "bold"}
+        fig.text(6 / WIDTH, 1 - down / height, text, **text_style, **style)
         down += TITLE_LINE if is_title else TEXT_LINE
 
 

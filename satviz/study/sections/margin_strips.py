@@ -11,14 +11,15 @@ range of float64.
 
 from collections.abc import Sequence
 from itertools import groupby
-from math import log2
+from math import ceil, log2
 from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
-from ...engine.shapes import Polygon
+from ... import batch
+from ...engine.shapes import Circle, Polygon
 from ...pictures import Theme
 from .. import truth
 from ..harness.cells import Cell, JsonRow, Settings
@@ -77,6 +78,7 @@ def cells(settings: Settings) -> list[Cell]:
         if not (settings.quick and kind.name == "24 corners")  # kernels are compiled for them alone
     ]
     found += [Cell("margin-circles", count_circles, (per_octave * 3, settings))]
+    found += [Cell("search-circles", search_circles, (n, generations, settings))]
     found += [Cell("margin-touching", count_touching, (200 if settings.quick else 4000, settings))]
     found += [Cell("margin-float32", float32_beyond, (settings,))]
     return found + [Cell(f"search-{name.replace(' ', '-').replace(',', '')}", search, (name, n, generations, settings))
@@ -114,10 +116,40 @@ def count_circles(per_octave: int, settings: Settings) -> list[JsonRow]:
     """Return each method's wrong answers on pairs of circles, by octave of the relative margin."""
     a, b, margin = hard_circles(settings.rng("circles"), per_octave)
     right = true_relations(a, b)
-    methods = [m for m in all_methods(circles=True) if m.language == COMPILED]
-    methods += [Method("squares, float64", COMPILED, "float SAT", lambda side: side, _squares, circles=True)]
     return [_counted(CIRCLES, m, wrong_answers(answers, right), margin)
-            for m, answers in answers_by_method(methods, a, b)]  # fmt: skip
+            for m, answers in answers_by_method(_circle_methods(), a, b)]  # fmt: skip
+
+
+def _circle_methods() -> list[Method]:
+    """Return the methods that have a strip for circles."""
+    methods = [m for m in all_methods(circles=True) if m.language == COMPILED]
+    return [*methods, Method("squares, float64", COMPILED, "float SAT", lambda side: side, _squares, circles=True)]
+
+
+def search_circles(n: int, generations: int, settings: Settings) -> list[JsonRow]:
+    """Return for each method the largest relative margin at which it is wrong about circles, confirmed by both oracles.
+
+    The centers of a pair lie in opposite corners of a square, where a rounding of their distance is largest.
+    """
+    rng = settings.rng("search", CIRCLES)
+    worst = {m.name: {"method": m.name, "margin": 0.0, "tried": n * generations} for m in _circle_methods()}
+    for _ in range(generations):
+        size = rng.uniform(0.5, 1, (n, 1))
+        at, to = -size * rng.uniform(0.97, 1, (n, 2)), size * rng.uniform(0.97, 1, (n, 2))
+        away = np.sqrt(((to - at) ** 2).sum(axis=1))
+        radius = away * rng.uniform(0, 0.5, n)
+        rest = away - radius + rng.uniform(-CIRCLE_MARGIN, CIRCLE_MARGIN, n) * 2.0**-53 * size[:, 0]
+        a, b = (at, radius), (to, rest)
+        right, margin = batch.relate(batch_shapes(a), batch_shapes(b), engine="numpy"), None
+        for method, answers in answers_by_method(_circle_methods(), a, b):
+            wrong = np.flatnonzero((answers > 0) != (right > 0))
+            if len(wrong):
+                margin = margins_of(batch_shapes(a), batch_shapes(b)) if margin is None else margin
+                k = wrong[margin[wrong].argmax()]
+                own = [Circle(side[0][k].tolist(), float(side[1][k])) for side in (a, b)]
+                if margin[k] > worst[method.name]["margin"]:
+                    worst[method.name] |= {"margin": float(margin[k]), "relation": truth.agreed(*own).name}
+    return list(worst.values())
 
 
 def _counted(what: str, method: Method, wrong: Any, margin: Any) -> JsonRow:
@@ -174,9 +206,10 @@ def rows(found: dict[str, Any]) -> dict[str, list[JsonRow]]:
             row["proven"] = 0 if name == "satviz" else PROVEN_MARGINS.get(name)
         else:
             row["proven"] = CIRCLE_MARGIN if "squares" in name else 0 if name == "satviz" else None
-        searched = [r for key, r in found.items() if key.startswith("search-") and r["method"] == name]
-        row["tried"] = sum(r["tried"] for r in searched) if what == SHAPES else 0
-        row["worst"] = max([row["largest_in_sample"], *(r["margin"] for r in searched if what == SHAPES)])
+        searches = [r for key, r in found.items() if key.startswith("search-") and key != "search-circles"]
+        searched = [r for r in (searches if what == SHAPES else found["search-circles"]) if r["method"] == name]
+        row["tried"] = sum(r["tried"] for r in searched)
+        row["worst"] = max([row["largest_in_sample"], *(r["margin"] for r in searched)])
         strips.append(row)
     compiled = any((row["what"], row["method"]) == (SHAPES, "SAT, raw normals") for row in strips)
     return {"relative-margin": [*strips, *found["margin-float32"]] if compiled else []}
@@ -193,7 +226,8 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     low, high = wilson_interval(wrong, pairs)
     title = (
         f"SAT with raw normals in float64 is wrong about {wrong / pairs:.0%} ({low:.0%} to {high:.0%}) of these pairs "
-        f"within {NEAR} roundings of touching, at worst at {raw['worst']:.1f}, and proven right from {raw['proven']} on"
+        f"within {NEAR} roundings of touching; it was found wrong up to {raw['worst']:.1f}, and is proven right from "
+        f"{raw['proven']} on"
     )
     lines = (
         "Strong: half of the answers are wrong, no better than a coin. Faint: none of this sample is wrong. "
@@ -213,9 +247,9 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
             shares = [(float(k), w / p if p else 0.0) for k, w, p in zip(MARGIN_OCTAVES, row["wrong"], row["pairs"])]
             if row["what"] == SHAPES:
                 shares.append((TOUCH_AT, row["touches_wrong"] / row["touches"]))
-            for (share, _), same in groupby(shares, lambda pair: (round(pair[1], 2), pair[0] == TOUCH_AT)):
+            for (percent, _), same in groupby(shares, lambda pair: (ceil(100 * pair[1]), pair[0] == TOUCH_AT)):
                 xs = [x for x, _ in same]
-                alpha = 0.07 + 0.93 * min(1.0, 2 * share)
+                alpha = 0.2 + 0.8 * min(1.0, percent / 50) if percent else 0.07
                 ax.add_patch(Rectangle((xs[0], y - 0.36), xs[-1] + 1 - xs[0], 0.72, fc=shade, alpha=alpha, lw=0))
             if row["worst"] > 2.0**MARGIN_OCTAVES.start:
                 worst = min(log2(row["worst"]), MARGIN_OCTAVES.stop - 0.3)

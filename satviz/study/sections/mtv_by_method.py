@@ -283,9 +283,10 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
         outcomes = ", ".join(f"{row[outcome]:,} {outcome}" for outcome in OUTCOMES if row[outcome])
         text += f"{row['kind']}, {row['method']}: {outcomes} of {row['pairs']:,}; direction off by "
         text += f"{row['angle_median']:.2g}° in the median and {row['angle_largest']:.2g}° at worst, length by "
-        text += f"{row['length_median']:.2g} and {row['length_largest']:.2g} of the least push. "
-    text += f"A push is turned where it is more than {TURNED:g}° off. For concave outlines the least push is computed "
-    text += "in floats, so smaller errors than 10⁻¹² are not seen there."
+        text += f"{row['length_median']:.2g} and {row['length_largest']:.2g} of the least push; {row['turned']:,} "
+        text += f"pushes are more than {TURNED:g}° off. "
+    text += "For concave outlines the least push is computed in floats, so smaller errors than 10⁻¹² are not seen "
+    text += "there."
     return Chart("mtv", title, size, draw, rows, text)
 
 

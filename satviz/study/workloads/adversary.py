@@ -52,13 +52,15 @@ def _quadrilaterals(rng: Rng, n: int) -> Rings:
 def boxes_within_one(rng: Rng, n: int) -> tuple[Rings, Rings]:
     """Return pairs of turned boxes of sizes from 1 down to a thousandth, with coordinates up to about 1.
 
-    Both boxes of a pair have one place: the smaller they are, the further from the origin, half of them on the
-    diagonal and the others in any direction.  In every second pair the edges of A lie at 45 degrees.
+    Both boxes of a pair have one place: the smaller they are, the nearer to a distance of 1, half of them on the
+    diagonal and the others in any direction.  In every second pair the edges of A lie at 45 degrees, and the boxes lie
+    beyond 1: just above a power of two, a rounding is largest beside the number.
     """
     sizes = np.ldexp(rng.uniform(0.5, 1, (n, 1, 1)), rng.integers(-10, 0, (n, 1, 1)))
     a, b = (turned_boxes(rng, n, 0.0) * sizes * 0.5 for _ in "AB")
     a[::2] = _diagonal(a[::2])
-    at = (1 - 2 * sizes) * np.where(rng.random((n, 1, 1)) < 0.5, 1.0, unit_vectors(rng, n, 1))
+    beyond = np.where(np.arange(n) % 2 == 0, 1.0, -2.0)[:, None, None]
+    at = (1 + beyond * sizes) * np.where(rng.random((n, 1, 1)) < 0.5, 1.0, unit_vectors(rng, n, 1))
     return a + at, b + at
 
 
@@ -79,6 +81,17 @@ def beside(rng: Rng, a: Rings, b: Rings, gap: Array) -> Rings:
     return np.asarray(b + (spot - tip + gap[:, None] * out)[:, None])
 
 
+def _facing(rng: Rng, a: Rings) -> Rings:
+    """Return a box for each A, with an edge that is parallel to A's first edge but for rounding and lies on it.
+
+    GJK can take the wrong end of such an edge for the furthest corner.
+    """
+    p, q = a[:, 0], a[:, 1]
+    along, out = (q - p)[:, None] * rng.uniform(0.3, 0.9, (len(a), 1, 1)), outward_normals(p, q)[:, None]
+    out = out * np.sqrt((along * along).sum(axis=2, keepdims=True))
+    return np.concatenate([0 * along, out, along + out, along], axis=1) + p[:, None]
+
+
 def worst_pair(method: Method, make: MakePairs, rng: Rng, n: int, generations: int, *, metres: bool) -> WorstPair:
     """Return the worst pair that the search finds in so many generations of n pairs.
 
@@ -89,6 +102,7 @@ def worst_pair(method: Method, make: MakePairs, rng: Rng, n: int, generations: i
     best, tried = np.empty(0), 0
     for _ in range(generations):
         new_a, new_b = make(rng, n)
+        new_b[1::4] = _facing(rng, new_a[1::4])
         gaps = np.ldexp(rng.uniform(1, 2, n), rng.integers(HARDEST, EASIEST, n))
         if len(best):  # near the gaps at which the method is still wrong
             unit = best[0] if metres else best[0] * 2.0**-53

@@ -419,3 +419,85 @@ def corners_and_center(a, b):
         a, b = b, a
     center, radius = b
     return any(math.dist(p, center) <= radius for p in a) or _inside(center, a)
+
+
+# -- whole numbers, angles, and the wrong one of several moves
+
+
+def whole_half_sizes(a, b):
+    """Dicts with a middle and half sizes, as a game keeps its sprites."""
+
+    def sprite(ring):
+        (x0, x1), (y0, y1) = ((min(c), max(c)) for c in zip(*ring))
+        return {"x": (x0 + x1) // 2, "y": (y0 + y1) // 2, "half": ((x1 - x0) // 2, (y1 - y0) // 2)}
+
+    s, t = sprite(a), sprite(b)
+    return all(abs(s[k] - t[k]) <= s["half"][i] + t["half"][i] for i, k in enumerate("xy"))
+
+
+def tidy_normals(a, b):
+    """A printout of 0.4472135954999579 looked untidy."""
+    for p in a, b:
+        for (x1, y1), (x2, y2) in zip(p[-1:] + p, p):
+            length = math.hypot(x2 - x1, y2 - y1)
+            nx, ny = round((y2 - y1) / length, 1), round((x1 - x2) / length, 1)
+            on_a, on_b = ([nx * x + ny * y for x, y in shape] for shape in (a, b))
+            if max(on_a) < min(on_b) or max(on_b) < min(on_a):
+                return False
+    return True
+
+
+def angle_plus_90(a, b):
+    for p in a, b:
+        for (x1, y1), (x2, y2) in zip(p[-1:] + p, p):
+            angle = math.atan2(y2 - y1, x2 - x1) + 90
+            on_a, on_b = ([x * math.cos(angle) + y * math.sin(angle) for x, y in shape] for shape in (a, b))
+            if max(on_a) < min(on_b) or max(on_b) < min(on_a):
+                return False
+    return True
+
+
+def separated(a, b):
+    """Says whether there is a gap, and is called as if it said whether there is none."""
+    return not all(Projection(a, n).overlaps(Projection(b, n)) for n in [*_directions(a), *_directions(b)])
+
+
+def _overlaps_by_normal(a, b):
+    """Yield for each edge how far the ranges overlap, and a normal of length 1 that leads from A to B."""
+    for x, y in itertools.chain(_directions(a), _directions(b)):
+        n = x / math.hypot(x, y), y / math.hypot(x, y)
+        s, t = _scalar_projections(a, n), _scalar_projections(b, n)
+        right, left = s[-1] - t[0], t[-1] - s[0]
+        yield (right, n) if right < left else (left, (-n[0], -n[1]))
+
+
+def argmax(a, b):
+    found = list(_overlaps_by_normal(a, b))
+    if min(found)[0] < 0:
+        return False, None
+    depth, n = max(found)
+    return True, (n[0] * depth, n[1] * depth)
+
+
+def the_last_is_kept(a, b):
+    move = None
+    for depth, n in _overlaps_by_normal(a, b):
+        if depth <= 0:
+            return None
+        move = n[0] * depth, n[1] * depth
+    return move
+
+
+def shared_fairly(a, b):
+    depth, n = min(_overlaps_by_normal(a, b))
+    return (n[0] * depth / 2, n[1] * depth / 2) if depth > 0 else None
+
+
+def divided_at_the_end(a, b):
+    """Compares overlaps in units of normals of different lengths, and divides the least of them."""
+    found = []
+    for x, y in itertools.chain(_directions(a), _directions(b)):
+        s, t = _scalar_projections(a, (x, y)), _scalar_projections(b, (x, y))
+        found.append((min(s[-1] - t[0], t[-1] - s[0]), math.hypot(x, y)))
+    depth, length = min(found)
+    return max(0, depth / length)

@@ -1,0 +1,305 @@
+"""SAT as people write it, in plain floats: one record whose steps can be replaced, and the wrong steps."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from math import atan2, cos, degrees, dist, hypot, sin
+from operator import itemgetter
+from typing import NamedTuple
+
+from ..engine.geometry import Interval, Relation, Vec
+from ..engine.shapes import Shape
+from ..scenes.failing.wrong_projections import whole_halves
+
+Ring = Sequence[Vec]
+Middle = Callable[[Ring], Vec]
+Radius = Callable[[Ring], float]
+APART, TOUCHING, OVERLAPPING = Relation
+
+
+class Overlap(NamedTuple):
+    """The overlap of the ranges of A and B on an axis along `n`, in units of n's length; negative for a gap."""
+
+    n: Vec
+    a: Interval
+    b: Interval
+    size: float
+
+
+def normal(dx: float, dy: float) -> Vec:
+    """Return the normal of an edge (dx, dy) to the right, as long as the edge."""
+    return Vec(dy, -dx)
+
+
+def listed(
+    a: Ring,
+    b: Ring,
+    turn: Callable[[float, float], Vec] = normal,
+    sign: int = 1,
+    cut_a: slice = slice(None),
+    cut_b: slice = slice(None),
+) -> list[Vec]:
+    """Return what `turn` makes of each edge of A and of B, in the order in which the vertices are listed.
+
+    `sign`: -1 for the opposites; `cut_a`, `cut_b`: the edges that are taken.
+    """
+    found = []
+    for ring, cut in (a, cut_a), (b, cut_b):
+        for p, q in list(zip(ring, (*ring[1:], *ring[:1])))[cut]:
+            if p != q:  # a vertex that is listed twice is another mistake
+                x, y = turn(q.x - p.x, q.y - p.y)
+                found.append(Vec(sign * x, sign * y))
+    return found
+
+
+def ends(ring: Ring, n: Vec) -> Interval:
+    """Return the range of a ring of vertices on an axis along n."""
+    landings = [n.x * p.x + n.y * p.y for p in ring]
+    return Interval(min(landings), max(landings))
+
+
+def nearer_end(a: Interval, b: Interval) -> float:
+    """Return the overlap of two ranges: how far one of them has to move at least."""
+    return min(a.hi - b.lo, b.hi - a.lo)
+
+
+def shorter_way(a: Ring, b: Ring, found: Overlap) -> int:
+    """Return 1 where B leaves A sooner along n, else -1."""
+    return 1 if found.a.hi - found.b.lo < found.b.hi - found.a.lo else -1
+
+
+@dataclass(frozen=True, slots=True)
+class Written:
+    """SAT as people write it; a mistake replaces one step.
+
+    `axes`: the axes of two rings, of any length; `ends`: the range of a ring on an axis; `overlap`: of two ranges;
+    `powers`: of the normal's length, by which overlaps are divided where they are compared, and the normal times the
+    overlap where it becomes the push; `pick`: the place of the axis of the push, where the least overlap comes first,
+    or, with `in_order`, in the order of the axes; `way`: 1 for a push along the normal, else -1;
+    `any_axis`: whether one overlap is enough for a hit.
+    """
+
+    axes: Callable[[Ring, Ring], Sequence[Vec]] = listed
+    ends: Callable[[Ring, Vec], Interval] = ends
+    overlap: Callable[[Interval, Interval], float] = nearer_end
+    powers: tuple[int, int] = (1, 2)
+    pick: int = 0
+    in_order: bool = False
+    way: Callable[[Ring, Ring, Overlap], int] = shorter_way
+    any_axis: bool = False
+
+    def __call__(self, a: Shape, b: Shape) -> tuple[Relation, Vec | None]:
+        """Return the claimed relation and the push of B; ValueError for a circle, which has no edges."""
+        p, q = a.vertices, b.vertices
+        if not (p and q):
+            raise ValueError("a circle has no edges")
+        found = []
+        for n in self.axes(p, q):
+            on_a, on_b = self.ends(p, n), self.ends(q, n)
+            found.append(Overlap(n, on_a, on_b, self.overlap(on_a, on_b)))
+        sizes = [each.size for each in found]
+        least = (max if self.any_axis else min)(sizes, default=0.0)
+        if least < 0:
+            return APART, None
+        if self.any_axis:
+            found = [each for each in found if each.size >= 0]
+        if not self.in_order:
+            found.sort(key=lambda each: each.size / _length(each.n) ** self.powers[0])
+        if not found:
+            return TOUCHING, None
+        picked = found[self.pick]
+        size = self.way(p, q, picked) * picked.size / _length(picked.n) ** self.powers[1]
+        return OVERLAPPING if least else TOUCHING, Vec(picked.n.x * size, picked.n.y * size)
+
+
+def _length(n: Vec) -> float:
+    """Return the length of a vector, 1 for (0, 0), to which a normal may be rounded."""
+    return hypot(*n) or 1.0
+
+
+# -- axes
+
+
+def of_world(a: Ring, b: Ring) -> list[Vec]:
+    """Return x and y."""
+    return [Vec(1.0, 0.0), Vec(0.0, 1.0)]
+
+
+def between(middle: Middle, a: Ring, b: Ring) -> list[Vec]:
+    """Return the line between the middles as the only axis; x where both are one point."""
+    (ax, ay), (bx, by) = middle(a), middle(b)
+    return [Vec(bx - ax, by - ay) if (ax, ay) != (bx, by) else Vec(1.0, 0.0)]
+
+
+def one_edge(index: int, a: Ring, b: Ring) -> list[Vec]:
+    """Return the normal of one of all edges."""
+    return [listed(a, b)[index]]
+
+
+def by_direction(a: Ring, b: Ring) -> list[Vec]:
+    """Return all normals in the order of their directions, by which Python's min() of tuples chooses among equals."""
+    return sorted(listed(a, b), key=lambda n: (n.x / hypot(*n), n.y / hypot(*n)))
+
+
+def of_each(cut: Callable[[int], slice], a: Ring, b: Ring) -> list[Vec]:
+    """Return the normals of some edges of each ring, by its number of vertices."""
+    return listed(a, b, cut_a=cut(len(a)), cut_b=cut(len(b)))
+
+
+def of_vertices(turn: Callable[[float, float], Vec], a: Ring, b: Ring) -> list[Vec]:
+    """Return what `turn` makes of each vertex, as if it were the vector of an edge."""
+    return [turn(*p) for ring in (a, b) for p in ring]
+
+
+def one_for_equal_counts(a: Ring, b: Ring) -> list[Vec]:
+    """Return the normals of A alone where both rings have as many vertices, else of both."""
+    return listed(a, b if len(a) != len(b) else ())
+
+
+def outward(sign: int, a: Ring, b: Ring) -> list[Vec]:
+    """Return normals that lead from A to B if both rings are counter-clockwise; -1 for `sign` if clockwise."""
+    return [*listed(a, (), sign=sign), *listed((), b, sign=-sign)]
+
+
+def angle_in_degrees(dx: float, dy: float) -> Vec:
+    """Return the direction of the angle in radians that an edge's normal has in degrees."""
+    angle = degrees(atan2(dy, dx)) + 90
+    return Vec(cos(angle), sin(angle))
+
+
+def rounded_to(round_to: Callable[[float], float], dx: float, dy: float) -> Vec:
+    """Return the normal of an edge, brought to length 1, with both of its numbers rounded."""
+    length = hypot(dx, dy)
+    return Vec(round_to(dy / length), round_to(-dx / length))
+
+
+# -- ranges
+
+
+def from_zero(ring: Ring, n: Vec) -> Interval:
+    """Return a range whose larger end was searched for from 0 upward."""
+    lo, hi = ends(ring, n)
+    return Interval(lo, max(0.0, hi))
+
+
+def both_from_zero(ring: Ring, n: Vec) -> Interval:
+    """Return a range both of whose ends were searched for from 0."""
+    lo, hi = ends(ring, n)
+    return Interval(min(0.0, lo), max(0.0, hi))
+
+
+def about_the_mean(ring: Ring, n: Vec) -> Interval:
+    """Return a range that reaches equally far to both sides of the vertex mean."""
+    (at, _), (lo, hi) = ends([mean(ring)], n), ends(ring, n)
+    reach = max(hi - at, at - lo)
+    return Interval(at - reach, at + reach)
+
+
+def circle_about(middle: Middle, radius: Radius, ring: Ring, n: Vec) -> Interval:
+    """Return the range of the circle of this middle and radius."""
+    (at, _), reach = ends([middle(ring)], n), radius(ring) * hypot(*n)
+    return Interval(at - reach, at + reach)
+
+
+def one_extreme_each(step: int, ring: Ring, n: Vec) -> Interval:
+    """Return the range of one vertex on each side of the bounding box; -1 for `step` takes the last of several."""
+    return ends([pick(ring[::step], key=itemgetter(k)) for pick in (min, max) for k in (0, 1)], n)
+
+
+def some_vertices(cut: slice, ring: Ring, n: Vec) -> Interval:
+    """Return the range of some vertices."""
+    return ends(ring[cut], n)
+
+
+def rounded_landings(round_to: Callable[[float], float], ring: Ring, n: Vec) -> Interval:
+    """Return a range on the normal of length 1 with both ends rounded, in units of n's length."""
+    length = hypot(*n)
+    lo, hi = (length * round_to(end / length) for end in ends(ring, n))
+    return Interval(lo, hi)
+
+
+def shortened(slop: float, ring: Ring, n: Vec) -> Interval:
+    """Return a range that is shorter by half of a tolerance at each end, so that small overlaps do not count."""
+    (lo, hi), less = ends(ring, n), slop / 2 * hypot(*n)
+    return Interval(lo + less, hi - less)
+
+
+def half_is_whole(whole_middle: bool, ring: Ring, n: Vec) -> Interval:
+    """Return a range that is kept as its middle and half of its length, rounded down to a whole number."""
+    return whole_halves(ends(ring, n), whole_middle)
+
+
+def twice_as_wide(ring: Ring, n: Vec) -> Interval:
+    """Return a range that reaches as far as it is long to both sides of its middle."""
+    lo, hi = ends(ring, n)
+    return Interval((lo + hi) / 2 - (hi - lo), (lo + hi) / 2 + (hi - lo))
+
+
+# -- overlaps
+
+
+def a_before_b(a: Interval, b: Interval) -> float:
+    """Return how far A's end lies beyond B's start, also where B's end is nearer."""
+    return a.hi - b.lo
+
+
+def by_an_end_of_a(a: Interval, b: Interval) -> float:
+    """Return how deep an end of A's range lies within B's range, at most."""
+    return max(min(b.hi - end, end - b.lo) for end in a)
+
+
+def by_an_end_of_b(a: Interval, b: Interval) -> float:
+    """Return how deep an end of B's range lies within A's range, at most."""
+    return by_an_end_of_a(b, a)
+
+
+# -- pushes
+
+
+def along_normal(sign: int, a: Ring, b: Ring, found: Overlap) -> int:
+    """Return the sign: the normal as it comes, or its opposite."""
+    return sign
+
+
+def from_middle(middle: Middle, a: Ring, b: Ring, found: Overlap) -> int:
+    """Return 1 where the way from the middle of A to that of B leads along n, else -1."""
+    (ax, ay), (bx, by) = middle(a), middle(b)
+    return 1 if (bx - ax) * found.n.x + (by - ay) * found.n.y >= 0 else -1
+
+
+# -- middles and radii
+
+
+def mean(ring: Ring) -> Vec:
+    """Return the mean of the vertices."""
+    return Vec(sum(p.x for p in ring) / len(ring), sum(p.y for p in ring) / len(ring))
+
+
+def sides(ring: Ring) -> tuple[float, float]:
+    """Return the width and the height of the bounding box."""
+    width, height = (max(axis) - min(axis) for axis in zip(*ring))
+    return width, height
+
+
+def middle_of_box(ring: Ring) -> Vec:
+    """Return the middle of the bounding box."""
+    return Vec(*((max(axis) + min(axis)) / 2 for axis in zip(*ring)))
+
+
+def distances(ring: Ring) -> list[float]:
+    """Return how far each vertex is from the vertex mean."""
+    return [dist(mean(ring), vertex) for vertex in ring]
+
+
+LARGE_RADII: tuple[tuple[Middle, Radius], ...] = (  # of circles that hold the whole shape
+    (mean, lambda ring: max(distances(ring))),
+    (middle_of_box, lambda ring: hypot(*sides(ring)) / 2),
+)
+SMALL_RADII: tuple[tuple[Middle, Radius], ...] = (
+    (mean, lambda ring: min(distances(ring))),
+    (mean, lambda ring: sum(distances(ring)) / len(ring)),
+    (middle_of_box, lambda ring: sides(ring)[0] / 2),
+    (middle_of_box, lambda ring: max(sides(ring)) / 2),
+    (middle_of_box, lambda ring: min(sides(ring)) / 2),
+    (middle_of_box, lambda ring: sum(sides(ring)) / 4),
+)
+FIXED_REACHES = 2, 3, 5, 8, 12, 20
