@@ -9,6 +9,7 @@ from ..exact_signs import ERRBOUND_A
 from ..ragged import Rings
 
 BLOCK_CORNERS = 1 << 15  # corners at a time: they and the scratch arrays stay in the second-level cache
+TURN_ERROR = 2.0**-51  # |error| <= 3.1 u |edge| |next edge| (u = 2**-53), rounded up to 4 u
 MAX_PADDED_CORNERS = 1 << 15  # of padded arrays, which are checked all at once: few shapes
 
 
@@ -57,7 +58,7 @@ def certified_padded(corners: Array, counts: Indices, radii: Array) -> Rings | N
         edges = z[1:] - z[:-1]
         turns = edges[:-1].conj() * edges[1:]
         size = np.abs(turns)
-        left = (turns.imag > size * ERRBOUND_A) & (size > MIN_SAFE_PRODUCT) & (size < MAX_SAFE_PRODUCT)
+        left = (turns.imag > size * TURN_ERROR) & (size > MIN_SAFE_PRODUCT) & (size < MAX_SAFE_PRODUCT)
         rises = (edges.real > 0) | ((edges.real == 0) & (edges.imag > 0))
     once = np.add.reduce((rises[1:] != rises[:-1]) & own, axis=0) == 2
     are_polygons = np.logical_and.reduce(left, axis=0) & once & (radii == 0)
