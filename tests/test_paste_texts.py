@@ -319,6 +319,12 @@ def test_a_table_of_two_corners_is_one_of_boxes_and_of_three_one_of_triangles(ma
     assert all(len(each.vertices) == 3 for each in triangles.shapes)
 
 
+@pytest.mark.parametrize(("x", "y"), [("0,1,0", "0,0"), ("0,0", "0,0,1"), ("0,1,0,2", "0,0,1")])
+def test_lists_of_x_and_y_of_different_lengths_are_refused(x, y):
+    with pytest.raises(sv.InvalidScene, match="x and y have different lengths"):
+        sv.paste(f'{{"x": [{x}], "y": [{y}]}}')
+
+
 def test_a_table_with_sizes_is_none_of_corners():
     boxes = sv.paste("x,y,half_width,half_height\n0,0,2,1\n9,9,1,1")
     assert [each.bounds for each in boxes.shapes] == [(-2, -1, 2, 1), (8, 8, 10, 10)]

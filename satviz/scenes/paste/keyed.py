@@ -55,7 +55,9 @@ class Keyed(Boxes):
         place = None if center is None else self.vector(center)
         if isinstance(center, Bad):
             self.number(center)  # says that it is not evaluated
-        many = is_flat(self.resolve(obj.get("x"))) and is_flat(self.resolve(obj.get("y")))
+        many = sum(is_flat(self.resolve(obj.get(name))) for name in "xy")  # lists of coordinates
+        if many == 1 and obj.get("x") is not None and obj.get("y") is not None:
+            raise Unreadable("x and y have different lengths")
         if place is None and not many and obj.get("x") is not None and obj.get("y") is not None:
             place = (self.number(obj.get("x")), self.number(obj.get("y")))
         if place is None:
@@ -74,7 +76,7 @@ class Keyed(Boxes):
         if outline is None and (lists := list(pairs_of_lists(obj.fields))):
             joint = joined(*lists[0][1:])
             if joint is None or len(lists) > 1:
-                raise Unreadable("the lists of x and y have different lengths")
+                raise Unreadable("x and y have different lengths")
             outline = self.ring(joint)
         if outline is not None and len(outline) > 2:
             shift, given = place or ZERO, places(*(place or ()))
