@@ -293,7 +293,7 @@ CASES = (
         Shortcut("half-the-way", "each of two shapes moves half the way", push=push_half_the_way),
         WRONG_NUMBER,
         (box(0, 0, 4, 4), box(3, 1, 6, 3)),
-        quantity="overlap left:",
+        quantity="remaining overlap:",
         claimed_value=overlap_after_push,
         true_value=overlap_after_mtv,
         is_about_push=True,

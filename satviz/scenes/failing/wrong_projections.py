@@ -71,9 +71,10 @@ def by_whole_halves(a: Shape, b: Shape, axis: Axis) -> AxisTest:
     """Return the test of an axis for ranges that are kept as their middle and half of their length, in integers."""
 
     def halved(side: Projection) -> Projection:
-        """Return the projection of the first and the last point, which land at the ends of the new range."""
-        order = sorted(zip(side.landings, side.points))
-        return Projection((order[0][1], order[-1][1]), tuple(map(float, whole_halves(side.interval))))
+        """Return the projection whose first and last point land at the ends of the new range, and no other outside."""
+        low, high = map(float, whole_halves(side.interval))
+        ends = {side.interval.lo: low, side.interval.hi: high}
+        return Projection(side.points, tuple(ends.get(at, min(max(at, low), high)) for at in side.landings))
 
     return measured_test(axis, halved(project(a, axis)), halved(project(b, axis)))
 
