@@ -278,7 +278,7 @@ class Account:
         return frame._replace(data=True) if i in self._amid else frame
 
     def between(self, i: int) -> str:
-        """Return the text in a bracket."""
+        """Return the text in the bracket that opens at token i."""
         return self.text[self.at(i).end : self.span(i)[1]]
 
     def run(self) -> list[Part]:
@@ -376,7 +376,7 @@ class Account:
             self.parts.append(Part(start, end_at))
 
     def arguments(self, i: int) -> Iterator[Token]:
-        """Yield the tokens in a bracket, without those of the tests in it: they give no shape."""
+        """Yield the tokens in the bracket that opens at token i, without the arguments of collision tests."""
         end, k = min(self.close[i], i + MAX_ARGUMENTS), i + 1
         while k < end:
             tests = self.at(k).text == "(" and (word := self.callee(k)) and is_test(word.text)
@@ -385,7 +385,7 @@ class Account:
             k += 1
 
     def check_call(self, i: int) -> None:
-        """Name a call of an unknown function around the numbers of a shape, or of a shape by its name."""
+        """Note the call, slice or transform at bracket i if it may change a shape and is not understood."""
         word, opens = self.callee(i), self.at(i).text
         touches = opens == "[" and self.at(i - 1).kind == CLOSE and self.at(i - 1).end == self.at(i).start
         cuts = self.at(i + 1).text != "None" and any(t.text == ":" for t in self.tokens[i : self.close[i]][:4])
@@ -729,7 +729,7 @@ def last_of(name: str) -> str:
 
 
 def root(name: str) -> str:
-    """Return the first part of a name, and the second one behind `this`: player of this.player.x."""
+    """Return the first part of a name, and the second one behind `this` or `self`: player of this.player.x."""
     parts = name.replace("->", ".").replace("::", ".").split(".")
     return parts[1] if parts[0] in ("this", "self") and len(parts) > 1 else parts[0]
 
