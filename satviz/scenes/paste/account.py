@@ -51,6 +51,7 @@ ASSIGNS = ("=", ":=", ":")
 STYLE = re.compile(r"[a-z]?[-.:ox]{1,2}[a-z]?")  # of a plot: b-
 NO_WORDS = re.compile(r"[A-Za-z_][\w.]*")
 LOOP = re.compile(r"^\s*for\s*\([^;]*;[^;]*;[^;)]*\)")
+DEFINES = frozenset({"def", "function", "fn", "func", "fun", "void", "class", "struct"})  # words before a new name
 SETS = re.compile(r"(?<![<>=!])=(?!=)|\+\+|--|<<|>>|\?")
 NAMED_SHAPE = re.compile(r"\b(?:A|B|C|both|second)\b")
 STREAM = re.compile(r"cout|cerr|debug|stream|log|\bout", re.IGNORECASE)
@@ -403,16 +404,7 @@ class Account:
         inside = self.holds(*self.span(i)) or any(map(self.is_variable, self.arguments(i)))
         last = last_of(word.text)
         makes_new = self.at(i - 2).text == "new" and not words(last) & CHANGING_CALLS
-        defines = makes_new or self.at(i - 2).text in (
-            "def",
-            "function",
-            "fn",
-            "func",
-            "fun",
-            "void",
-            "class",
-            "struct",
-        )
+        defines = makes_new or self.at(i - 2).text in DEFINES
         if not inside and last.lower() in MOVERS and self.close[i] > i + 1 and not defines and self.places:
             self.miss(i - 1, i)  # ctx.translate(cx, cy)
             return
