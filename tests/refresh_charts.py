@@ -16,8 +16,9 @@ from pathlib import Path
 from satviz.pictures import THEMES
 from satviz.study import bench_chart, frames_chart
 from satviz.study.bench import TimingRow
+from satviz.study.bench_table import spread_of
 from satviz.study.harness.chart import Chart, theme_suffix
-from satviz.study.harness.timings import format_ratio, interval_in_words, ratio_interval
+from satviz.study.harness.timings import Spread, format_ratio, interval_in_words, least_of, ratio_interval
 from satviz.study.methods import ENGINES
 from satviz.study.run import SECTIONS
 from satviz.study.sections.speed_against_accuracy import in_metres
@@ -72,6 +73,7 @@ def measured_sentences() -> list[str]:
     exact, raw, unit = (of[name] for name in ("satviz", "SAT, raw normals", "SAT, unit normals"))
     answer, whole = (format_ratio(ratio_interval(exact[key], raw[key])) for key in ("ns_runs", "whole_runs"))
     found = [
+        f"shapely was wrong about a gap of {{{in_metres(of['shapely']['metres'])}}}, where",
         f"wrong up to {{{in_metres(raw['metres'])}}} with raw normals, and up to {{{in_metres(unit['metres'])}}} with",
         f"exact answers take {{{answer}}} as long",
         f"In brackets is {{{interval_in_words(len(raw['ns_runs']))}}}.",
@@ -95,19 +97,22 @@ def measured_sentences() -> list[str]:
         "only the NumPy engine is slower than shapely for some work, at most "
         f"{{{ratios[most]:.1f}}} times as slow, for polygons with {{{corners}}} corners."
     )
-    frames = {(r.work, r.size, r.method): r.time for r in bench_rows("frames") if r.section == "frames"}
+    frames = {(r.work, r.size, r.method): spread_of(r) for r in bench_rows("frames") if r.section == "frames"}
     behind = [size for (work, size, method), time in frames.items() if method.endswith("STRtree")
-              and frames[work, size, numpy] > time]  # fmt: skip
+              and time.is_below(frames[work, size, numpy])]  # fmt: skip
     found.append(f"STRtree only with the NumPy engine, in scenes of up to {{{max(behind):,}}} shapes.")
-    short = {key[:2] for key in frames if key[2] == fastest(frames, key[:2]) and key[2] in frames_chart.SHORT_PROGRAMS}
+    short = {key[:2] for key in frames if fastest(frames, key[:2]) <= set(frames_chart.SHORT_PROGRAMS)}
     few = min(size for work, size, _ in frames if (work, size) not in short)
     last = max(size for _, size, _ in frames if size < few)
-    return [*found, f"For up to {{{last:,}}} shapes, a short program that answers in floats is the fastest"]
+    boxes = max(size for work, size, _ in frames if work == "boxes" and (work, size) not in short)
+    again = min(size for work, size, _ in frames if work == "boxes" and size > boxes)
+    return [*found, f"For up to {{{last:,}}} shapes, a short program that answers in floats is the fastest; for boxes "
+            f"also from {{{again:,}}} on."]  # fmt: skip
 
 
-def fastest(frames: dict[tuple[str, int, str], float], scene: tuple[str, int]) -> str:
-    """The method with the least time for a scene (work, number of shapes)."""
-    return min((time, key[2]) for key, time in frames.items() if key[:2] == scene)[1]
+def fastest(frames: dict[tuple[str, int, str], Spread], scene: tuple[str, int]) -> set[str]:
+    """The methods with the least time for a scene (work, number of shapes), which cannot be told apart."""
+    return set(least_of({key[2]: time for key, time in frames.items() if key[:2] == scene}))
 
 
 def with_numbers(text: str, drawn: dict[str, Chart]) -> str:
