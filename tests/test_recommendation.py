@@ -195,7 +195,7 @@ def test_small_touching_shapes_far_out_need_no_exact_filter(far, kind):
 def test_a_grid_far_out_says_how_long_its_edges_may_be():
     rings = np.array(CORNER_ON_EDGE, float) + 2.0**30
     recommendation = sv.advise(batch.Polygons(rings))
-    assert (recommendation.scope.kind, recommendation.scope.unit) == ("on a grid", 0)
+    assert (recommendation.scope.kind, recommendation.scope.unit) == ("multiples of a unit", 0)
     assert recommendation.scope.bound * recommendation.scope.span * 4 == 2.0**53
     assert "and edges up to 1,048,576 wide and high" in str(recommendation) and recommendation.check()
     rng, most, span = np.random.default_rng(5), int(recommendation.scope.bound), int(recommendation.scope.span)
@@ -299,7 +299,7 @@ def test_shapes_outside_all_pairs_do_not_count_for_the_grid():
     shapes = batch.Polygons(np.stack([tall, tall + 3, tall + 100.1]))
     recommendation = sv.advise(shapes)
     assert recommendation.summary.settled == 2
-    assert recommendation.scope.kind != "on a grid"
+    assert recommendation.scope.kind != "multiples of a unit"
     assert "2 convex polygons" in str(recommendation)
     assert "in these pairs" in str(recommendation) and recommendation.check()
 

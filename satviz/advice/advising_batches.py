@@ -21,7 +21,7 @@ from ..engine.geometry import InvalidScene
 from ..engine.shapes import Circle, Shape
 from .candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, AnyShape, Model, SplitPolygon, convex_parts
 from .certified_bounds import SAT_ROUNDINGS, certify
-from .classify import PartGrids, classify
+from .classify import PartUnits, classify
 from .limits import refuse_too_many_boxes, refuse_too_many_fractions, refuse_too_many_tests
 from .margins import signed_relative_margins
 from .models import bounding_circles, compare_boxes, is_circle, shared_directions
@@ -32,11 +32,11 @@ from .records import (
     CONVEX_POLYGONS,
     UPRIGHT_BOXES,
     BroadPhaseResult,
+    CommonUnit,
     GivenPairs,
-    Grid,
+    IndexPair,
     InputSummary,
     ModelResult,
-    Pair,
     candidates_of,
 )
 from .rounding import FLOAT64, FORMATS
@@ -73,7 +73,7 @@ def recommend_batch(
         lambda: [_shape_of(shapes, i) for shapes, some in used for i in some.tolist()],
         lambda: both,
         lambda: _moved_bound(both, signed),
-        lambda: _grid(both),
+        lambda: _common_unit(both),
         work[1] + _count_work(a, near.ia, a, near.ib)[1],
         broad_phase,
     )
@@ -145,20 +145,23 @@ def _count_apart_by_boxes(a: Shapes, many: int, engine: str | None) -> tuple[Bro
 
 
 def _moved_bound(both: Pairs, signed: Array) -> float:
-    """Return the power of two up to which these convex polygons may be moved as a whole, else 0."""
+    """Return the power of two up to which these convex polygons may be moved as a whole; 0 if they exceed it already.
+
+    `signed`: the signed relative margin of each pair of parts.
+    """
     most = np.maximum(_part_max_coordinates(both.a)[both.pa], _part_max_coordinates(both.b)[both.pb])
     # arrays compute the relative margin to one part in fifty
     return power_of_two_bound(float((np.abs(signed) * 0.9 * most).min()) / (SAT_ROUNDINGS + 1), float(most.max()))
 
 
-def _grid(both: Pairs) -> Grid | None:
-    """Return the coarsest grid of all numbers in the pairs; None if its unit is too extreme for float64."""
-    found = [PartGrids(*(c[p] for c in PartGrids.of(s.parts))) for s, p in ((both.a, both.pa), (both.b, both.pb))]
+def _common_unit(both: Pairs) -> CommonUnit | None:
+    """Return the CommonUnit of all numbers in the pairs; None if the unit is too large or too small for float64."""
+    found = [PartUnits(*(c[p] for c in PartUnits.of(s.parts))) for s, p in ((both.a, both.pa), (both.b, both.pb))]
     unit = min(float(g.unit.min()) for g in found)
     most, span = (max(float(c.max()) for c in both) for both in zip(*(g[1:] for g in found), strict=True))
     if not (-1000 < unit < 1000 and most * 2.0**-unit < 2.0**53):
         return None
-    return Grid(int(unit), int(most * 2.0**-unit), int(span * 2.0**-unit))
+    return CommonUnit(int(unit), int(most * 2.0**-unit), int(span * 2.0**-unit))
 
 
 def shape_as_batch(shape: Shape) -> Shapes:
@@ -242,7 +245,7 @@ def _kinds(sides: Sequence[tuple[Shapes, Indices]]) -> dict[str, int]:
     return found
 
 
-def _corners(given: Pairs) -> Pair:
+def _corners(given: Pairs) -> IndexPair:
     """Return (fewest, most) corners of the polygonal convex parts in the pairs; (0, 0) if all are circles."""
     counts = np.concatenate([given.a.count[given.pa], given.b.count[given.pb]])
     counts = counts[counts > 1]

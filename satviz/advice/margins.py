@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import batch
-from ..batch.arrays import Group, Shapes
+from ..batch.arrays import CornerColumns, Shapes
 from ..batch.codes import TOUCHING
 from ..batch.exact_signs import sum_with_error, two_sum
 from ..engine.predicates import UNIT_ROUNDOFF
@@ -24,7 +24,7 @@ MIN_ROUGH_MARGIN = 2.0**11
 MIN_ERROR_BOUNDS = 100.0  # gap / error bound: the margin is then good to one part in a hundred
 MIN_LENGTH = 2.0**-900  # in units of max_coordinate: products of shorter lengths lose bits
 
-Measure = Callable[[Group, Group], Array]
+Measure = Callable[[CornerColumns, CornerColumns], Array]
 
 
 def relative_margins(a: Shapes, b: Shapes, pairs: ArrayLike | None = None) -> Array:
@@ -61,7 +61,7 @@ def signed_relative_margins(
     return found
 
 
-def edge_clearances(own: Group, other: Group) -> Iterator[tuple[Array, Array]]:
+def edge_clearances(own: CornerColumns, other: CornerColumns) -> Iterator[tuple[Array, Array]]:
     """Yield per edge of `own`: least orientation determinant of the other's corners, larger side of the edge."""
     for e in range(len(own.x)):
         x, y = own.x[e - 1], own.y[e - 1]
@@ -69,7 +69,7 @@ def edge_clearances(own: Group, other: Group) -> Iterator[tuple[Array, Array]]:
         yield (nx * (other.x - x) + ny * (other.y - y)).min(axis=0), np.maximum(np.abs(nx), np.abs(ny))
 
 
-def edge_distances(circle: Group, ring: Group) -> Iterator[tuple[NDArray[Any], ...]]:
+def edge_distances(circle: CornerColumns, ring: CornerColumns) -> Iterator[tuple[NDArray[Any], ...]]:
     """Yield (dx, dy, turn, squared distance from the center) for each edge of the polygons, in their float format.
 
     (dx, dy) is the edge; the turn is positive where the center is on its inner side.
@@ -83,7 +83,7 @@ def edge_distances(circle: Group, ring: Group) -> Iterator[tuple[NDArray[Any], .
         yield dx, dy, turn, np.where((along > 0) & (along < square), turn / square * turn, ends)
 
 
-def _margins_of_columns(a: Group, b: Group, polygon_gap: Measure, circle_gap: Measure) -> Array:
+def _margins_of_columns(a: CornerColumns, b: CornerColumns, polygon_gap: Measure, circle_gap: Measure) -> Array:
     """Return the signed relative margins of columns; the measures serve two polygons and two circles."""
     with np.errstate(all="ignore"):
         # scale all numbers below 1/2: then no difference of coordinates and no center plus radius overflows
@@ -99,22 +99,22 @@ def _margins_of_columns(a: Group, b: Group, polygon_gap: Measure, circle_gap: Me
         return np.asarray(gap / unit)
 
 
-def _halved(g: Group) -> Group:
+def _halved(g: CornerColumns) -> CornerColumns:
     """Return the shapes at half size."""
-    return Group(g.block / 2)
+    return CornerColumns(g.block / 2)
 
 
-def _scaled(g: Group, power: NDArray[np.intp]) -> Group:
+def _scaled(g: CornerColumns, power: NDArray[np.intp]) -> CornerColumns:
     """Return the group with each shape multiplied by its 2**power."""
-    return Group(np.ldexp(g.block, power))
+    return CornerColumns(np.ldexp(g.block, power))
 
 
-def _polygon_gap(a: Group, b: Group) -> Array:
+def _polygon_gap(a: CornerColumns, b: CornerColumns) -> Array:
     """Return for each pair of polygons the largest clearance / span of any edge of either."""
     return np.maximum(_most_clearance(a, b), _most_clearance(b, a))
 
 
-def _most_clearance(own: Group, other: Group) -> Array:
+def _most_clearance(own: CornerColumns, other: CornerColumns) -> Array:
     """Return for each pair the largest clearance / span of an edge of `own`; NaN if an edge is too short."""
     best = np.full(own.x.shape[1], -np.inf)
     for clearance, span in edge_clearances(own, other):
@@ -123,14 +123,14 @@ def _most_clearance(own: Group, other: Group) -> Array:
     return best
 
 
-def _circle_gap(a: Group, b: Group) -> Array:
+def _circle_gap(a: CornerColumns, b: CornerColumns) -> Array:
     """Return for each pair of circles the distance of the centers less both radii, in plain floats."""
     assert a.r is not None and b.r is not None
     gap: Array = np.hypot(a.x[0] - b.x[0], a.y[0] - b.y[0]) - (a.r + b.r)
     return gap
 
 
-def _polygon_gap_by_errors(a: Group, b: Group) -> Array:
+def _polygon_gap_by_errors(a: CornerColumns, b: CornerColumns) -> Array:
     """Return the gaps of polygons within one part in a hundred, else NaN, by floats with their errors."""
     best, error_bound = np.full(a.x.shape[1], -np.inf), np.zeros(a.x.shape[1])
     for own, other in (a, b), (b, a):
@@ -147,7 +147,7 @@ def _polygon_gap_by_errors(a: Group, b: Group) -> Array:
     return np.where(np.abs(best) > np.maximum(MIN_ERROR_BOUNDS * error_bound, MIN_LENGTH), best, np.nan)
 
 
-def _circle_gap_by_errors(a: Group, b: Group) -> Array:
+def _circle_gap_by_errors(a: CornerColumns, b: CornerColumns) -> Array:
     """Return the gaps of circles within one part in a hundred, else NaN, by a difference of squares."""
     assert a.r is not None and b.r is not None
     (dx, ex), (dy, ey), (r, er) = two_sum(a.x[0], -b.x[0]), two_sum(a.y[0], -b.y[0]), two_sum(a.r, b.r)
@@ -156,7 +156,7 @@ def _circle_gap_by_errors(a: Group, b: Group) -> Array:
     return np.where((np.abs(square) > MIN_ERROR_BOUNDS * off) & (np.abs(gap) > MIN_LENGTH), gap, np.nan)
 
 
-def _circle_polygon_gap(circle: Group, ring: Group) -> Array:
+def _circle_polygon_gap(circle: CornerColumns, ring: CornerColumns) -> Array:
     """Return the distance (inside: minus the depth) of each center from its polygon, less the radius.
 
     NaN where rounding may decide whether the center is inside.

@@ -15,8 +15,8 @@ signed margin decides.
 
 A sum of products of rounded differences is off by some u * span * max_coordinate.  So plain floats can be trusted where
 the margin is above their number of roundings; `certified_bounds.py` says how many.  That holds while the floats can
-hold the shapes and the products of their coordinates.  Where products leave the range of the floats, or where the grid
-of float32 is coarser than a shape, an answer can be wrong at any margin.
+hold the shapes and the products of their coordinates.  Where products leave the range of the floats, or where the
+steps of float32 are larger than a shape, an answer can be wrong at any margin.
 """
 
 from collections.abc import Iterator, Sequence
@@ -33,7 +33,8 @@ IN_FLOAT32 = 2.0**-29  # a margin times this is counted in roundings of float32
 def relative_margin(a: Shape, b: Shape) -> float:
     """Return the relative margin of two shapes: 0 or more, and 0 only for touching.
 
-    Right to the last place of the result; exact in its sign.  TypeError for anything but Polygon and Circle.
+    It is the orientation determinant that decides, divided by u * span * max_coordinate: the distance from touching
+    counted in roundings (see the module).  Correctly rounded.  TypeError for anything but Polygon and Circle.
     """
     return abs(signed_relative_margin(a, b))
 

@@ -31,7 +31,7 @@ WORDS = {str(relation): relation for relation in Relation}
 Answer = Any  # a bool, a Relation, a float, a Vec, None, or (bool, Vec or None), by the kind
 
 
-class Unreadable(ValueError):
+class UnreadableAnswer(ValueError):
     """Raised for an answer that is not of the kind; the message says what it was and what was expected."""
 
 
@@ -112,7 +112,7 @@ def _parts(raw: Any) -> Sequence[Any] | None:
 
 
 def read(value: Any, kind: str) -> Answer:
-    """Return a plain value as an answer of the kind; Unreadable if that is not possible."""
+    """Return a plain value as an answer of the kind; UnreadableAnswer if that is not possible."""
     if kind == HIT and (isinstance(value, bool) or (type(value) is int and value in (0, 1))):
         return bool(value)
     if kind == RELATION:
@@ -126,7 +126,7 @@ def read(value: Any, kind: str) -> Answer:
         return Vec(float(value[0]), float(value[1])) if value else None
     if kind == HIT_AND_MTV and isinstance(value, tuple) and len(value) == 2 and isinstance(value[0], bool):
         return (value[0], read(value[1] if value[0] else None, MTV))
-    raise Unreadable(f"returns {short_repr(value)[:MAX_SHOWN]}: expected {EXPECTED[kind]}")
+    raise UnreadableAnswer(f"returns {short_repr(value)[:MAX_SHOWN]}: expected {EXPECTED[kind]}")
 
 
 def _is_number(value: Any) -> bool:
@@ -216,7 +216,7 @@ def recognize(raws: Sequence[Any], pairs: Sequence[tuple[Shape, Shape]], touchin
         for raw, (a, b) in zip(raws, pairs, strict=True):
             try:
                 answer = read(raw, kind)
-            except Unreadable:
+            except UnreadableAnswer:
                 continue
             readable += raw is not None
             truth = truth_of(a, b, kind)

@@ -17,7 +17,7 @@ from ..scenes.shape_tools import translated
 from .answers import DEPTH, HIT_AND_MTV, MTV, Rules, in_words, true_in_words
 from .forms import pasteable
 from .mistakes import Likeness, symptom_of
-from .pairs import BOXES, CIRCLES, CONCAVE, CONVEX, KINDS, REPEATED, ROUND, Pair
+from .pairs import BOXES, CIRCLES, CONCAVE, CONVEX, KINDS, REPEATED, ROUND, CheckPair
 from .results import WRONG, Result
 
 RETURNS = {
@@ -97,7 +97,7 @@ class Checked:
     smallest: Result | None = None
     behaves_like: tuple[Likeness, ...] = ()
     results: tuple[Result, ...] = ()
-    unasked: tuple[Pair, ...] = ()
+    unasked: tuple[CheckPair, ...] = ()
     near: Near | None = None
     notes: tuple[str, ...] = ()
 

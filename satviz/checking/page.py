@@ -7,7 +7,7 @@ from ..scenes.scenefile import shape_data, shape_from
 from .answers import Rules, in_words, true_in_words
 from .checked import Checked
 from .options import Options
-from .pairs import Pair
+from .pairs import CheckPair
 from .reading import outcome_from
 from .results import judge
 from .steps import Asked, Steps, steps
@@ -52,7 +52,7 @@ class PageCheck:
         """Return what the function said of the shapes in the explorer, what is true, and whether that is right."""
         a, b = shape_from(content["a"], "A"), shape_from(content["b"], "B")
         outcome = outcome_from(content["outcome"])
-        result = judge(Pair(a, b, "", ""), outcome, self.rules)
+        result = judge(CheckPair(a, b, "", ""), outcome, self.rules)
         said = result.line if result.problem else in_words(result.answer, self.rules.returns)
         return {
             "kind": "judged",

@@ -29,7 +29,7 @@ from .asking import LAST, Outcome
 from .checked import Checked, Near, scene_of, wrong_line
 from .mistakes import Likeness, explains, likenesses
 from .options import Options
-from .pairs import BOXES, Pair, kind_of, near_pairs, whole_number_pairs
+from .pairs import BOXES, CheckPair, kind_of, near_pairs, whole_number_pairs
 from .results import UNSTEADY, WRONG, Result, judge
 from .shrinking import shrink
 
@@ -102,14 +102,14 @@ def _counter_clockwise(shape: Shape) -> Shape:
     return shape if area > 0 else Polygon(shape.vertices[::-1])
 
 
-def _in_order(pairs: Iterable[Pair], options: Options) -> list[Pair]:
+def _in_order(pairs: Iterable[CheckPair], options: Options) -> list[CheckPair]:
     """Return the pairs, with all vertices in counter-clockwise order if the options say so."""
     if options.clockwise:
         return list(pairs)
     return [pair._replace(a=_counter_clockwise(pair.a), b=_counter_clockwise(pair.b)) for pair in pairs]
 
 
-def _rules(options: Options, outcomes: Sequence[Outcome], pairs: Sequence[Pair]) -> Rules:
+def _rules(options: Options, outcomes: Sequence[Outcome], pairs: Sequence[CheckPair]) -> Rules:
     """Return what counts as right, with what the function returns found out from its answers."""
     answered = [(outcome.value, (p.a, p.b)) for outcome, p in zip(outcomes, pairs, strict=False) if not outcome.problem]
     first = answered[:FIRST_PAIRS]
@@ -128,7 +128,7 @@ def _right_count(answered: Sequence[tuple[Any, tuple[Shape, Shape]]], rules: Rul
     """Return how many raw answers are right, among the first pairs that overlap; `answered`: (raw answer, shapes)."""
     count = overlapping = 0
     for raw, (a, b) in answered:
-        result = judge(Pair(a, b, "", ""), Outcome(raw), rules)
+        result = judge(CheckPair(a, b, "", ""), Outcome(raw), rules)
         if result.truth.relation is Relation.OVERLAPPING:
             count, overlapping = count + result.right, overlapping + 1
         if overlapping > 2 * FIRST_PAIRS:
@@ -169,7 +169,7 @@ def _shrunk(bad: Result, rules: Rules, options: Options) -> Generator[Asked, lis
         except StopIteration:
             break
         wrong = False
-        pair = Pair(a, b, bad.pair.kind, bad.pair.group)
+        pair = CheckPair(a, b, bad.pair.kind, bad.pair.group)
         if _is_fit(pair, bad, options):
             result = judge(pair, (yield [(a, b)])[0], rules)
             wrong = not result.right and not result.problem and result.truth.relation is bad.truth.relation
@@ -177,7 +177,7 @@ def _shrunk(bad: Result, rules: Rules, options: Options) -> Generator[Asked, lis
     return smallest
 
 
-def _is_fit(pair: Pair, bad: Result, options: Options) -> bool:
+def _is_fit(pair: CheckPair, bad: Result, options: Options) -> bool:
     """Return whether a smaller pair is one that the function must know: nothing that it was not asked about is new.
 
     That is a dent, a vertex that is listed twice, clockwise order, or a slanted edge beside upright boxes only.
@@ -253,7 +253,7 @@ def _found(
     bad: Result,
     rules: Rules,
     results: Sequence[Result],
-    unasked: tuple[Pair, ...],
+    unasked: tuple[CheckPair, ...],
     notes: Sequence[str],
     alike: tuple[Likeness, ...],
 ) -> Checked:

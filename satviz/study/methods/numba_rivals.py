@@ -194,10 +194,15 @@ def unrolled(corners: int) -> int | None:
 
 
 @_merged
-def _largest_gap(
+def _largest_clearance(
     x: Array, y: Array, p: Array, q: Array, i: Any, corners: int, others: int, form: int, tolerance: float
 ) -> float:
-    """Return how far the other polygon lies beyond that edge of polygon i which is best for this; below 0: nowhere."""
+    """Return the largest clearance of the other polygon over the edges of polygon i; positive if an edge separates.
+
+    x, y: the edges' owner, p, q: the other polygon, with `corners` and `others` corners.  `form`: UNIT clearances are
+    in scene units; PLAIN and WITH_TOLERANCE ones are multiplied by the edge's length, the latter after `tolerance`
+    scene units are taken off.
+    """
     best = x.dtype.type(0)  # all numbers have the format of the columns
     for e in range(corners):
         f = (e + 1) % corners
@@ -230,8 +235,8 @@ def sat_kernel(va: int | None, vb: int | None, form: int) -> Callable[..., None]
         count_a, count_b = ax.shape[0] if va is None else va, bx.shape[0] if vb is None else vb
         for k in range(out.size):
             i = np.uintp(k)  # unsigned: numba need not ask whether it counts from the end
-            gap_a = _largest_gap(ax, ay, bx, by, i, count_a, count_b, form, tolerance)
-            gap_b = _largest_gap(bx, by, ax, ay, i, count_b, count_a, form, tolerance)
+            gap_a = _largest_clearance(ax, ay, bx, by, i, count_a, count_b, form, tolerance)
+            gap_b = _largest_clearance(bx, by, ax, ay, i, count_b, count_a, form, tolerance)
             out[i] = max(gap_a, gap_b) <= 0
 
     return kernel

@@ -159,7 +159,10 @@ def polygons_hit(at: Array, i: int, j: int, corners: int) -> bool:
 
 @inlined
 def _clearance(at: Array, i: int, j: int, corners: int) -> float:
-    """Return how far polygon j lies beyond that edge of polygon i that is best for this, times the edge's length."""
+    """Return the largest clearance of polygon j over the edges of polygon i, each times its edge's length.
+
+    `at`: (N, corners, 2) vertices, counter-clockwise.  Positive: polygon j lies wholly beyond an edge of i.
+    """
     best = -np.inf
     for e in range(corners):
         f = (e + 1) % corners

@@ -57,27 +57,27 @@ class ContactPoint:
     impulses: list[float]
 
 
-class Frame(NamedTuple):
-    """One step: how far the top box is below where it should rest (metres), and the kinetic energy (joules)."""
+class StackState(NamedTuple):
+    """How far the top box has sunk below its place at rest (metres), and the kinetic energy of the stack (joules)."""
 
     sunk: float
     energy: float
 
 
-def simulate(test: Test, boxes: int, steps: int, away: float) -> list[Frame]:
-    """Return the frames of a stack of boxes of 1 kg that starts at rest, `away` metres from the origin."""
+def simulate(test: Test, boxes: int, steps: int, away: float) -> list[StackState]:
+    """Simulate a stack of 1 kg boxes that starts at rest, `away` metres from the origin; return its state each step."""
     origin = away, away / 2
     bodies = [Body((6.0, 0.5), _on_slope(origin, -0.5), inverse=0.0)]
     bodies += [Body(HALF, _on_slope(origin, (2 * k + 1) * HALF[1])) for k in range(boxes)]
-    rest, frames = (2 * boxes - 1) * HALF[1], []
+    rest, states = (2 * boxes - 1) * HALF[1], []
     kept: dict[tuple[int, int, int], list[float]] = {}
     for _ in range(steps):
         bodies = _stepped(bodies, test, kept)
         top = bodies[-1].at
         height = (top[0] - origin[0]) * UP[0] + (top[1] - origin[1]) * UP[1]
         energy = sum((hypot(*b.speed) ** 2 + b.spin**2 / b.inverse_inertia) / 2 for b in bodies[1:])
-        frames.append(Frame(rest - height, energy))
-    return frames
+        states.append(StackState(rest - height, energy))
+    return states
 
 
 def _on_slope(origin: Point, height: float) -> Point:
