@@ -8,7 +8,6 @@ from typing import Any
 
 from ..engine import axes, describe, number_format
 from ..engine.axes import Axis, Choice, Skip, Source
-from ..engine.describe import Names
 from ..engine.geometry import InvalidScene, InvalidShape, Vec
 from ..engine.mtv import ends_overlap
 from ..engine.polygon_validation import parse_number, short_repr
@@ -16,7 +15,7 @@ from ..engine.predicates import MAX_FLOAT, MIN_FLOAT
 from ..engine.sat import CLOSE_GAP_FACTOR, AxisTest, Projection
 from ..engine.shapes import Shape
 from ..engine.shortcut import Shortcut
-from ..engine.trace import DEFAULT_NAMES, Trace, record
+from ..engine.trace import DEFAULT_NAMES, Names, Trace, record
 from .failing import SHORTCUTS
 from .scenefile import shape_data, shape_from
 from .strictjson import parse, refuse_large, require_keys, require_type
