@@ -57,7 +57,7 @@ def test_arrays_and_fractions_agree_which_formulas_are_exact(name, form):
     triples = rng.choices([(0, 0, 1, 3, 4, 2), (5, 1, 7, 17, 6, 1), (2, 0, 1, 2, 9, 3)], k=60)
     rows += [[c + far for c in row[:2]] + [row[2]] + [c + far for c in row[3:5]] + [row[5]] + [0.0] * 8
              for row in triples for far in [float(rng.choice((0, 1000, 2**23, 2**26, 2**50)))]]  # fmt: skip
-    one_by_one = [evaluated(formula, rounding.Exact(form), list(map(Fraction, row))) for row in rows]
+    one_by_one = [evaluated(formula, rounding.ExactArithmetic(form), list(map(Fraction, row))) for row in rows]
     with np.errstate(all="ignore"):
         many = evaluated(formula, Errors(form, len(rows)), list(np.array(rows).T))
     assert many.tolist() == one_by_one
