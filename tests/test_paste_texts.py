@@ -131,6 +131,7 @@ def test_what_stands_around_a_shape_is_never_dropped_without_a_question(plain, c
     "text",
     [
         "a = [0 4 4 0; 0 0 4 4]';\ncircle((9, 9), 1)",
+        "a = structure(c(0, 4, 4, 0, 0, 3), dim = c(3L, 2L).map(f))\ncircle((9,9),1)",
         "a=[lerp(0,1),lerp(2,3),lerp(4,9)]\nb=[(0,0),(1,0),(1,1)]",
         "a: 1,000 2,000 1,500 3,000 800 900\nb = [(0,0),(1,0),(1,1)]",
         "-  a = [(0,0),(1,0),(1,1)]\n+  a = [(0,0),(2,0),(2,2)]\n   b = [(3,3),(4,3),(4,4)]",
@@ -264,6 +265,7 @@ def test_a_missing_corner_and_lists_of_two_lengths_are_named():
         ("v[0] = (0, 0); v[1] = (4, 0); v[3] = (0, 4)", r"v\[2\] is missing"),
         ("v[2] = (0, 0); v[3] = (4, 0); v[4] = (0, 4)", r"begin with \[2\]"),
         ("xs = [0, 4, 4]; ys = [0, 0, 4, 4]", "3 and 4 numbers"),
+        ("x = [0, 1, 0]\ny = [0, 0]", "3 and 2 numbers"),
         ("v = [(0, 0), (4, 0), (0, 4)]; v[1] = (9, 9)", "changed after"),
         ("new Polygon(new int[]{0, 4, 4}, new int[]{0, 0, 4}, 9)", "do not fit"),
         ("0 0.5 0.5 0.2 0.2", "five numbers"),
