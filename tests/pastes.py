@@ -3273,4 +3273,30 @@ b2Circle b = {{5, 0}, 1};""",
 {"id": 2, "segmentation": [[1, 1, 5, 1, 5, 5]], "area": 8, "bbox": [1, 1, 4, 4]}]""",
         ((0, 0, 4, 4), (1, 1, 5, 5)),
     ),
+    Paste(
+        "PostScript, and a sentence",
+        "newpath 0 0 moveto 4 0 lineto 4 4 lineto closepath stroke\nand a rectangle from (1, 1) to (5, 5)",
+        ((0, 0, 4, 4), (1, 1, 5, 5)),
+    ),
+    Paste(
+        "points as Unreal prints them",
+        "A: X=0.0 Y=0.0, X=4.0 Y=0.0, X=4.0 Y=4.0\nB: X=1.0 Y=1.0, X=5.0 Y=1.0, X=5.0 Y=5.0",
+        ((0, 0, 4, 4), (1, 1, 5, 5)),
+    ),
+    Paste(
+        "KML with heights",
+        "".join(f"<coordinates>{x},0,9 4,0,9 4,4,9 {x},0,9</coordinates>\n" for x in (0, 1)),
+        ((0, 0, 4, 4), (1, 0, 4, 4)),
+    ),
+    Paste("commas and spaces", "0,0 4 0,4\n[0,0,4,0,4,4]", ((0, 0, 4, 4),), says="which are x and y"),
+    Paste(
+        "fields of XML on one line",
+        "".join(f"<box><xmin>{x}</xmin><ymin>0</ymin><xmax>4</xmax><ymax>4</ymax></box>\n" for x in (0, 1)),
+        ((0, 0, 4, 4), (1, 0, 4, 4)),
+    ),
+    Paste(
+        "resolv",
+        "a := resolv.NewConvexPolygon(0, 0, []float64{0, 0, 4, 0, 4, 4})\nb := resolv.NewCircle(5, 0, 1)",
+        ((0, 0, 4, 4), (4, -1, 6, 1)),
+    ),
 )

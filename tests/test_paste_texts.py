@@ -155,6 +155,8 @@ def test_what_stands_around_a_shape_is_never_dropped_without_a_question(plain, c
         "ctx.moveTo(0, 0);\nctx.lineTo(40, 0) or d;\nctx.lineTo(0, 30);\ncircle((9,9), 1)",
         "v[0] = (0,0)\nv[1] = (4,0) and d\nv[2] = (0,3)\ncircle((9,9), 1)",
         "circle((9,9), 1) if big\ncircle((0,0), 1)",
+        "hit = collideCirclePoly(45 || 9, 100, 30, p)\np = [(0,0),(4,0),(0,3)]\ncircle((0,0), 1)",
+        "a.bounds: Center: mirror (0, 0, 0), Extents: (1, 1, 0)\nb.bounds: Center: (0, 2, 0), Extents: (1, 1, 0)",
         "circle: center = (0, 0), radius = 6!\ncircle: center = (3, 4), radius = 2",
         "a circle at (0, 0) with radius 6! and a circle at (3, 4) with radius 2",
         "a = ball(0.5).translation(vector![0.0, 0.5]).restitution(0.7).clone().flip().build();\nball(1)",

@@ -435,7 +435,7 @@ class Account:
         if token.text.startswith("is") and after.text in ASSIGNS and self.at(i + 2).text in ("true", "false"):
             return  # isBox2: true
         changes = token.text.lower() in {*CHANGING_CALLS, "not"} and (after.kind == OPEN or not after.text)
-        if changes and self.is_data(i + 1):
+        if changes and (self.is_data(i + 1) or self.at(i + 2).kind == NUMBER):
             self.miss(i, i)  # POLYGON mirror ((0 0, 4 0, 0 3))
             return
         if self.is_variable(token):

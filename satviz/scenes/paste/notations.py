@@ -53,7 +53,7 @@ NOTATIONS = (
         "zip column_stack rbind newpolygonshape "
         "edgecollider polygoncollider2d addpoly "
         "seq set z zm tensor torch.tensor double[][] float32array float64array makepolygon fromvertices "
-        "create_polygon convex newpolygon polygon_2 cppolyshapenew b2computehull b2makepolygon",
+        "create_polygon convex newpolygon newconvexpolygon polygon_2 cppolyshapenew b2computehull b2makepolygon",
         RING,
     ),
     Notation(

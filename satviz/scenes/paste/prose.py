@@ -15,7 +15,8 @@ SENTENCES = (
     (
         "svg.polygon",
         re.compile(
-            r"(?:^ *0\s+)?^LWPOLYLINE(?:\s+(?!0\s|2[123]0\s|42\s+[-.\d]*[1-9])\d+\s+\S.*)+(?:\s+0\s+(?:ENDSEC|EOF))*",
+            rf"(?:^ *0\s+)?^LWPOLYLINE(?:\s+(?:[12]0\s+{_N}[ \r]*$"
+            r"|(?!0\s|[12]0\s|2[123]0\s|42\s+[-.\d]*[1-9])\d+\s+\S.*))+(?:\s+0\s+(?:ENDSEC|EOF))*",
             re.MULTILINE,
         ),
         re.compile(rf"\n *[12]0\s+({_N})"),
@@ -27,6 +28,12 @@ SENTENCES = (
     ("qrect", re.compile(rf"\(x:{_N}, y:{_N}, width:{_N}, height:{_N}\)")),  # Unity
     ("v2", re.compile(rf"<{_N}, {_N}>")),  # of C#
     ("image.rect", re.compile(rf"\bmin(?:imum)?(?: at| =|:)? {_P},?(?: and)? (?:its )?max(?:imum)?(?: at| =|:)? {_P}")),
+    ("image.rect", re.compile(rf"\b(?:rect|rectangle|box) from {_P} to {_P}", re.IGNORECASE)),
+    ("v2", re.compile(rf"\bX={_N},? Y={_N}(?![\w.]|[ ,]*(?!X=)[A-Za-z]\w*=)")),  # Unreal
+    (
+        "svg.polygon",
+        re.compile(rf"(?<![\d.])[-.\d]{{1,20}} {_N} moveto(?:\s+{_N} {_N} lineto)+\s+closepath"),
+    ),  # PostScript
     ("image.rect", re.compile(rf"(?<=Rect)\({_N}, {_N} - {_N}, {_N}\)")),  # Android
     ("image.rect", re.compile(rf"(?<!, )\({_N},{_N}\)-\({_N},{_N}\)(?!, ?\()")),  # Go
     ("image.rect", re.compile(rf"\[\[{_N} {_N}\] - \[{_N} {_N}\]\]")),  # egui
@@ -95,7 +102,8 @@ def sentences(text: str) -> Iterator[tuple[int, int, list[Token]]]:
 def _call(name: str, match: re.Match[str], own: re.Pattern[str] = _NUMBER) -> Iterator[Token]:
     """Yield the call that a sentence stands for: circle((x, y), radius) or rect((x, y), width, height)."""
     at = match.start()
-    yield Token(MARK, ";", at, at)
+    ends = [Token(MARK, ";", place, place) for place in match.span()] if name != "v2" else []  # v2: a point of a list
+    yield from ends[:1]
     yield Token(NAME, name, at, at)
     yield Token(OPEN, "(", at, at)
     nested = name != "svg.polygon"
@@ -109,4 +117,4 @@ def _call(name: str, match: re.Match[str], own: re.Pattern[str] = _NUMBER) -> It
             yield Token(CLOSE, ")", end, end)
         yield Token(MARK, ",", end, end)
     yield Token(CLOSE, ")", match.end(), match.end())
-    yield Token(MARK, ";", match.end(), match.end())
+    yield from ends[1:]
