@@ -2,6 +2,7 @@
 
 import random
 import re
+import time
 
 import pytest
 from pastes import PASTES
@@ -379,6 +380,9 @@ def test_several_refused_shapes_are_listed_in_words():
         "[a" * 400_000,
         pytest.param("x: 1 " * 39_000, marks=pytest.mark.slow),
         pytest.param("1 vs " * 59_000, marks=pytest.mark.slow),
+        pytest.param("1 px " * 59_000, marks=pytest.mark.slow),
+        pytest.param("1 2 moveto " + "3 4 lineto " * 16_000, marks=pytest.mark.slow),
+        pytest.param("LWPOLYLINE\n" + " 10\n1.0\n" * 29_000, marks=pytest.mark.slow),
         "x" * 100_000 + " = [1, 2, 3]",
         pytest.param('<path d="M' + "1 2 " * 15_000 + 'z"/>', marks=pytest.mark.slow),
         pytest.param("lineTo(1, 2)\n" * 16_000, marks=pytest.mark.slow),
@@ -391,8 +395,10 @@ def test_several_refused_shapes_are_listed_in_words():
         pytest.param('<g transform="translate(1,2)">' * 4_000, marks=pytest.mark.slow),
         pytest.param("".join(f"rect(1 + 2, 3, 4, {i})\n" for i in range(3_000)), marks=pytest.mark.slow),
     ],
-    ids=range(18),
+    ids=range(21),
 )
-def test_a_long_text_in_these_notations_is_refused(text):
+def test_a_long_text_in_these_notations_is_refused_within_a_second(text):
+    start = time.process_time()
     with pytest.raises(sv.InvalidScene):
         sv.paste(text)
+    assert time.process_time() - start < 1.5  # a second of a quiet machine

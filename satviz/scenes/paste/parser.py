@@ -197,7 +197,7 @@ class _Parser:
 
     def ends_list(self, token: Token, atoms: Sequence[Any], row: Sequence[Any]) -> bool:
         """Return whether a word stands before the last of several points: (0, 0), (4, 0) and (0, 3)."""
-        before = [*row, *atoms][-2:]
+        before = atoms or row
         if token.text != "and" or not before or not is_pair(before[-1]) or not self.next_is(OPEN):
             return False
         rest = self.tokens[self.at : self.at + 6]
