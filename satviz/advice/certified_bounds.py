@@ -17,16 +17,14 @@ from fractions import Fraction
 from itertools import chain
 from math import inf, isfinite, nextafter, sqrt
 
-from ..engine.geometry import Relation, Vec
+from ..engine.geometry import APART, OVERLAPPING, Relation, Vec, cyclic_pairs, relation_of_gap
 from ..engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT, sign, to_common_unit, to_integers
 from ..engine.relate import relate, relate_integers
 from ..engine.shapes import Shape
 from . import rounding
-from .candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, AnyShape, Model, convex_parts, cyclic_pairs
+from .candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, AnyShape, Model, convex_parts
 from .relative_margin import edge_clearances, edge_distances
 from .rounding import FLOAT64, FORMATS, Exact, Format, is_representable
-
-APART, TOUCHING, OVERLAPPING = Relation
 
 # Error bounds in roundings, each rounded up from its derivation:
 # A turn in SAT is nx*x + ny*y less the same for the edge's own corner.  The normal carries one rounding (u D) and each
@@ -71,18 +69,13 @@ def certify(model: Model, a: AnyShape, b: AnyShape) -> Relation | None:
     return certify_sat(a, b, FORMATS[model.kind])
 
 
-def relation_of_sign(gap: int) -> Relation:
-    """Return the relation for a gap: APART if positive, OVERLAPPING if negative, TOUCHING at 0."""
-    return APART if gap > 0 else OVERLAPPING if gap < 0 else TOUCHING
-
-
 # -- bounding boxes
 
 
 def certify_boxes(a: AnyShape, b: AnyShape) -> Relation | None:
     """Return the relation that bounding boxes certainly give; None where a circle's rounded sides can decide it."""
     outer, inner = (_compare_boxes(*(_bounding_box(s, outwards) for s in (a, b))) for outwards in (inf, -inf))
-    return relation_of_sign(outer) if outer == inner else None
+    return relation_of_gap(outer) if outer == inner else None
 
 
 def _compare_boxes(a: tuple[float, ...], b: tuple[float, ...]) -> int:
@@ -148,13 +141,13 @@ def certify_circles(a: Disc, b: Disc, form: Format) -> Relation | None:
     radii = ar + br
     beyond = distance > (radii + range_error) ** 2
     if by_squares and (beyond or (radii > range_error and distance < (radii - range_error) ** 2)):
-        return relation_of_sign(gap)
+        return relation_of_gap(gap)
     for formula in (rounding.circle_ranges,) if by_squares else (rounding.circle_ranges, rounding.circles):
         arithmetic = Exact(form)
         formula(arithmetic, *([arithmetic.held(Fraction(c)) for c in disc] for disc in (a, b)))
         if not arithmetic.exact:
             return None
-    return relation_of_sign(gap)
+    return relation_of_gap(gap)
 
 
 # -- ranges on fixed directions
@@ -177,7 +170,7 @@ def certify_directions(a: AnyShape, b: AnyShape, directions: Sequence[Vec]) -> R
         if certain and gap > 0:
             return APART
         found.append(sign(gap) if certain else None)
-    return None if None in found else relation_of_sign(max(gap for gap in found if gap is not None))
+    return None if None in found else relation_of_gap(max(gap for gap in found if gap is not None))
 
 
 def _projects_exactly(corners: Iterable[Vec], direction: Vec) -> bool:

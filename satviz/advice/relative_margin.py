@@ -23,6 +23,7 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
 from ..engine.convex_parts import parts
+from ..engine.geometry import cyclic_pairs
 from ..engine.predicates import IntPoint, root_difference, to_common_unit
 from ..engine.shapes import Shape, require_shape
 
@@ -66,12 +67,10 @@ def _max_coordinate(shape: Shape, k: int) -> int:
 
 
 def edge_clearances(ring: Sequence[IntPoint], points: Sequence[IntPoint]) -> Iterator[tuple[int, int]]:
-    """Yield (least orientation determinant of the points, larger side) of each edge; the first ends at ring[0]."""
-    px, py = ring[-1]
-    for qx, qy in ring:
+    """Yield (least orientation determinant of the points, larger side) of each edge; the first begins at ring[0]."""
+    for (px, py), (qx, qy) in cyclic_pairs(ring):
         nx, ny = qy - py, px - qx
         yield min(nx * x + ny * y for x, y in points) - nx * px - ny * py, max(abs(nx), abs(ny))
-        px, py = qx, qy
 
 
 def edge_distances(
@@ -82,16 +81,13 @@ def edge_distances(
     turn: the cross product of the edge's start, seen from the center, and its direction; positive where the center
     lies on the inner side.  s / sqrt(q): the exact distance of the center from the edge as a segment.
     """
-    cx, cy = center
-    px, py = ring[-1][0] - cx, ring[-1][1] - cy
-    for qx, qy in ring:
-        qx, qy = qx - cx, qy - cy
+    seen = [(x - center[0], y - center[1]) for x, y in ring]
+    for (px, py), (qx, qy) in cyclic_pairs(seen):
         dx, dy = qx - px, qy - py
         turn, along, square = px * dy - py * dx, -(px * dx + py * dy), dx * dx + dy * dy
         x, y = (px, py) if along <= 0 else (qx, qy)
         away = x * x + y * y
         yield (dx, dy), turn, (abs(turn), square) if 0 < along < square else (away, away or 1)
-        px, py = qx, qy
 
 
 def _gap_from_center(center: IntPoint, r: int, ring: Sequence[IntPoint], shift: int) -> float:

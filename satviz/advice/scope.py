@@ -10,9 +10,10 @@ from itertools import chain
 from math import frexp, inf
 from typing import NamedTuple
 
+from ..engine.geometry import cyclic_pairs
 from ..engine.predicates import to_integers
 from ..engine.shapes import Shape
-from .candidates import AABB, EXACT_FILTER, AnyShape, Model, convex_parts, cyclic_pairs
+from .candidates import AABB, EXACT_FILTER, AnyShape, Model, convex_parts
 from .certified_bounds import SAT_ROUNDINGS
 from .records import CIRCLES, CONCAVE_POLYGONS, UPRIGHT_BOXES, GivenPairs, Grid, InputSummary
 from .relative_margin import relative_margin

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from math import hypot, isfinite
 from typing import Any, NamedTuple
 
-from ..engine.geometry import Relation, Vec
+from ..engine.geometry import APART, OVERLAPPING, TOUCHING, Relation, Vec
 from ..engine.polygon_validation import short_repr
 from ..engine.relate import relate
 from ..engine.shapes import Shape
@@ -26,7 +26,6 @@ TOUCHING_AS = "hit", "miss", "either"
 MAX_TEXT, MAX_PARTS, MAX_NUMBER = 1000, 20, 1e300  # letters, parts and size of an answer that is evaluated
 MAX_SHOWN = 200  # letters of an answer that cannot be read
 NUMBER_TOLERANCE = 1e-9  # of the scene's size: lengths are rounded, so they are compared to nine digits
-APART, TOUCHING, OVERLAPPING = Relation
 WORDS = {str(relation): relation for relation in Relation}
 
 Answer = Any  # a bool, a Relation, a float, a Vec, None, or (bool, Vec or None), by the kind

@@ -6,7 +6,7 @@ from itertools import product
 from math import hypot
 from typing import NamedTuple
 
-from ..engine.geometry import Relation, Vec
+from ..engine.geometry import APART, OVERLAPPING, TOUCHING, Vec
 from ..engine.shapes import Shape
 from ..engine.shortcut import Shortcut
 from ..scenes.failing import FAILURE_CASES, FALSE_HIT, MISSED_HIT, NAMED, REFUSED
@@ -27,8 +27,6 @@ from .other_methods import by_shortcut
 from .pairs import BOXES, CIRCLES, CONVEX, KNOWN_SCENES, ROUND, kind_of
 from .results import Result
 from .variants import VARIANTS, Predict
-
-APART, TOUCHING, OVERLAPPING = Relation
 
 # What a mistake looks like in a game or a drawing program, in the words of the people who see it.  A test simulates it.
 SYMPTOMS: dict[str, tuple[str, ...]] = {

@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from math import dist, hypot
 
 from ..engine.axes import Axis, Choice, centers, edge_normals
-from ..engine.geometry import Relation, Vec
+from ..engine.geometry import APART, OVERLAPPING, Relation, Vec, relation_of_gap
 from ..engine.relate import relate
 from ..engine.sat import AxisTest, Projection, project
 from ..engine.shapes import Shape
@@ -14,8 +14,6 @@ from ..scenes.failing.saved_work import corner_tests
 from ..scenes.failing.wrong_steps import measured_test
 from ..scenes.shape_tools import vertex_mean
 from .written import Middle, Ring, Written, ends, listed
-
-APART, TOUCHING, OVERLAPPING = Relation
 
 
 def by_shortcut(shortcut: Shortcut, a: Shape, b: Shape) -> tuple[Relation, Vec | None]:
@@ -52,10 +50,10 @@ def first_corner_in(a: Shape, b: Shape) -> tuple[Relation, None]:
 def with_circle(gap_of: Callable[[Shape, Vec, float], float], a: Shape, b: Shape) -> tuple[Relation, None]:
     """Return what a gap between a convex polygon and a circle claims; ValueError for other pairs."""
     if a.core_is_point == b.core_is_point:
-        raise ValueError("no circle and polygon")
+        raise ValueError("this method compares a circle with a convex polygon")
     shape, circle = (a, b) if b.core_is_point else (b, a)
     gap = gap_of(shape, circle.core[0], circle.radius)
-    return (APART if gap > 0 else TOUCHING if gap == 0 else OVERLAPPING), None
+    return relation_of_gap(gap), None
 
 
 def nearest_corner(shape: Shape, center: Vec, radius: float) -> float:
@@ -117,7 +115,7 @@ def squared_distance(a: Shape, b: Shape) -> tuple[Relation, None]:
     """Return what follows for two circles if the squared distance is compared with the sum of the radii."""
     (ax, ay), (bx, by) = _centers(a, b)
     gap = (bx - ax) ** 2 + (by - ay) ** 2 - a.radius - b.radius
-    return APART if gap > 0 else TOUCHING if gap == 0 else OVERLAPPING, None
+    return relation_of_gap(gap), None
 
 
 def normals_and_centers(a: Shape, b: Shape) -> Choice:

@@ -6,14 +6,13 @@ from math import atan2, cos, degrees, dist, hypot, sin
 from operator import itemgetter
 from typing import NamedTuple
 
-from ..engine.geometry import Interval, Relation, Vec
+from ..engine.geometry import APART, OVERLAPPING, TOUCHING, Interval, Relation, Vec
 from ..engine.shapes import Shape
 from ..scenes.failing.wrong_projections import whole_halves
 
 Ring = Sequence[Vec]
 Middle = Callable[[Ring], Vec]
 Radius = Callable[[Ring], float]
-APART, TOUCHING, OVERLAPPING = Relation
 
 
 class Overlap(NamedTuple):

@@ -3,12 +3,11 @@
 from . import describe, number_format
 from .axes import CENTERS, VERTEX, WORLD, Axis, hull_normals, needed
 from .convex_parts import parts
-from .describe import Names
 from .geometry import Relation
 from .relate import relate
 from .sat import axis_tests
 from .shapes import Shape, require_shape
-from .trace import DEFAULT_NAMES, Trace
+from .trace import DEFAULT_NAMES, Names, Trace
 
 NUMBER_WORDS = "no", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine", "Ten", "Eleven", "Twelve"
 

@@ -4,26 +4,33 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import product
 from math import isfinite
+from typing import NamedTuple
 
-from . import describe, hooks, text_table
+from . import hooks
 from .axes import EARLY_EXIT, NAMED, Choice, Chooser, Skip, needed, validate_choice
 from .certificate import Certificate, PartLines, separating_line, shared_point
 from .convex_parts import named_parts
-from .describe import Names
-from .geometry import InvalidScene, Relation, Vec
+from .geometry import APART, OVERLAPPING, TOUCHING, InvalidScene, Relation, Vec
 from .mtv import mtv_along_axis, mtv_of_parts
 from .relate import relate
 from .sat import AxisTest, axis_tests
 from .shapes import Shape, require_shape
 from .shortcut import Shortcut, move_along_axis
 
-APART, TOUCHING, OVERLAPPING = Relation
-
 MAX_SIZE = (
     200_000  # points and axes that a trace lists (see _count_listed): some 30 MB of JSON, which can be read again
 )
-DEFAULT_NAMES = Names()  # "A" and "B"
 NamedParts = Sequence[tuple[Shape, str]]  # convex parts or pieces, each with its name
+
+
+class Names(NamedTuple):
+    """What the two shapes are called: "A" and "B", or the name of a convex part such as "B2"."""
+
+    a: str = "A"
+    b: str = "B"
+
+
+DEFAULT_NAMES = Names()
 
 
 @dataclass(frozen=True, slots=True)
@@ -205,7 +212,8 @@ class Trace:
     @property
     def sentence(self) -> str:
         """Return one sentence that says the relation, what proves it, and the MTV of an overlap."""
-        return describe.verdict_sentence(self, self.known_mtv)
+        sentence: str = hooks.call("trace_sentence", self, self.known_mtv)
+        return sentence
 
     def __str__(self) -> str:
         return self.table()
@@ -216,7 +224,8 @@ class Trace:
         `sums`: below each test stand the sums behind the ends of both ranges, such as
         "v1: 2*8 + 3*3 = 25; 25 / sqrt(13) = 6.934"; a sum whose numbers are not printed in full is left out.
         """
-        return text_table.table(self, width, sums=sums)
+        text: str = hooks.call("trace_table", self, width, sums)
+        return text
 
     def __iter__(self) -> Iterator[AxisTest]:
         return iter(self.tests)
@@ -230,12 +239,13 @@ class Trace:
 
         InvalidScene for a shortcut that satviz does not define, and for more text than `from_json` reads.
         """
-        return hooks.trace_to_json(self, indent)
+        text: str = hooks.call("trace_to_json", self, indent)
+        return text
 
     @staticmethod
     def from_json(text: str) -> "Trace":
         """Return the trace that `to_json` wrote; InvalidScene if a field is missing, unknown or false."""
-        trace: Trace = hooks.trace_from_json(text)
+        trace: Trace = hooks.call("trace_from_json", text)
         return trace
 
 

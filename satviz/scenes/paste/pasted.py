@@ -8,11 +8,10 @@ from itertools import combinations
 from typing import Any, NamedTuple
 
 from ...engine import convex_parts, number_format, text_table
-from ...engine.describe import Names
 from ...engine.geometry import InvalidScene, InvalidShape, Relation
 from ...engine.relate import relate
 from ...engine.shapes import Shape
-from ...engine.trace import Trace, record
+from ...engine.trace import Names, Trace, record
 from .. import minimal_test
 from ..link import link
 from ..scenefile import MAX_VERTICES, Scene
