@@ -92,15 +92,16 @@ class Account:
         known: Sequence[tuple[int, int]] = (),
         changed: Collection[str] = (),
         aliases: Mapping[str, str] = MappingProxyType({}),
+        counts: Collection[int] = (),
     ) -> None:
         """`shapes`: where the numbers of each shape end; `variables`: names of data, with their sizes; `known`: parts
         of a known form; `changed`: names with a value of which a field is set afterwards; `aliases`: names of other
-        things.
+        things; `counts`: where numbers end that say how a shape is read, such as how many columns a matrix has.
         """
         self.text = text
         removed = within(known, found)
         self.shapes = shapes
-        self.places = sorted(frozenset().union(*shapes))
+        self.places = sorted(frozenset(counts).union(*shapes))
         rows = [Token(NUMBER, "", start, end) for start, end in known if self.holds(start, end)]
         kept = [token for token in found if token not in removed]
         self.tokens = sorted([*kept, *rows], key=lambda token: token.start) if rows else kept
@@ -341,15 +342,20 @@ class Account:
             return after.text in (":", "|")
         if before.text == "{" and after.text == "}":
             return self.at(i).value == 0
-        if before.text == "," and after.text == ")":  # ST_GeomFromText('POLYGON(...)', 4326), polygon.Set(points, 4)
-            data = self.at(i - 2)
-            size = self.variables.get(data.text, -1)
-            return (data.kind == TEXT and self.holds(data.start, data.end)) or self.at(i).value == size
+        if before.text in ",(" and after.text in ",)" and "," in (before.text, after.text):
+            beside = (self.at(i - 2), self.at(i + 2))  # cpPolyShapeNew(body, 4, verts, cpvzero), polygon.Set(points, 4)
+            if any(self.variables.get(each.text) == self.at(i).value for each in beside):
+                return True
+            data = beside[0]  # ST_GeomFromText('POLYGON(...)', 4326)
+            return after.text == ")" and data.kind == TEXT and self.holds(data.start, data.end)
         if before.text == "(" and after.text == ")" and self.at(i + 2).text == "[":
             return True
         if after.text.lower() in COUNTED:
-            return not self.holds(*self.span(i + 2)) if self.at(i + 2).kind == OPEN else True
-        return before.text.lower() in LABELS and (after.kind == LINE or after.text in (":", ",", "at", "is", "of", ""))
+            touches = self.at(i + 2).kind == OPEN and self.at(i + 2).start == after.end
+            return not (touches and self.holds(*self.span(i + 2)))
+        return before.text.lower() in LABELS and (
+            after.kind == LINE or after.text in (":", ",", "at", "is", "of", "has", "with", "")
+        )
 
     def is_color(self, i: int, frame: BracketFrame) -> bool:
         """Return whether a bracket in a call that draws holds a color: draw.circle(screen, (255, 0, 0), (4, 4), 9)."""
@@ -429,7 +435,7 @@ class Account:
         if token.text.startswith("is") and after.text in ASSIGNS and self.at(i + 2).text in ("true", "false"):
             return  # isBox2: true
         changes = token.text.lower() in {*CHANGING_CALLS, "not"} and (after.kind == OPEN or not after.text)
-        if changes and self.is_data(i + 1):
+        if changes and (self.is_data(i + 1) or self.at(i + 2).kind == NUMBER):
             self.miss(i, i)  # POLYGON mirror ((0 0, 4 0, 0 3))
             return
         if self.is_variable(token):

@@ -115,14 +115,12 @@ class Calls(Keyed):
         loose = Group(group.start, group.end, arguments, group.bracket, group.name)
         outline = self.ring(loose)
         taken = arguments
-        count_of_position = 0
         given: frozenset[int] = frozenset()
         if outline is None and len(arguments) > 1:
             first = self.point(arguments[0], origin=True)
             rest = self.ring(arguments[1])
             if first is None and len(arguments) > 2 and self.numbers(arguments[:2]):
                 first = self.point(Group(group.start, group.end, arguments[:2], "("))
-                count_of_position = 2
                 rest = self.ring(arguments[2])
             if first is not None and rest is not None:
                 place, outline = first, rest
@@ -145,9 +143,6 @@ class Calls(Keyed):
             outline = hull(outline) if len(hull(outline)) < len(set(outline)) else outline
         if any(not key(name) and self.point(value) is not None for name, value in named.fields.items()):
             raise Unreadable("a list of corners holds something that is not a corner")
-        beside = sum(self._is_number(a) for a in arguments)
-        if beside and not (outline is not None and self.numbers(arguments)) and beside != count_of_position:
-            self.remark("numbers beside a list of corners were left out")
         shift = place or ZERO
         how = f", the convex hull of {count} points" if len(outline) < count else ""
         made = self._outline(outline, group, label, shift, f"{how} and a position" if shift != ZERO else how)

@@ -110,7 +110,8 @@ class Keyed(Boxes):
         inner = [s for v in obj.rest if not isinstance(v, Name) for s in self.shapes(v, label)]
         for name, value in obj.fields.items():
             hole = inner and str(name).lower() in ("holes", "interiors")
-            if not hole and not (isinstance(kind, Name) and name in ("bbox", "properties")):
+            aside = name in ("bbox", "properties") and (isinstance(kind, Name) or "segmentation" in obj.fields)
+            if not hole and not aside:
                 wrapper = isinstance(name, int) or name in ("geometry", "features", "geometries", "shape")
                 held = str(name).lower() in BODY_SHAPES
                 found = self.shapes(value, label if wrapper or held else str(name).split(" (")[0])

@@ -148,11 +148,15 @@ class _Parser:
                 if not bracket and self.next_is(LINE):
                     self.at += 1
             elif token.text == ";" and token.kind == MARK:
-                if bracket:
+                if not bracket and atoms and is_open(atoms[-1]) and is_pair(atoms[-1]) and self.next_is(OPEN):
+                    end_item()  # (0, 0); (4, 0); (4, 4)
+                elif bracket:
                     end_item()
                     self.ended.add(self.tokens[opened].start)
                 else:
                     end_line()
+            elif not bracket and atoms and self.ends_sentence(token):
+                end_line()
             elif not bracket and self.ends_list(token, atoms, row):
                 self.understood.append((token.start, token.end))
                 end_item()
@@ -187,9 +191,13 @@ class _Parser:
             self.at += 1  # vs.
         return (said or bool(row)) and not (atoms and is_mark(atoms[-1], ("=", ":", ":=")))
 
+    def ends_sentence(self, token: Token) -> bool:
+        """Return whether a point ends a sentence, and another one begins behind it."""
+        return token.text == "." and self.next_is(NAME) and self.tokens[self.at].start > token.end
+
     def ends_list(self, token: Token, atoms: Sequence[Any], row: Sequence[Any]) -> bool:
         """Return whether a word stands before the last of several points: (0, 0), (4, 0) and (0, 3)."""
-        before = [*row, *atoms][-2:]
+        before = atoms or row
         if token.text != "and" or not before or not is_pair(before[-1]) or not self.next_is(OPEN):
             return False
         rest = self.tokens[self.at : self.at + 6]

@@ -158,7 +158,7 @@ class Points(Statements):
                 return None  # the argument of a call that makes no shape: p.intersects(q)
             return self.ring(items[0])
         if value.bracket == "," and any(isinstance(v, Group) and v.bracket == " " for v in items):
-            items = [n for v in items for n in (v.items if isinstance(v, Group) and v.bracket == " " else [v])]  # SVG
+            items = self._between_spaces(items)
         other = value.bracket == "(" and value.name and row is None
         if other and any(map(self._is_style, items)):
             return None
@@ -173,6 +173,19 @@ class Points(Statements):
                 )
             return list(zip(flat[::2], flat[1::2], strict=True))
         return self._points(items)
+
+    def _between_spaces(self, items: Sequence[Any]) -> list[Any]:
+        """Return the numbers of 0,0 4,0 0,3 and of 0 0, 4 0, 0 3, and those of 0,0,5 4,0,5 0,3,5 without each third."""
+        rows = [v.items if isinstance(v, Group) and v.bracket == " " else [v] for v in items]
+        sizes = [len(row) for row in rows]
+        flat = [number for row in rows for number in row]
+        if sizes == [1, 1, *[2, 1] * ((len(sizes) - 3) // 2), 1]:
+            self.remark("a third coordinate was left out: the shapes are read in x and y")
+            self.counts |= {number.end for number in flat[2::3]}
+            return [number for i, number in enumerate(flat) if i % 3 < 2]
+        if set(sizes) != {2} and sizes != [1, *[2] * (len(sizes) - 2), 1]:
+            raise Unreadable("commas and spaces between the numbers do not say which are x and y: write (x, y)")
+        return flat
 
     def _is_style(self, value: Any) -> bool:
         """Return whether a value is a text in quotes, or a color such as 0xff0000."""

@@ -195,7 +195,7 @@ class Reader(Calls):
         at = 0
         for name, count in two:
             items, at = group.items[at : at + count], at + count
-            if len(items) == count and all(map(self._is_number, items)):
+            if len(items) == count and any(map(self._is_number, items)):
                 found += self._group(Group(items[0].start, items[-1].end, items, "(", name), label)
         return found
 
