@@ -1447,7 +1447,7 @@ const b = turf.polygon([[[5,0],[9,0],[9,4],[5,0]]]);""",
         """turf.circle([0, 0], 5, {steps: 64, units: 'kilometers'})
 turf.polygon([[[5,0],[9,0],[9,4],[5,0]]])""",
         ((5, 0, 9, 4),),
-        says="its center is in degrees and its radius is not",
+        says="is in degrees and its radius is not",
     ),
     Paste(
         "Box2D polygon radius",
@@ -2658,7 +2658,7 @@ Env[5.0 : 15.0, 30.0 : 40.0]""",
         """L.circle([51.508, -0.11], {radius: 500}).addTo(map);
 L.circle([51.6, -0.11], { radius: 500 }).addTo(map);""",
         (),
-        says="its center is in degrees and its radius is not",
+        says="is in degrees and its radius is not",
     ),
     Paste(
         "a DOMRect with all its keys",
@@ -3054,7 +3054,7 @@ b.center_x = 9; b.center_y = 0; b.width = 10; b.height = 10""",
         """DrawRectanglePro((Rectangle){100, 100, 50, 20}, (Vector2){25, 10}, 45.0f, RED);
 DrawCircle(140, 100, 5.0f, RED);""",
         ((135, 95, 145, 105),),
-        says="DrawRectanglePro: satviz takes",
+        says="DrawRectanglePro is not read: satviz takes",
     ),
     Paste(
         "newRect of Solar2D",

@@ -156,6 +156,7 @@ def test_what_stands_around_a_shape_is_never_dropped_without_a_question(plain, c
         "ctx.moveTo(0, 0);\nctx.lineTo(40, 0) or d;\nctx.lineTo(0, 30);\ncircle((9,9), 1)",
         "v[0] = (0,0)\nv[1] = (4,0) and d\nv[2] = (0,3)\ncircle((9,9), 1)",
         "circle((9,9), 1) if big\ncircle((0,0), 1)",
+        "draw.circle(s, (255, 0, 9\u00b2), (4, 4), 9)\ncircle((0,0), 1)",
         "hit = collideCirclePoly(45 || 9, 100, 30, p)\np = [(0,0),(4,0),(0,3)]\ncircle((0,0), 1)",
         "a.bounds: Center: mirror (0, 0, 0), Extents: (1, 1, 0)\nb.bounds: Center: (0, 2, 0), Extents: (1, 1, 0)",
         "circle: center = (0, 0), radius = 6!\ncircle: center = (3, 4), radius = 2",
@@ -270,7 +271,7 @@ def test_a_missing_corner_and_lists_of_two_lengths_are_named():
         ("xs = [0, 4, 4]; ys = [0, 0, 4, 4]", "3 and 4 numbers"),
         ("x = [0, 1, 0]\ny = [0, 0]", "3 and 2 numbers"),
         ("v = [(0, 0), (4, 0), (0, 4)]; v[1] = (9, 9)", "changed after"),
-        ("new Polygon(new int[]{0, 4, 4}, new int[]{0, 0, 4}, 9)", "do not fit"),
+        ("new Polygon(new int[]{0, 4, 4}, new int[]{0, 0, 4}, 9)", "3 and 3 numbers, and the call says 9 corners"),
         ("0 0.5 0.5 0.2 0.2", "five numbers"),
         ('{"center": [0, 0], "width": 4, "height": 4, "originX": "right"}', "origin"),
         ('{"vertices": [[0,0],[1,0],[0,1]], "offset": [1, 1], "angle": 30}', "offset and an angle"),
@@ -326,7 +327,7 @@ def test_a_table_of_two_corners_is_one_of_boxes_and_of_three_one_of_triangles(ma
 
 @pytest.mark.parametrize(("x", "y"), [("0,1,0", "0,0"), ("0,0", "0,0,1"), ("0,1,0,2", "0,0,1")])
 def test_lists_of_x_and_y_of_different_lengths_are_refused(x, y):
-    with pytest.raises(sv.InvalidScene, match="x and y have different lengths"):
+    with pytest.raises(sv.InvalidScene, match="each corner needs one of both"):
         sv.paste(f'{{"x": [{x}], "y": [{y}]}}')
 
 

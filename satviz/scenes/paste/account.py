@@ -363,7 +363,7 @@ class Account:
         if word is None or "draw" not in words(word.text) or self.callee(i) or self.holds(*self.span(i)):
             return False
         parts = [token for token in self.tokens[i + 1 : self.close[i]] if token.text != ","]
-        return len(parts) in (3, 4) and all(token.text.isdigit() and int(token.text) < 256 for token in parts)
+        return len(parts) in (3, 4) and all(t.kind == NUMBER and t.text.isdigit() and int(t.text) < 256 for t in parts)
 
     def is_row(self, i: int) -> bool:
         """Return whether a number is that of a row in a table whose shape is in WKT."""

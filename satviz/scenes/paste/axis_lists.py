@@ -50,6 +50,13 @@ def joined(x: Group, y: Group, count: int | None = None) -> Group | None:
     return Group(min(x.start, y.start), max(x.end, y.end), points, "[")
 
 
+def lengths(x: Group, y: Group, count: int | None = None) -> str:
+    """Return why two lists are not those of the corners of one shape."""
+    sizes = f"{len(numbers_of(x))} and {len(numbers_of(y))} numbers"
+    corners = "" if count is None else f", and the call says {count} corners"
+    return f"the lists of x and y have {sizes}{corners}: each corner needs one of both"
+
+
 def are_axes(given: Sequence[Any], values: Sequence[Any], name: str) -> bool:
     """Return whether the arguments of a call are a list of x and a list of y, and no two outlines.
 

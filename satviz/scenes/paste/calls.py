@@ -6,7 +6,7 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-from .axis_lists import are_axes, joined
+from .axis_lists import are_axes, joined, lengths
 from .boxes import (
     AT_ORIGIN,
     BOX_FORM,
@@ -101,9 +101,10 @@ class Calls(Keyed):
         values = [self.resolve(a) for a in arguments]
         if are_axes(arguments, values, group.name):
             count = values[2] if len(values) > 2 else None
-            points = joined(values[0], values[1], int(count.value or 0) if isinstance(count, Num) else None)
+            corners = int(count.value or 0) if isinstance(count, Num) else None
+            points = joined(values[0], values[1], corners)
             if points is None:
-                raise Unreadable("the lists of x and y, and the number of corners, do not fit together")
+                raise Unreadable(lengths(values[0], values[1], corners))
             self.consume(arguments)
             made = self._outline(self._points(points.items) or [], group, label)
             return [replace(made, used=made.used | ({count.end} if count else set()))]
@@ -177,7 +178,7 @@ class Calls(Keyed):
             flat = [self.number(named.get("radius"))]
         if not flat:
             self._refuse_names(arguments)
-            raise Unreadable("a circle without a radius")
+            raise Unreadable("a circle without a radius: write it behind the center")
         x, y = points[0] if points else ZERO
         said = "a circle by its center and radius" if points or place else f"a circle by its radius{AT_ORIGIN}"
         row = notation(group.name)

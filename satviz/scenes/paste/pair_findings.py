@@ -60,7 +60,7 @@ def of_pair(pair: AnsweredPair, *, decimals: bool) -> Iterator[Finding]:
         yield Finding(
             "touching",
             both,
-            f"{a.name} and {b.name} touch: they share border points and no inside.",
+            f"{a.name} and {b.name} touch: they share border points, but no interior point.",
             "Tests with <= say hit, tests with < say no hit. Decide which one you want.",
         )
     yield from _of_concave(pair)
@@ -94,7 +94,7 @@ def of_pair(pair: AnsweredPair, *, decimals: bool) -> Iterator[Finding]:
             "containment",
             both,
             f"{text}: OGC overlaps says false for that, intersects says true.",
-            "A test that only looks for crossing edges misses it; ask intersects, or test one corner as well.",
+            "A test that only looks for crossing edges misses this: use intersects, or test one corner as well.",
         )
     yield from _of_other_readings(pair)
 
@@ -186,7 +186,7 @@ def clear(pair: AnsweredPair) -> Finding:
     return Finding(
         "clear",
         (a, b),
-        f"{a} and {b} are clearly {relation}: these numbers hold none of the usual traps.",
+        f"{a} and {b} are clearly {relation}: none of the usual causes of a wrong answer is in these numbers.",
         "A test that says otherwise is wrong, or got other numbers: send it the minimal test.",
     )
 

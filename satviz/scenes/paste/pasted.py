@@ -136,7 +136,7 @@ class Pasted:
         if self.open:
             for question in self.questions:
                 if question.what == "rest":
-                    return f"{question.asks} Write what results there, or take the shapes without it."
+                    return f"{question.asks} Write the result in its place, or take the shapes without it."
             count = max(len(question.answers) for question in self.questions if question.matters)
             words = {2: "Two", 3: "Three", 4: "Four"}.get(count, "Several")
             return f"{words} readings are possible, and they give different answers: choose one."
@@ -305,7 +305,7 @@ def paste(what: Any, as_: str | Sequence[str] = ()) -> Pasted:
             questions = (_about_the_rest(missed, tree.root, text, chosen, reader), *questions)
     notes += [Finding("note", (), f"{remark[0].upper()}{remark[1:]}.") for remark in (*reader.remarks, *tree.remarks)]
     if harmless:
-        notes.append(Finding("left-out", (), f"Left out, since no shape has them: {harmless}."))
+        notes.append(Finding("left-out", (), f"Left out, since it belongs to no shape: {harmless}."))
     made = Pasted(written, chosen, tuple(shapes), questions, (), ())
     if made.open:
         return replace(made, findings=tuple(notes))

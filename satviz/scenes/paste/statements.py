@@ -132,7 +132,9 @@ class Statements(Names):
             elif not self._statement(item):
                 if not item.name and item.bracket in (" ", ",") and len(item.items) == 5 and holds_numbers(item):
                     part = short(self.text[item.start : item.end])
-                    why = "five numbers can be a box and its angle, or a label and a box: write the four of the box"
+                    why = (
+                        "five numbers can be a box and its angle, or a label and a box: write the four of the box alone"
+                    )
                     self.problems.append(f"{part}: {why}")
                 else:
                     self.loose.append(item)

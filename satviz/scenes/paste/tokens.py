@@ -157,14 +157,14 @@ def number(text: str) -> tuple[Fraction | None, str]:
         mantissa, _, exponent = plain[2:].partition("p")
         whole, _, part = mantissa.partition(".")
         if abs(int(exponent)) > 2 * MAX_DIGITS + 400:
-            return None, f"{_short(text)} is beyond float64"
+            return None, f"{_short(text)} is too large or too small for float64"
         return sign * Fraction(int(whole + part, 16)) * Fraction(2) ** (int(exponent) - 4 * len(part)), ""
     mantissa, _, exponent = plain.replace("d", "e").partition("e")  # 3.0d0 is Fortran's
     whole, _, part = mantissa.partition(".")
     power = int(exponent or 0) - len(part)
     digits = int(whole + part)
     if digits and not -MAX_DIGITS < power + len(whole + part) < 310:
-        return None, f"{_short(text)} is beyond float64"
+        return None, f"{_short(text)} is too large or too small for float64"
     return sign * (
         Fraction(digits * 10**power) if power >= 0 else Fraction(digits, 10**-power)
     ) if digits else Fraction(0), ""
