@@ -115,13 +115,13 @@ def _out_of_range(both: Pairs) -> int:
 
 
 def _count_apart_by_boxes(a: Shapes, many: int, engine: str | None) -> tuple[BroadPhaseResult, Pairs]:
-    """Return (what the boxes settle, the settled pairs that circles alone might not certify as apart).
+    """Return (BroadPhaseResult, the pairs apart by their boxes that circles alone might not certify as apart).
 
     With M the larger max_coordinate (radius included) of two circles, u the unit roundoff, d their distance and R the
     sum of the radii, the circles are certified apart where d - R is 72 u M or more: the bound of `certify_circles` for
     ranges, and more than its bound for squares, 12 u (d + R) + 5 sqrt(2) u M with d + R at most 4.9 M.  So boxes of the
     circles that are 100 u M wider on each side (u of float32 where that is a candidate) meet for every pair that is
-    not certified.  `many` is the number of settled pairs.
+    not certified.  `many` is the number of pairs that are apart by their boxes.
     """
     only_circles = bool(is_circle(a).all())
     forms = FORMATS if only_circles else {BOUNDING_CIRCLES: FLOAT64}
@@ -182,7 +182,10 @@ def repeated_pair(a: Shape, b: Shape, copies: int = 4096) -> Pairs:
 
 
 def _models(pairs: Pairs, kinds: Collection[str], given: GivenPairs) -> tuple[Model, ...]:
-    """Return the candidate models for these pairs, from their axes, directions and kinds of shapes."""
+    """Return the candidate models for these pairs; `kinds`: the kinds of their shapes, in words as `kind_of` has them.
+
+    The number of axes and the directions of a k-DOP are computed from the shapes.
+    """
     edges = [np.where(s.parts.count == 1, 0, s.parts.count) for s in (pairs.a, pairs.b)]
     each = edges[0][pairs.pa] + edges[1][pairs.pb]
     each += (edges[0][pairs.pa] == 0) | (edges[1][pairs.pb] == 0)
@@ -195,7 +198,10 @@ def _models(pairs: Pairs, kinds: Collection[str], given: GivenPairs) -> tuple[Mo
 def _evaluate_model(
     model: Model, both: Pairs, exact: NDArray[np.int8], near: Pairs, given: GivenPairs, engine: str | None
 ) -> ModelResult:
-    """Return how a model does on the pairs `both`, and on `near` if no test of the boxes comes before it."""
+    """Return the ModelResult of a model on the pairs `both`, and on `near` if no test of the boxes comes before it.
+
+    exact: (n,) the exact relations of `both`; near: pairs that are apart by their boxes.
+    """
     found = _classify(model, both, exact, given, 0, engine)
     if not (model.after_boxes or model.kind == AABB):
         apart = np.zeros(len(near.ia), np.int8)
@@ -213,7 +219,10 @@ def _evaluate_model(
 def _classify(
     model: Model, pairs: Pairs, exact: NDArray[np.int8], given: GivenPairs, first: int, engine: str | None
 ) -> NDArray[np.int8]:
-    """Return the relations that the model certainly finds, -1 where uncertain; pairs are numbered from `first`."""
+    """Return the relation that the model certainly finds for each pair, -1 where it is uncertain.
+
+    Pair k of `pairs` is number `first` + k of `given`; exact: (n,) their exact relations.
+    """
     found = classify(model, pairs, exact, engine=engine)
     if model.kind not in FORMATS:  # SAT has used fractions already, part by part
         uncertain = np.flatnonzero(found < 0)

@@ -27,11 +27,11 @@ from .relative_margin import edge_clearances, edge_distances
 from .rounding import FLOAT64, FORMATS, ExactArithmetic, FloatFormat, is_representable
 
 # Error bounds in roundings, each rounded up from its derivation:
-# A turn in SAT is nx*x + ny*y less the same for the edge's own corner.  The normal carries one rounding (u D) and each
-# product one more: 2u D M each, 4u D M both; their sum rounds by 2u D M.  That is 6u D M for the corner, as much for
-# the edge's own, and 4u D M for the difference: below 17u D M (as derived in satviz/engine/relate.py).
+# An orientation in SAT is nx*x + ny*y less the same for the edge's own corner.  The normal carries one rounding (u D)
+# and each product one more: 2u D M each, 4u D M both; their sum rounds by 2u D M.  That is 6u D M for the corner, as
+# much for the edge's own, and 4u D M for the difference: below 17u D M (as derived in satviz/engine/relate.py).
 SAT_ROUNDINGS = 32
-# A turn about a center carries below 12 roundings of its size.
+# An orientation about a center carries below 12 roundings of its size.
 TURN_ROUNDINGS = 32
 # A squared distance carries below 45 roundings of the largest difference squared.
 DISTANCE_ROUNDINGS = 128
@@ -217,7 +217,8 @@ def _certify_polygons(a: Shape, b: Shape, form: FloatFormat) -> Relation | None:
 
     Where no coordinate is rounded (d = 0), the result is certain if the relative margin is beyond SAT_ROUNDINGS.
     Otherwise d is the largest rounding error of a coordinate, D the largest component of the normal and E that of a
-    difference of corners.  Each component changes by at most 2d, so the turn changes by at most 4d (D + E) + 8dd.
+    difference of corners.  Each component changes by at most 2d, so the orientation changes by at most 4d (D + E) +
+    8dd.
     """
     numbers = [c for v in (*a.core, *b.core) for c in v]
     p, q, *_ = to_common_unit(a, b)
@@ -243,7 +244,7 @@ def _certify_polygons(a: Shape, b: Shape, form: FloatFormat) -> Relation | None:
 def _certify_circle_polygon(circle: Shape, polygon: Shape, form: FloatFormat) -> Relation | None:
     """Return the relation SAT certainly finds on circle and polygon, by distances and ranges, or None.
 
-    With F the largest difference of a corner and the center: rounded coordinates move a turn about an edge with
+    With F the largest difference of a corner and the center: rounded coordinates move an orientation about an edge with
     components dx, dy by 2d (|dx| + |dy|) + 4dF + 8dd, and the distance by 3d, so its square by 9dF + 9dd.
     """
     numbers = (*circle.core[0], circle.radius, *chain.from_iterable(polygon.core))
@@ -257,12 +258,12 @@ def _certify_circle_polygon(circle: Shape, polygon: Shape, form: FloatFormat) ->
         return None
     widest = max(max(abs(x - center[0]), abs(y - center[1])) for x, y in ring)
     inside, outside, distances = True, False, []
-    for (dx, dy), turn, (s, q) in edge_distances(center, ring):
+    for (dx, dy), orientation, (s, q) in edge_distances(center, ring):
         length = abs(dx) + abs(dy)
         error_bound = TURN_ROUNDINGS * (widest + 2 * moved) * (length + 4 * moved) / (1 << form.bits)
         error_bound += 2 * moved * length + 4 * moved * widest + 8 * moved**2
-        inside = inside and turn > error_bound
-        outside = outside or -turn > error_bound
+        inside = inside and orientation > error_bound
+        outside = outside or -orientation > error_bound
         distances.append(Fraction(s * s, q))
     nearest = min(distances)  # squared, of all edges: none is left out
     error_bound = (DISTANCE_ROUNDINGS * (widest + 2 * moved) ** 2 + 8 * r * r) / (1 << form.bits)
@@ -277,7 +278,10 @@ def _certify_circle_polygon(circle: Shape, polygon: Shape, form: FloatFormat) ->
 
 
 def _coordinate_error(coordinates: Iterable[int], numbers: Iterable[float], form: FloatFormat) -> Fraction:
-    """Return the most by which the format rounds a coordinate, in units of the integers; 0 if none is rounded."""
+    """Return an upper bound of the rounding error of any coordinate in this format; 0 if none is rounded.
+
+    `numbers`: the coordinates as floats; `coordinates`: the same as integers, whose unit the result has.
+    """
     if form is FLOAT64 or all(is_representable(Fraction(c), form) for c in numbers):
         return Fraction(0)
     return Fraction(max(map(abs, coordinates)), 1 << form.bits)

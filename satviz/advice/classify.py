@@ -274,13 +274,13 @@ def _classify_circle_polygons(circle: CornerColumns, ring: CornerColumns, form: 
     unit = (2.0**-form.bits + UNIT_ROUNDOFF) * 1.001  # roundings of the model, and of float64 here
     inside, outside = good.copy(), np.zeros(len(far), bool)
     nearest = np.full(len(far), np.inf)
-    for dx, dy, turn, distance in edge_distances(circle, ring):
+    for dx, dy, orientation, distance in edge_distances(circle, ring):
         good &= np.maximum(np.abs(dx), np.abs(dy)) > (form.least + 2 * moved) * 1.001
         long = np.abs(dx) + np.abs(dy)
         size = TURN_ROUNDINGS * unit * (far + 2 * moved) * (long + 4 * moved)
         size += 1.001 * moved * (2 * long + 4 * far + 8 * moved)
-        inside &= turn > size
-        outside |= turn < -size
+        inside &= orientation > size
+        outside |= orientation < -size
         np.minimum(nearest, distance, out=nearest)
     square = circle.r * circle.r
     error_bound = unit * (DISTANCE_ROUNDINGS * (far + 2 * moved) ** 2 + 8 * square) + 9.001 * moved * (far + moved)

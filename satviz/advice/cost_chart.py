@@ -24,7 +24,10 @@ ROLES = {EXACT_FILTER: "exact", BOUNDING_CIRCLES: "shortcut", AABB: "shortcut", 
 
 
 class CostChart(NamedTuple):
-    """Hold a chart of time per pair against wrong answers: `rows` are the numbers drawn, `sentence` their summary."""
+    """Hold a chart of time per pair against wrong answers: `rows` are the numbers drawn, `sentence` their summary.
+
+    `under`: the line below the title; `advised`: the name of the recommended model; `pairs`: the number of pairs.
+    """
 
     title: str
     under: str
@@ -127,7 +130,7 @@ def _draw(fig: Figure, chart: CostChart, theme: Theme) -> None:
 
 
 def _front(ax: Axes, chart: CostChart, theme: Theme) -> None:
-    """Draw the Pareto front of the warm times: no other model is both faster and more often right."""
+    """Draw the Pareto front of the warm times: the models than which no other is both faster and more often right."""
     points = sorted((cost.warm, cost.wrong) for _, _, cost in chart.rows)
     front: list[tuple[float, int]] = []
     for point in points:

@@ -19,7 +19,8 @@ from .limits import refuse_too_many_fractions
 from .pairs import Array, indexed, max_coordinates, pair_columns, part_pairs, part_shape
 from .relative_margin import signed_relative_margin
 
-# |error| < 17 u D M of a turn (D the span, M max_coordinate), < 40 u M of a distance: 40 / 2**11 is one part in fifty.
+# |error| < 17 u D M of an orientation (D the span, M max_coordinate), < 40 u M of a distance: 40 / 2**11 is one part
+# in fifty.
 MIN_ROUGH_MARGIN = 2.0**11
 MIN_ERROR_BOUNDS = 100.0  # gap / error bound: the margin is then good to one part in a hundred
 MIN_LENGTH = 2.0**-900  # in units of max_coordinate: products of shorter lengths lose bits
@@ -62,7 +63,10 @@ def signed_relative_margins(
 
 
 def edge_clearances(own: CornerColumns, other: CornerColumns) -> Iterator[tuple[Array, Array]]:
-    """Yield per edge of `own`: least orientation determinant of the other's corners, larger side of the edge."""
+    """Yield for each edge of `own` (least orientation determinant of the other's corners, larger edge component).
+
+    Both are (n,) arrays, one value for each pair of columns.
+    """
     for e in range(len(own.x)):
         x, y = own.x[e - 1], own.y[e - 1]
         nx, ny = own.y[e] - y, x - own.x[e]
@@ -70,21 +74,25 @@ def edge_clearances(own: CornerColumns, other: CornerColumns) -> Iterator[tuple[
 
 
 def edge_distances(circle: CornerColumns, ring: CornerColumns) -> Iterator[tuple[NDArray[Any], ...]]:
-    """Yield (dx, dy, turn, squared distance from the center) for each edge of the polygons, in their float format.
+    """Yield (dx, dy, orientation, squared distance from the center) for each edge, in the float format of `ring`.
 
-    (dx, dy) is the edge; the turn is positive where the center is on its inner side.
+    Each is an (n,) array.  (dx, dy) is the edge; the orientation determinant is positive where the center is on its
+    inner side.
     """
     x, y = ring.x - circle.x, ring.y - circle.y
     for e in range(len(x)):
         dx, dy = ring.x[e] - ring.x[e - 1], ring.y[e] - ring.y[e - 1]
-        turn = x[e - 1] * dy - y[e - 1] * dx
+        orientation = x[e - 1] * dy - y[e - 1] * dx
         along, square = -(x[e - 1] * dx + y[e - 1] * dy), dx * dx + dy * dy
         ends = np.where(along <= 0, x[e - 1] ** 2 + y[e - 1] ** 2, x[e] ** 2 + y[e] ** 2)
-        yield dx, dy, turn, np.where((along > 0) & (along < square), turn / square * turn, ends)
+        yield dx, dy, orientation, np.where((along > 0) & (along < square), orientation / square * orientation, ends)
 
 
 def _margins_of_columns(a: CornerColumns, b: CornerColumns, polygon_gap: Measure, circle_gap: Measure) -> Array:
-    """Return the signed relative margins of columns; the measures serve two polygons and two circles."""
+    """Return the (n,) signed relative margins of columns k of `a` with columns k of `b`.
+
+    `polygon_gap`: the measure of two polygons; `circle_gap`: that of two circles.
+    """
     with np.errstate(all="ignore"):
         # scale all numbers below 1/2: then no difference of coordinates and no center plus radius overflows
         power = -1 - np.frexp(np.maximum(max_coordinates(_halved(a)), max_coordinates(_halved(b))))[1]
@@ -100,7 +108,7 @@ def _margins_of_columns(a: CornerColumns, b: CornerColumns, polygon_gap: Measure
 
 
 def _halved(g: CornerColumns) -> CornerColumns:
-    """Return the shapes at half size."""
+    """Return the shapes at half size, so that a center plus a radius cannot overflow."""
     return CornerColumns(g.block / 2)
 
 
@@ -139,10 +147,10 @@ def _polygon_gap_by_errors(a: CornerColumns, b: CornerColumns) -> Array:
             x, y = own.x[e - 1], own.y[e - 1]
             sides = two_sum(own.y[e], -y), two_sum(x, -own.x[e]), two_sum(other.x, -x), two_sum(other.y, -y)
             (nx, enx), (ny, eny), (dx, edx), (dy, edy) = ([np.broadcast_to(c, shape).ravel() for c in s] for s in sides)
-            turn, off, _ = sum_with_error([(nx, dx), (ny, dy)], (nx * edx + enx * dx) + (ny * edy + eny * dy))
+            orientation, off, _ = sum_with_error([(nx, dx), (ny, dy)], (nx * edx + enx * dx) + (ny * edy + eny * dy))
             span = np.maximum(np.abs(nx), np.abs(ny))[: shape[1]]
             span[span < MIN_LENGTH] = np.nan
-            np.maximum(best, turn.reshape(shape).min(axis=0) / span, out=best)
+            np.maximum(best, orientation.reshape(shape).min(axis=0) / span, out=best)
             np.maximum(error_bound, off.reshape(shape).max(axis=0) / span, out=error_bound)
     return np.where(np.abs(best) > np.maximum(MIN_ERROR_BOUNDS * error_bound, MIN_LENGTH), best, np.nan)
 

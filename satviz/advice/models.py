@@ -252,7 +252,7 @@ def circle_polygon_gap(circle: CornerColumns, ring: CornerColumns) -> NDArray[An
     assert circle.r is not None
     inside = np.ones(ring.x.shape[1], bool)
     nearest = np.full(ring.x.shape[1], np.inf, ring.x.dtype)
-    for _, _, turn, distance in edge_distances(circle, ring):
-        inside &= turn > 0
+    for _, _, orientation, distance in edge_distances(circle, ring):
+        inside &= orientation > 0
         np.minimum(nearest, distance, out=nearest)
     return np.where(inside, -1, nearest - circle.r * circle.r)

@@ -21,7 +21,11 @@ MAX_CORNERS_AT_ONCE = 1 << 18  # corners times pairs
 
 
 class Pairs(NamedTuple):
-    """Hold pairs of shapes (ia, ib) of two batches, all pairs (pa, pb) of their parts, and `of`: the pair of each."""
+    """Hold pairs of shapes of two batches, and all pairs of their convex parts.
+
+    ia, ib: (n,) pair k is a[ia[k]] with b[ib[k]]; pa, pb: (m,) indices of the convex parts of each pair of parts;
+    of: (m,) the number k of the pair of shapes to which each pair of parts belongs.
+    """
 
     a: Shapes
     b: Shapes
@@ -32,9 +36,10 @@ class Pairs(NamedTuple):
     of: Indices
 
     def whole(self, of_parts: Relations) -> Relations:
-        """Return the relation of each pair of shapes: the largest one of the pairs of their convex parts.
+        """Return the (n,) relations of the pairs of shapes: the largest one of their pairs of convex parts.
 
-        UNDECIDED for a part makes the pair UNDECIDED, unless another part overlaps.
+        of_parts: (m,) relations of the pairs of parts.  UNDECIDED for a part makes the pair UNDECIDED, unless another
+        part overlaps.
         """
         if self.a.owner is None and self.b.owner is None:
             return of_parts

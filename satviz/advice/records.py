@@ -79,7 +79,8 @@ class InputSummary(NamedTuple):
 
     `kinds`: how many shapes of each kind; `corners`: the fewest and the most of a convex part; `size_ratio`: the width
     of the largest shape over that of the smallest; `relations`: pairs apart, touching and overlapping; `settled`:
-    further pairs that are apart by their boxes; `relative_margin`: the smallest one, which pair `at` has; `search`:
+    further pairs that are apart by their boxes; `relative_margin`: the smallest one, which the pair with the indices
+    `at` has; `search`:
     the broad phase that suffices where all pairs of one batch are given, else None.
     """
 

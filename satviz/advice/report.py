@@ -170,7 +170,7 @@ def _all(summary: InputSummary) -> str:
 
 
 def _search(summary: InputSummary) -> list[str]:
-    """Return the line (in a list) on the broad phase that suffices; [] unless all pairs of one batch are given."""
+    """Return a list with the line on the broad phase that suffices; [] unless all pairs of one batch are given."""
     if summary.search is None or summary.pairs + summary.settled == 1:
         return []
     name, compared = summary.search
@@ -183,7 +183,7 @@ def _search(summary: InputSummary) -> list[str]:
 
 
 def _first(model: Model, summary: InputSummary) -> list[str]:
-    """Return the line (in a list) on the test of bounding boxes before the model; [] if there is none."""
+    """Return a list with the line on the test of bounding boxes before the model; [] if there is no such test."""
     if not model.after_boxes:
         return []
     sentence = (

@@ -24,7 +24,7 @@ class FloatFormat(NamedTuple):
 
     It holds n * 2**e for |n| < 2**bits from the lowest bit 2**lowest up to below 2**highest.  `least` and `most` bound
     the coordinates and spans for which bounds on rounding errors are trusted: between them no product of up to four
-    differences underflows or overflows in any order (the squared turn over a squared length is one).
+    differences underflows or overflows in any order (the squared orientation over a squared length is one).
     """
 
     name: str

@@ -1,4 +1,4 @@
-"""What a function under test returned, and whether that is right."""
+"""Answers of a function under test: how a returned value is read, and whether it is right."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -32,11 +32,11 @@ Answer = Any  # a bool, a Relation, a float, a Vec, None, or (bool, Vec or None)
 
 
 class UnreadableAnswer(ValueError):
-    """Raised for an answer that is not of the kind; the message says what it was and what was expected."""
+    """Raised for a returned value that is no answer of the expected kind; the message says what was expected."""
 
 
 class Rules(NamedTuple):
-    """What counts as right.
+    """The rules by which an answer counts as right.
 
     `returns`: the kind of answer; `touching`: what a verdict must say of shapes that touch; `tolerance`: verdicts
     are not judged where the gap or the depth is at most this, in scene units; `moves`: "B" or "A", the shape that
@@ -57,7 +57,10 @@ class Truth(NamedTuple):
 
 
 def truth_of(a: Shape, b: Shape, kind: str) -> Truth:
-    """Return the truth by the exact engine; the MTV is left out (None) where the kind does not need it."""
+    """Return the Truth about two shapes by the exact engine; its MTV is None for kinds of answers without a move.
+
+    `kind`: a kind of answer, one of the constants above.
+    """
     if kind in (HIT, RELATION):
         return Truth(relate(a, b), None)
     trace = record(a, b)
@@ -159,14 +162,18 @@ def is_right(answer: Answer, a: Shape, b: Shape, truth: Truth, rules: Rules) -> 
 
 
 def _is_right_hit(hit: bool, relation: Relation, rules: Rules) -> bool:
-    """Return whether a verdict is right, by what `rules.touching` asks of shapes that touch."""
+    """Return whether a hit or a miss is right; of shapes that touch, `rules.touching` says which one counts."""
     if relation is TOUCHING:
         return rules.touching == "either" or hit is (rules.touching == "hit")
     return hit is (relation is OVERLAPPING)
 
 
 def _is_right_move(move: Vec | None, a: Shape, b: Shape, truth: Truth, margin: float, moves: str) -> bool:
-    """Return whether a move is as short as the MTV and ends the overlap; there may be several such moves."""
+    """Return whether a move is as short as the MTV and ends the overlap; there may be several such moves.
+
+    `margin`: the allowed error of its length and of the remaining overlap, in scene units; `moves`: "A" or "B", the
+    shape that is moved.
+    """
     if move is None or truth.mtv is None or abs(hypot(*move) - hypot(*truth.mtv)) > margin:
         return False
     if moves == "A":

@@ -49,7 +49,7 @@ class CheckPair(NamedTuple):
 
 
 def kind_of(a: Shape, b: Shape) -> str:
-    """Return the kind of a pair of shapes."""
+    """Return the kind of a pair of shapes: one of the constants BOXES, CONVEX, CONCAVE, CIRCLES, ROUND, REPEATED."""
     circles = [isinstance(shape, Circle) for shape in (a, b)]
     if all(circles):
         return CIRCLES

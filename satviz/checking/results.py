@@ -1,4 +1,4 @@
-"""What came of one pair: the call, the answer as a value, and whether it is right."""
+"""The result of one pair: the outcome of the call, the answer as a value, and whether it is right."""
 
 from typing import Any, NamedTuple
 
@@ -34,7 +34,7 @@ class Result(NamedTuple):
 
 
 def judge(pair: CheckPair, outcome: Outcome, rules: Rules) -> Result:
-    """Return the Result of a call."""
+    """Return the Result of a call: its value read as an answer and compared with the truth by the rules."""
     truth = truth_of(pair.a, pair.b, rules.returns)
     if outcome.problem:
         return Result(pair, outcome.value, None, truth, False, outcome.problem, outcome.line)

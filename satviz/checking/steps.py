@@ -110,7 +110,7 @@ def _in_order(pairs: Iterable[CheckPair], options: Options) -> list[CheckPair]:
 
 
 def _rules(options: Options, outcomes: Sequence[Outcome], pairs: Sequence[CheckPair]) -> Rules:
-    """Return what counts as right, with what the function returns found out from its answers."""
+    """Return the rules of a check; the kind of answer is recognized from the outcomes unless the options name it."""
     answered = [(outcome.value, (p.a, p.b)) for outcome, p in zip(outcomes, pairs, strict=False) if not outcome.problem]
     first = answered[:FIRST_PAIRS]
     for kind_of_value in {type(raw) for raw, _ in answered[FIRST_PAIRS:]}:
@@ -178,9 +178,9 @@ def _shrunk(bad: Result, rules: Rules, options: Options) -> Generator[Asked, lis
 
 
 def _is_fit(pair: CheckPair, bad: Result, options: Options) -> bool:
-    """Return whether a smaller pair is one that the function must know: nothing that it was not asked about is new.
+    """Return whether a smaller pair has no feature that the options or the wrong pair `bad` exclude.
 
-    That is a dent, a vertex that is listed twice, clockwise order, or a slanted edge beside upright boxes only.
+    Such features are a dent, a vertex that is listed twice, clockwise order, and a slanted edge beside upright boxes.
     """
     for shape, old in zip(pair[:2], bad.pair[:2], strict=True):
         if shape.is_convex < old.is_convex or _has_repeats(shape) > _has_repeats(old):
@@ -224,9 +224,10 @@ def _order_notes(results: Sequence[Result]) -> list[str]:
 
 
 def _near(options: Options, rules: Rules) -> Generator[Asked, list[Outcome], Near | Result | None]:
-    """Return how the function does on pairs that nearly touch, in rounded numbers; None where it gives no verdict.
+    """Return the Near of the function on pairs that nearly touch, in rounded numbers.
 
-    Where it gives no answer for such numbers at all, the Result says so, since rounding is not the reason.
+    None where its kind of answer has no hit or relation; the Result of a pair for which it gives no answer at all,
+    since rounding is not the reason for that.
     """
     gives_verdict = rules.returns in (HIT, RELATION, HIT_AND_MTV)
     verdict_rules = rules._replace(returns=RELATION if rules.returns == RELATION else HIT)
@@ -257,7 +258,7 @@ def _found(
     notes: Sequence[str],
     alike: tuple[Likeness, ...],
 ) -> Checked:
-    """Return the Checked of a function with a fault."""
+    """Return the Checked of a function with a fault; `bad`: the result that shows it, `alike`: the known mistakes."""
     shown = alike[0].name if alike and explains(alike[0].name, bad.a, bad.b, bad.answer, rules) else ""
     truth: Relation | float | Vec | None = bad.truth.relation
     if rules.returns == DEPTH:
