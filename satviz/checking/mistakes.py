@@ -23,10 +23,11 @@ from .answers import (
     same_answer,
     size_of,
 )
+from .other_methods import VARIANTS as VARIANTS_OF_OTHERS
 from .other_methods import by_shortcut
 from .pairs import BOXES, CIRCLES, CONVEX, KNOWN_SCENES, ROUND, kind_of
 from .results import Result
-from .variants import VARIANTS, Predict
+from .written import VARIANTS, Predict
 
 # What a mistake looks like in a game or a drawing program, in the words of the people who see it.  A test simulates it.
 SYMPTOMS: dict[str, tuple[str, ...]] = {
@@ -187,7 +188,7 @@ def _hypotheses() -> Iterator[Hypothesis]:
             continue
         seen.append(alike)
         yield Hypothesis(case.name, partial(by_shortcut, case.shortcut))
-    yield from (Hypothesis(*variant) for variant in VARIANTS)
+    yield from (Hypothesis(*variant) for variant in (*VARIANTS, *VARIANTS_OF_OTHERS))
 
 
 HYPOTHESES = tuple(_hypotheses())
