@@ -474,10 +474,13 @@ def advise(args: argparse.Namespace) -> int:
             chart = recommendation.chart()
         except ValueError as error:
             raise Refused(str(error)) from None
+        from .pictures import THEMES
+        from .render.chart import theme_suffix
+
         safe_write.make_folder(args.chart)
-        for theme in ("light", "dark"):
+        for theme in THEMES.values():
             for form in ("svg", "png"):
-                path = args.chart / f"advice{'' if theme == 'light' else '-dark'}.{form}"
+                path = args.chart / f"advice{theme_suffix(theme)}.{form}"
                 safe_write.write(path, chart.encode(form, theme), force=args.force)
                 say(f"wrote {path}")
     return 0
@@ -520,10 +523,10 @@ def bench(args: argparse.Namespace) -> int:
     if warning:
         say(warning)
     if args.chart:
+        from .render.chart import save_chart
         from .study.bench import FRAME_SECTIONS
         from .study.bench_chart import bench_chart
         from .study.frames_chart import frames_chart
-        from .study.harness.chart import save_chart
 
         of_frames = [row for row in rows if row.section in FRAME_SECTIONS]
         others = [row for row in rows if row.section not in FRAME_SECTIONS]

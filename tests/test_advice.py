@@ -713,21 +713,21 @@ def test_costs_are_those_of_all_candidates_and_count_their_wrong_answers():
 @pytest.mark.parametrize("theme", THEMES.values(), ids=lambda theme: theme.name)
 @pytest.mark.parametrize("seed", one_in(3, range(6)))
 def test_the_charts_labels_cover_nothing_and_stay_on_the_paper(seed, theme):
-    from satviz.advice.cost_chart import Chart
-    from satviz.advice.costs import Cost
+    from matplotlib.text import Text
+
+    from satviz.advice.cost_chart import cost_chart
 
     rng = Random(seed)
     names = BOUNDING_CIRCLES, AABB, "ranges on 8 directions", "SAT, float32", "SAT, float64", EXACT_FILTER
     rows = []
     for i, name in enumerate(names):
         warm = 10 ** rng.uniform(0.5, 3) if seed else 50.0
-        rows.append(
-            (name, "float", Cost(warm * rng.uniform(1, 5), warm, 0 if i > 2 else rng.choice((1, 40, 12_345)), 9))
-        )
-    fig = Chart("title", "under", tuple(rows), "SAT, float32", 20_000, "words").figure(theme)
+        cold, wrong = warm * rng.uniform(1, 5), 0 if i > 2 else rng.choice((1, 40, 12_345))
+        rows.append({"model": name, "role": "float", "cold": cold, "warm": warm, "wrong": wrong})
+    fig = cost_chart(("title", "under"), rows, "SAT, float32", "words").figure(theme)
     renderer = fig.canvas.get_renderer()
     texts = [t for ax in fig.axes for t in ax.texts]
-    boxes = [t.get_window_extent(renderer) for t in texts]
+    boxes = [Text.get_window_extent(t, renderer) for t in texts]  # without the lines to the points
     assert len(boxes) == 6
     for one, other in combinations(boxes, 2):
         assert not (min(one.x1, other.x1) > max(one.x0, other.x0) and min(one.y1, other.y1) > max(one.y0, other.y0))
@@ -738,8 +738,9 @@ def test_the_charts_labels_cover_nothing_and_stay_on_the_paper(seed, theme):
 @pytest.mark.slow
 def test_the_chart_is_a_file_that_says_what_it_shows():
     chart = sv.advise("triangles").chart()
-    assert b"made by satviz" in chart.encode("svg", "dark") and chart.encode("png").startswith(b"\x89PNG")
-    assert "AABB is right for this pair" in repr(chart) and chart.svg().startswith("<svg")
+    assert b"made by satviz" in chart.encode("svg", THEMES["dark"]) and chart.encode("png").startswith(b"\x89PNG")
+    assert "AABB is right for this pair" in repr(chart)
+    assert chart._repr_mimebundle_()["image/svg+xml"].startswith("<svg")
 
 
 # -- on the command line

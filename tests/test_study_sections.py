@@ -26,10 +26,11 @@ from satviz.advice.timing import time_in_turn
 from satviz.engine.axes import needed
 from satviz.engine.geometry import Relation
 from satviz.pictures import THEMES
+from satviz.render.chart import TEXT_POINTS, WIDTH, head_height
 from satviz.study import bench, methods, run, truth
 from satviz.study.harness import timings
 from satviz.study.harness.cells import Settings
-from satviz.study.harness.chart import TEXT_POINTS, WIDTH, head_height, median_interval, wilson_interval
+from satviz.study.harness.chart import median_interval, wilson_interval
 from satviz.study.methods import (
     COMPILED,
     PYTHON,

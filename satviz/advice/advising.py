@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from ..batch import Shapes
-    from .cost_chart import Chart
+    from ..render.chart import Chart
     from .costs import Cost
 
 

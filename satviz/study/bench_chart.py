@@ -7,9 +7,10 @@ from typing import Any
 from matplotlib.figure import Figure
 
 from ..pictures import Theme
+from ..render.chart import TEXT_POINTS, WIDTH, Chart, add_axes, draw_headline, head_height
 from .bench import TimingRow
 from .bench_table import faster_from, growth_exponent, wrong_counts
-from .harness.chart import TEXT_POINTS, WIDTH, Chart, add_axes, draw_headline, head_height, label_ends, set_time_ticks
+from .harness.chart import label_ends, set_time_ticks
 from .methods import ENGINES
 
 ROW, CORNERS = 34.0, 250.0  # points: the height of a work, and of the chart against corners

@@ -10,9 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ..pictures import Theme
-from .bench import PLAIN_SAT, TimingRow
-from .bench_table import faster_from, wrong_counts
-from .harness.chart import (
+from ..render.chart import (
     TEXT_LETTER,
     TEXT_LINE,
     TEXT_POINTS,
@@ -21,10 +19,11 @@ from .harness.chart import (
     add_axes,
     draw_headline,
     head_height,
-    label_ends,
     label_points,
-    set_time_ticks,
 )
+from .bench import PLAIN_SAT, TimingRow
+from .bench_table import faster_from, wrong_counts
+from .harness.chart import label_ends, set_time_ticks
 from .methods import ENGINES
 from .methods.scene_methods import DIFFERENCES
 

@@ -15,9 +15,9 @@ from ...engine.axes import Axis, Source, needed
 from ...engine.shapes import Polygon, Shape, centroid
 from ...engine.trace import record
 from ...pictures import Theme
+from ...render.chart import TEXT_POINTS, WIDTH, Chart, JsonRow, add_axes, draw_headline, head_height
 from .. import truth
-from ..harness.cells import Cell, JsonRow, Settings
-from ..harness.chart import TEXT_POINTS, WIDTH, Chart, add_axes, draw_headline, head_height
+from ..harness.cells import Cell, Settings
 from ..workloads.generators import ngons
 
 Rng = np.random.Generator

@@ -15,18 +15,10 @@ from matplotlib.figure import Figure
 
 from ... import batch
 from ...pictures import Theme
+from ...render.chart import TEXT_POINTS, WIDTH, Chart, JsonRow, add_axes, draw_headline, head_height
 from ..harness import timings
-from ..harness.cells import Cell, JsonRow, Settings
-from ..harness.chart import (
-    TEXT_POINTS,
-    WIDTH,
-    Chart,
-    add_axes,
-    draw_headline,
-    draw_time_curves,
-    format_time,
-    head_height,
-)
+from ..harness.cells import Cell, Settings
+from ..harness.chart import draw_time_curves, format_time
 from ..harness.machine import is_installed
 from ..methods import libraries, true_relations
 from ..workloads.generators import Array, Rings, apart_pairs, overlapping_pairs

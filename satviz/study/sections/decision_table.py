@@ -17,8 +17,9 @@ from ... import batch
 from ...advice.advising_batches import recommend_batch
 from ...advice.records import anywhere, best
 from ...pictures import Theme
-from ..harness.cells import Cell, JsonRow, Settings
-from ..harness.chart import TEXT_LETTER, TEXT_LINE, TEXT_POINTS, WIDTH, Chart, draw_headline, format_time, head_height
+from ...render.chart import TEXT_LETTER, TEXT_LINE, TEXT_POINTS, WIDTH, Chart, JsonRow, draw_headline, head_height
+from ..harness.cells import Cell, Settings
+from ..harness.chart import format_time
 from ..harness.timings import timing_warning
 from ..workloads.adversary import beside, kilometre_shapes
 from ..workloads.generators import circles, tiles, turn_rings, turned_boxes

@@ -14,18 +14,10 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from ...pictures import Theme
+from ...render.chart import TEXT_POINTS, WIDTH, Chart, JsonRow, add_axes, draw_headline, head_height
 from ..harness import timings
-from ..harness.cells import Cell, JsonRow, Settings
-from ..harness.chart import (
-    TEXT_POINTS,
-    WIDTH,
-    Chart,
-    add_axes,
-    draw_headline,
-    draw_time_curves,
-    format_time,
-    head_height,
-)
+from ..harness.cells import Cell, Settings
+from ..harness.chart import draw_time_curves, format_time
 from ..methods import COMPILED, VECTORISED, all_methods
 from ..workloads.generators import Rings, ngons
 from ..workloads.hard_pairs import touching_quadrilaterals

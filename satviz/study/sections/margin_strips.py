@@ -21,18 +21,10 @@ from matplotlib.patches import Rectangle
 from ... import batch
 from ...engine.shapes import Circle, Polygon
 from ...pictures import Theme
+from ...render.chart import TEXT_POINTS, WIDTH, Chart, JsonRow, add_axes, draw_headline, head_height
 from .. import truth
-from ..harness.cells import Cell, JsonRow, Settings
-from ..harness.chart import (
-    TEXT_POINTS,
-    WIDTH,
-    Chart,
-    add_axes,
-    draw_headline,
-    family_colour,
-    head_height,
-    wilson_interval,
-)
+from ..harness.cells import Cell, Settings
+from ..harness.chart import family_colour, wilson_interval
 from ..methods import (
     COMPILED,
     Method,

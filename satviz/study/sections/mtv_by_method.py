@@ -23,9 +23,10 @@ from ...engine.geometry import Relation
 from ...engine.shapes import Polygon
 from ...engine.trace import record
 from ...pictures import Theme
+from ...render.chart import TEXT_POINTS, WIDTH, Chart, JsonRow, add_axes, draw_headline, head_height
 from .. import truth
-from ..harness.cells import Cell, JsonRow, Settings
-from ..harness.chart import TEXT_POINTS, WIDTH, Chart, add_axes, draw_headline, head_height, wilson_interval
+from ..harness.cells import Cell, Settings
+from ..harness.chart import wilson_interval
 from ..harness.machine import is_installed
 from ..workloads.generators import Array, ngons, turn_rings, turned_boxes, unit_vectors
 

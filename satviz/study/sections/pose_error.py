@@ -16,8 +16,9 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from ...pictures import Theme
-from ..harness.cells import Cell, JsonRow, Settings
-from ..harness.chart import TEXT_POINTS, WIDTH, Chart, add_axes, draw_headline, head_height, label_ends, median_interval
+from ...render.chart import TEXT_POINTS, WIDTH, Chart, JsonRow, add_axes, draw_headline, head_height
+from ..harness.cells import Cell, Settings
+from ..harness.chart import label_ends, median_interval
 from .speed_against_accuracy import SAT_MARGIN, in_metres
 
 STEPS = (1, 10, 100, 1000, 10_000)

@@ -17,8 +17,8 @@ from matplotlib.figure import Figure
 from ...engine.shapes import Polygon
 from ...engine.trace import record
 from ...pictures import Theme
-from ..harness.cells import Cell, JsonRow, Settings
-from ..harness.chart import TEXT_POINTS, WIDTH, Chart, add_axes, draw_headline, head_height
+from ...render.chart import TEXT_POINTS, WIDTH, Chart, JsonRow, add_axes, draw_headline, head_height
+from ..harness.cells import Cell, Settings
 from ..workloads.stack import GRAVITY, SLOP, STEP, Contact, Test, simulate
 from .mtv_by_method import Push, box_push, sat_push
 from .speed_against_accuracy import in_metres

@@ -18,21 +18,11 @@ from matplotlib.figure import Figure
 
 from ...engine.shapes import Polygon
 from ...pictures import Theme
+from ...render.chart import TEXT_POINTS, WIDTH, Chart, JsonRow, add_axes, draw_headline, head_height, label_points
 from .. import truth
 from ..harness import timings
-from ..harness.cells import Cell, JsonRow, Settings
-from ..harness.chart import (
-    TEXT_POINTS,
-    WIDTH,
-    Chart,
-    add_axes,
-    draw_headline,
-    family_colour,
-    format_time,
-    head_height,
-    label_points,
-    set_time_ticks,
-)
+from ..harness.cells import Cell, Settings
+from ..harness.chart import family_colour, format_time, set_time_ticks
 from ..methods import (
     COMPILED,
     VECTORISED,
