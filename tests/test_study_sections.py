@@ -17,6 +17,7 @@ import numba
 import numpy as np
 import pytest
 from matplotlib.text import Text
+from oracle import squared_distance
 from refresh_charts import charts as guide_charts
 
 from satviz import Circle, Polygon, batch, relate
@@ -225,8 +226,8 @@ def test_a_move_is_judged_without_rounding():
 def test_a_gap_is_measured_on_the_edge_normal_where_it_is_largest():
     a, beside = Polygon([(0, 0), (1, 0), (1, 1), (0, 1)]), Polygon([(2, 0), (3, 0), (3, 1)])
     corner = Polygon([(1.5, 1.25), (2.5, 1.25), (2.5, 2.25), (1.5, 2.25)])
-    assert truth.squared_gap(a, beside) == 1 == truth.squared_distance(a, beside)
-    assert truth.squared_gap(a, corner) == 0.25 < truth.squared_distance(a, corner)
+    assert truth.squared_gap(a, beside) == 1 == squared_distance(a, beside)
+    assert truth.squared_gap(a, corner) == 0.25 < squared_distance(a, corner)
 
 
 # -- the rivals are as fast and as right as they can be
