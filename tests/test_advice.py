@@ -27,7 +27,7 @@ from satviz.advice.advising_batches import repeated_pair
 from satviz.advice.candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, Model, SplitPolygon
 from satviz.advice.certified_bounds import SAT_ROUNDINGS, certify
 from satviz.advice.classify import classify
-from satviz.advice.margins import relative_margins
+from satviz.advice.margins import signed_relative_margins
 from satviz.advice.models import evaluate, prepare
 from satviz.advice.pairs import paired
 from satviz.advice.relative_margin import relative_margin, signed_relative_margin
@@ -89,18 +89,18 @@ def test_relative_margin_is_unchanged_by_powers_of_two():
 
 def test_relative_margins_of_batches_are_those_of_single_pairs():
     found = list(pairs(14, 90))
-    many = relative_margins(batch_of([a for _, a, _ in found]), batch_of([b for _, _, b in found]))
+    many = signed_relative_margins(batch_of([a for _, a, _ in found]), batch_of([b for _, _, b in found]))
     for (kind, a, b), some in zip(found, many.tolist(), strict=True):
-        assert math.isclose(some, relative_margin(a, b), rel_tol=0.02), kind
+        assert math.isclose(some, signed_relative_margin(a, b), rel_tol=0.02), kind
 
 
 @pytest.mark.parametrize("kind", ["smallest scale", "needles pointed at circles"])
 def test_relative_margins_of_batches_are_those_of_single_pairs_within_rounding_of_a_touch(kind):
     found = list(pairs(16, 250, [kind]))
     found += [(kind, a, b) for a, b in few_units(Random(16), 50)] if kind == "smallest scale" else []
-    many = relative_margins(batch_of([a for _, a, _ in found]), batch_of([b for _, _, b in found]))
+    many = signed_relative_margins(batch_of([a for _, a, _ in found]), batch_of([b for _, _, b in found]))
     for (_, a, b), some in zip(found, many.tolist(), strict=True):
-        assert math.isclose(some, relative_margin(a, b), rel_tol=0.02), (a, b)
+        assert math.isclose(some, signed_relative_margin(a, b), rel_tol=0.02), (a, b)
 
 
 def few_units(rng, count):
@@ -122,14 +122,14 @@ def test_relative_margins_by_index_are_those_side_by_side():
     found = list(pairs(15, 40, ORDINARY))
     a, b = batch_of([a for _, a, _ in found]), batch_of([b for _, _, b in found])
     i = np.arange(40)[::-1]
-    assert (relative_margins(a, b, np.stack([i, i], axis=1)) == relative_margins(a, b)[::-1]).all()
+    assert (signed_relative_margins(a, b, np.stack([i, i], axis=1)) == signed_relative_margins(a, b)[::-1]).all()
 
 
 @pytest.mark.parametrize("wrong", [[[0, 1, 2]], [[0, 9]], [[0.5, 0]]])
 def test_invalid_pairs_are_refused(wrong):
     coins = sv.batch.Circles([(0, 0), (1, 1)], 1)
     with pytest.raises((ValueError, IndexError), match="pairs"):
-        relative_margins(coins, coins, wrong)
+        signed_relative_margins(coins, coins, wrong)
 
 
 # -- models
@@ -600,7 +600,7 @@ def test_a_recommendation_with_any_wrong_claim_does_not_pass_its_check():
     rings = rng.integers(1, 2**20, (40, 3, 2)) * 2.0**-20 + 2.0**13 + rng.integers(0, 3, (40, 1, 2)) / 2
     far = batch.Polygons(rings)
     candidates = batch.candidate_pairs(far.bounds)
-    nearest = np.argsort(relative_margins(far, far, candidates))[:5]
+    nearest = np.argsort(abs(signed_relative_margins(far, far, candidates)))[:5]
     some = [sv.advise(far, pairs=candidates[nearest]), sv.advise(batch.Polygons(np.array(CORNER_ON_EDGE, float)))]
     some += [sv.advise(boxes_at([(0, 0), (0.9, 0.1), (1, 1)])), sv.advise("triangles"), sv.advise("concave")]
     some += [sv.advise(sv.Circle((0.1, 0.2), 1), sv.Circle((0.1, 2.2), 1)), sv.advise("circle-polygon")]

@@ -21,7 +21,7 @@ from oracle import squared_distance
 from refresh_charts import charts as guide_charts
 
 from satviz import Circle, Polygon, batch, relate
-from satviz.advice.margins import relative_margins
+from satviz.advice.margins import signed_relative_margins
 from satviz.advice.relative_margin import relative_margin
 from satviz.advice.timing import time_in_turn
 from satviz.engine.axes import needed
@@ -135,7 +135,8 @@ def test_the_relative_margin_has_no_unit():
     rng = np.random.default_rng(4)
     for kind in HARD_KINDS:
         a, b, found = hard_pairs(kind, rng, 1)
-        small, large = (relative_margins(batch.Polygons(a * 2.0**k), batch.Polygons(b * 2.0**k)) for k in (-90, 70))
+        scaled = [(batch.Polygons(a * 2.0**k), batch.Polygons(b * 2.0**k)) for k in (-90, 70)]
+        small, large = (abs(signed_relative_margins(*both)) for both in scaled)
         assert np.array_equal(small, found) and np.array_equal(large, found)
 
 
@@ -346,7 +347,7 @@ def test_what_a_search_finds_is_wrong_and_below_the_proven_bound(name, seed):
     ((_, answers),) = answers_by_method([method], found.a, found.b)
     assert wrong_answers(answers, right).tolist() == [True]
     assert 3 < found.margin < speed_against_accuracy.PROVEN_MARGINS[name]
-    assert relative_margins(batch.Polygons(found.a), batch.Polygons(found.b))[0] == found.margin
+    assert abs(signed_relative_margins(batch.Polygons(found.a), batch.Polygons(found.b))[0]) == found.margin
 
 
 def test_a_search_finds_gjk_wrong_where_edges_are_parallel():

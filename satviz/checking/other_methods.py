@@ -61,11 +61,6 @@ def nearest_corner(shape: Shape, center: Vec, radius: float) -> float:
     return min(dist(vertex, center) for vertex in shape.vertices) - radius
 
 
-def center_outside(shape: Shape, center: Vec, radius: float) -> float:
-    """Return how far the center lies outside the polygon, else 0 or less."""
-    return _outside(center, shape)
-
-
 def corner_or_center(shape: Shape, center: Vec, radius: float) -> float:
     """Return the smaller of both, since a corner in the circle or the center in the polygon is a hit."""
     return min(nearest_corner(shape, center, radius), _outside(center, shape))
@@ -181,7 +176,7 @@ def _other_ways() -> Iterator[Variant]:
     yield "corner-inside", partial(spot_inside, first_corner), "here the first corner of one"
     for gap_of, words in (
         (nearest_corner, "here a corner in the circle"),
-        (center_outside, "here the center of the circle in the polygon"),
+        (lambda shape, center, radius: _outside(center, shape), "here the center of the circle in the polygon"),
         (corner_or_center, "here the center of the circle, too"),
     ):
         yield "corner-inside", partial(with_circle, gap_of), words

@@ -132,11 +132,6 @@ def between(middle: Middle, a: Ring, b: Ring) -> list[Vec]:
     return [Vec(bx - ax, by - ay) if (ax, ay) != (bx, by) else Vec(1.0, 0.0)]
 
 
-def one_edge(index: int, a: Ring, b: Ring) -> list[Vec]:
-    """Return the normal of one of all edges."""
-    return [listed(a, b)[index]]
-
-
 def by_direction(a: Ring, b: Ring) -> list[Vec]:
     """Return all normals in the order of their directions, by which Python's min() of tuples chooses among equals."""
     return sorted(listed(a, b), key=lambda n: (n.x / hypot(*n), n.y / hypot(*n)))
@@ -207,11 +202,6 @@ def one_extreme_each(step: int, ring: Ring, n: Vec) -> Interval:
     return ends([pick(ring[::step], key=itemgetter(k)) for pick in (min, max) for k in (0, 1)], n)
 
 
-def some_vertices(cut: slice, ring: Ring, n: Vec) -> Interval:
-    """Return the range of some vertices."""
-    return ends(ring[cut], n)
-
-
 def rounded_landings(round_to: Callable[[float], float], ring: Ring, n: Vec) -> Interval:
     """Return a range on the normal of length 1 with both ends rounded, in units of n's length."""
     length = hypot(*n)
@@ -247,11 +237,6 @@ def a_before_b(a: Interval, b: Interval) -> float:
 def by_an_end_of_a(a: Interval, b: Interval) -> float:
     """Return how deep an end of A's range lies within B's range, at most."""
     return max(min(b.hi - end, end - b.lo) for end in a)
-
-
-def by_an_end_of_b(a: Interval, b: Interval) -> float:
-    """Return how deep an end of B's range lies within A's range, at most."""
-    return by_an_end_of_a(b, a)
 
 
 # -- pushes
@@ -326,8 +311,8 @@ def _chosen_edges() -> Iterator[Variant]:
     yield "one-shapes-normals", Written(partial(listed, cut_a=slice(0))), "here those of B"
     yield "same-shape", Written(one_for_equal_counts), "here for shapes with equally many corners"
     yield one, Written(lambda a, b: of_world(a, b)[:1]), "here on the x axis"
-    yield one, Written(partial(one_edge, 0)), "here on the normal of the first edge"
-    yield one, Written(partial(one_edge, -1)), "here on the normal of the last edge"
+    yield one, Written(lambda a, b: listed(a, b)[:1]), "here on the normal of the first edge"
+    yield one, Written(lambda a, b: listed(a, b)[-1:]), "here on the normal of the last edge"
     yield one, Written(lambda a, b: listed(a, ())[-1:]), "here on the normal of the edge to A's first vertex"
     yield one, Written(lambda a, b: listed((), b)[-2:-1]), "here on the normal of the edge to B's last vertex"
     for in_order in False, True:
@@ -365,13 +350,14 @@ def _measured() -> Iterator[Variant]:
     yield "start-at-zero", Written(ends=both_from_zero), "here the search for the smallest, too"
     yield "bounding-circles", Written(ends=about_the_mean), "here on each axis, about the middle of each range"
     yield "corner-inside", Written(overlap=by_an_end_of_a), "here an end of A's range in B's, on each axis"
-    yield "corner-inside", Written(overlap=by_an_end_of_b), "here an end of B's range in A's, on each axis"
+    by_an_end_of_b = Written(overlap=lambda a, b: by_an_end_of_a(b, a))
+    yield "corner-inside", by_an_end_of_b, "here an end of B's range in A's, on each axis"
     for middle, radius in (*LARGE_RADII, *SMALL_RADII):
         yield "bounding-circles", Written(partial(between, middle), partial(circle_about, middle, radius)), ""
     for step in (1, -1):
         yield "extremes-once", Written(ends=partial(one_extreme_each, step)), ""
-    yield "extremes-once", Written(ends=partial(some_vertices, slice(-1))), "here without the last vertex"
-    yield "extremes-once", Written(ends=partial(some_vertices, slice(1, None))), "here without the first vertex"
+    yield "extremes-once", Written(ends=lambda ring, n: ends(ring[:-1], n)), "here without the last vertex"
+    yield "extremes-once", Written(ends=lambda ring, n: ends(ring[1:], n)), "here without the first vertex"
     for round_to in round, int, floor:
         yield "rounded-normals", Written(ends=partial(rounded_landings, round_to)), "here the landing places"
     for slop in 0.1, 0.25, 0.5, 1.0:
