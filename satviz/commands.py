@@ -78,12 +78,12 @@ def figures(args: argparse.Namespace) -> int:
                 raise Refused(f"no figure {name!r}{_did_you_mean(name, known)}")
         wanted = [figure for figure in (*FIGURES, STRIP) if figure in [known[name] for name in args.only]]
     forms = dict.fromkeys(args.format)
-    return _write(args, [_job(args, f.stem, form, partial(_single, f.picture)) for f in wanted for form in forms])
 
+    def draw(figure: Figure) -> "list[Picture]":
+        """Return a list of the figure's one picture."""
+        return [figure.picture()]
 
-def _single(make: "Callable[[], Picture]") -> "list[Picture]":
-    """Return a list of the one picture that `make` draws, as `_job` expects it."""
-    return [make()]
+    return _write(args, [_job(args, f.stem, form, partial(draw, f)) for f in wanted for form in forms])
 
 
 class _Drawable(NamedTuple):
@@ -116,7 +116,7 @@ def draw(args: argparse.Namespace) -> int:
         if form == "html":
             jobs.append((args.out / f"{drawable.name}.html", partial(_page, drawable)))  # a page has both themes
         elif FORMATS[form].animated:
-            jobs.append(_animated_job(args, drawable, form))
+            jobs.append(_job(args, drawable.name, form, drawable.frames))
         else:
             jobs += [_job(args, stem, form, make) for stem, make in drawable.stills]
     done = _write(args, jobs)
@@ -256,28 +256,20 @@ def _page(drawable: _Drawable) -> bytes:
         raise Refused(str(error)) from None
 
 
-def _job(args: argparse.Namespace, stem: str, form: str, make: "Pictures") -> "Job":
+def _job(args: argparse.Namespace, stem: str, form: str, make: "Callable[[], Sequence[Picture] | Animation]") -> "Job":
     """Return a file's path in --out and the function that makes its bytes; dark files' names end in -dark."""
-    from .pictures import LIGHT, THEMES
+    from .pictures import THEMES
+    from .pictures.moves import Animation
+    from .render.chart import theme_suffix
     from .render.files import encode_frames
 
     theme = THEMES[args.theme or "light"]
-    if theme is not LIGHT:
-        stem = f"{stem}-{theme.name}"
-    return args.out / f"{stem}.{form}", lambda: encode_frames(make(), form, theme, stem=stem)
-
-
-def _animated_job(args: argparse.Namespace, drawable: _Drawable, form: str) -> "Job":
-    """Return an animated file's path in --out and the function that makes its bytes."""
-    from .pictures import LIGHT, THEMES
-    from .render.files import encode_frames
-
-    theme = THEMES[args.theme or "light"]
-    stem = drawable.name if theme is LIGHT else f"{drawable.name}-{theme.name}"
+    stem += theme_suffix(theme)
 
     def encode() -> bytes:
-        """Return the bytes of the animation."""
-        pictures, times = drawable.frames()
+        """Return the bytes of the file."""
+        made = make()
+        pictures, times = made if isinstance(made, Animation) else (made, None)
         return encode_frames(pictures, form, theme, stem=stem, times=times)
 
     return args.out / f"{stem}.{form}", encode
@@ -342,7 +334,8 @@ def notebook(args: argparse.Namespace) -> int:
     safe_write.make_folder(args.out)
     for source in sources:
         copy, data = args.out / source.name, _not_yet_run(source.read_bytes())
-        if os.path.lexists(copy) and not _has_content(copy, data) and not args.force:
+        same = copy.is_file() and not copy.is_symlink() and copy.read_bytes() == data
+        if os.path.lexists(copy) and not same and not args.force:
             say(f"{copy} was changed and is left alone (overwrite it with --force)")
         else:
             safe_write.write(copy, data, force=True)
@@ -368,11 +361,6 @@ def _not_yet_run(data: bytes) -> bytes:
         if cell["cell_type"] == "code":
             cell["outputs"], cell["execution_count"] = [], None
     return (json.dumps(notebook, indent=1, ensure_ascii=False) + "\n").encode()
-
-
-def _has_content(path: Path, data: bytes) -> bool:
-    """Return whether the path is a file, not a link, with exactly this content."""
-    return path.is_file() and not path.is_symlink() and path.read_bytes() == data
 
 
 def _jupyterlab(folder: Path) -> int:
@@ -505,14 +493,8 @@ def bench(args: argparse.Namespace) -> int:
         stop_if_interrupted()
     warning = "quick figures are rough: a table for keeps takes minutes" if args.quick else busy_warning(rows)
     if args.json:
-        facts = {
-            "machine": machine_facts(),
-            "missing": missing_peers(),
-            "pairs": pairs,
-            "rounds": rounds,
-            "warning": warning,
-        }
-        out_json(json.dumps({**facts, "rows": [row._asdict() for row in rows]}, indent=1))
+        data = {"machine": machine_facts(), "missing": missing_peers(), "pairs": pairs, "rounds": rounds}
+        out_json(json.dumps(data | {"warning": warning, "rows": [row._asdict() for row in rows]}, indent=1))
     else:
         out(bench_table(rows))
         if "numba" not in missing_peers():
