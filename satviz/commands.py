@@ -168,7 +168,7 @@ def _drawable_refused(args: argparse.Namespace, case: "FailureCase") -> _Drawabl
     """Return the drawing of a scene whose outlines are refused; Refused for options that need a run."""
     from .pictures.comparison import refused_picture
     from .pictures.moves import animation
-    from .render.page import page_of_refused
+    from .render.page import page
 
     options = "axes", "every_axis", "sheet", "step", "steps", "sweep", "difference", "predict"
     if any(getattr(args, name) for name in options):
@@ -181,7 +181,7 @@ def _drawable_refused(args: argparse.Namespace, case: "FailureCase") -> _Drawabl
         case.name,
         [(case.name, lambda: [drawn])],
         lambda: animation([drawn], speed=args.speed or 1.0),
-        lambda: page_of_refused(case),
+        lambda: page(case.name),
     )
 
 
@@ -193,7 +193,7 @@ def _drawable_run(args: argparse.Namespace, scene: "Scene") -> _Drawable:
     from .pictures.moves import animation, turning
     from .pictures.sheet import sheet
     from .pictures.turning_axis import sweep
-    from .render.page import page_of_run
+    from .render.page import page
 
     trace = scene.record()
     try:
@@ -218,27 +218,25 @@ def _drawable_run(args: argparse.Namespace, scene: "Scene") -> _Drawable:
         drawn = difference_steps(trace) if args.difference else [picture(trace, s) for s in range(first, last + 1)]
         return animation(add_captions(drawn, brief=True), speed=args.speed or 1.0)
 
-    def page() -> str:
-        """Return the page of the run."""
-        return page_of_run(
-            trace, title=scene.title, predict=args.predict, sweep=args.sweep, difference=args.difference,
-            speed=args.speed or 1.0,
-        )  # fmt: skip
+    whole_page = partial(
+        page, trace, title=scene.title, predict=args.predict, sweep=args.sweep, difference=args.difference,
+        speed=args.speed or 1.0,
+    )  # fmt: skip
 
     if args.sweep or args.difference:
         name = f"{scene.name}-{'sweep' if args.sweep else 'difference'}"
         every = (sweep if args.sweep else difference_steps)(trace, title=scene.title)
         digits = len(str(len(every) - 1))
         own = [(f"{name}-{n:0{digits}}", partial(_captioned, drawn, args)) for n, drawn in enumerate(every)]
-        return _Drawable(name, own, frames, page)
+        return _Drawable(name, own, frames, whole_page)
 
     if not args.sheet and (last - first < MAX_STEP_FILES or args.steps):
         digits = len(str(count - 1))
         stills = [(f"{scene.name}-{step:0{digits}}", partial(still, step)) for step in range(first, last + 1)]
-        return _Drawable(scene.name, stills, frames, page)
+        return _Drawable(scene.name, stills, frames, whole_page)
     whole = [(f"{scene.name}-sheet", lambda: [sheet(trace, title=scene.title)])]
     note = "" if args.sheet else f"one sheet instead of a picture of each of the {count} steps (--steps makes those)"
-    return _Drawable(scene.name, whole, frames, page, note)
+    return _Drawable(scene.name, whole, frames, whole_page, note)
 
 
 def _captioned(drawn: "Picture", args: argparse.Namespace) -> "Sequence[Picture]":

@@ -11,12 +11,10 @@ from ...engine.shapes import Polygon, Shape
 from ...engine.shortcut import Shortcut
 from ...engine.trace import Trace
 from ..shape_tools import box, decimal_vertices
-from .claimed_value import push_length
-from .failure_case import FALSE_HIT, MISSED_HIT, WRONG_NUMBER, FailureCase, Panels
+from .failure_case import DEPTH, FALSE_HIT, MISSED_HIT, WRONG_NUMBER, FailureCase, Panels
 from .move_space import Window
 from .region_of_axes import ROUNDING
 from .region_of_pushes import overlaps_in_raw_units, region_of_depth
-from .true_value import depth
 from .wrong_steps import measured_test, raw_normals, unit_normals
 
 
@@ -127,10 +125,7 @@ CASES = (
         Shortcut("raw-depth", "the depth can be read off with normals of any length", edge_normals, raw_normals),
         WRONG_NUMBER,
         (box(0, 0, 2, 1), box(1, 0.25, 3, 2.25)),
-        quantity="depth",
-        claimed_value=push_length,
-        true_value=depth,
-        is_about_push=True,
+        **DEPTH,
         error_region=partial(region_of_depth, choose=edge_normals, measure=overlaps_in_raw_units),
     ),
     FailureCase(
