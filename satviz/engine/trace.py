@@ -17,9 +17,8 @@ from .sat import AxisTest, axis_tests
 from .shapes import Shape, require_shape
 from .shortcut import Shortcut, move_along_axis
 
-MAX_SIZE = (
-    200_000  # points and axes that a trace lists (see _count_listed): some 30 MB of JSON, which can be read again
-)
+# points and axes that a trace lists (see _count_listed): some 30 MB of JSON, which can be read again
+MAX_SIZE = 200_000
 NamedParts = Sequence[tuple[Shape, str]]  # convex parts or pieces, each with its name
 
 
