@@ -56,9 +56,10 @@ def is_simple(vertices: Iterable) -> bool:
     """Return whether an outline, without repeated neighbours, is a simple polygon; all pairs of edges are compared."""
     ring = [truth.exact(v) for v in vertices]
     ring = [p for i, p in enumerate(ring) if p != ring[i - 1]]
-    sides, n = edges(ring), len(ring)
+    n = len(ring)
     if n < 3:
         return False
+    sides = edges(ring)
     for i, (p, q) in enumerate(sides):
         for j, (r, s) in enumerate(sides[:i]):
             if j == i - 1 or (j == 0 and i == n - 1):
