@@ -625,7 +625,7 @@ def test_a_bound_is_the_largest_power_of_two_within_what_is_allowed():
     assert power_of_two_bound(1e300, 1.0) == 2.0**250
 
 
-def test_shapes_as_large_as_float64_holds_are_json_too():
+def test_a_recommendation_for_the_largest_floats_is_valid_json():
     for least in (1.0, 1.5e308, 5e-324):
         wide = sv.Polygon([(-1.6e308, 0), (1.6e308, 0), (0, 1.6e308)])
         tiny = sv.Polygon([(0, 0), (least, 0), (0, least)])

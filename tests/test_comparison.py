@@ -468,7 +468,7 @@ def test_both_panels_hold_on_axes_of_any_size(name, size):
             assert wide < 3 or min(one.y1, other.y1) - max(one.y0, other.y0) < 4
 
 
-def test_axes_squeezed_to_nothing_are_drawn_on_all_the_same():
+def test_drawing_on_matplotlib_axes_of_zero_size_does_not_fail():
     ax = Figure(figsize=(3, 3)).add_axes((0.5, 0.5, 0.0, 0.0))
     for what in "lengths", "triangles":
         assert sv.draw(what, ax=ax)

@@ -625,7 +625,7 @@ def test_what_comes_in_is_shown_as_text():
         assert "onclick" not in pasted.test(language)
 
 
-def test_a_cut_off_text_is_told():
+def test_a_text_that_is_cut_off_gives_a_finding():
     assert any("never closed" in str(f) for f in sv.paste(f"{SQUARE} [(0,0),(1,0),(0,1)").findings)
 
 

@@ -51,7 +51,7 @@ def evaluated(formula, arithmetic, numbers):
 
 @pytest.mark.parametrize("form", FORMATS.values(), ids=FORMATS)
 @pytest.mark.parametrize("name", ["polygons", "circles", "circle_ranges"])
-def test_arrays_and_fractions_agree_on_what_rounds_nothing(name, form):
+def test_arrays_and_fractions_agree_which_formulas_are_exact(name, form):
     rng, formula = Random(1), getattr(rounding, name)
     rows = [coordinates(rng, 14) for _ in range(250)]
     triples = rng.choices([(0, 0, 1, 3, 4, 2), (5, 1, 7, 17, 6, 1), (2, 0, 1, 2, 9, 3)], k=60)
@@ -285,7 +285,7 @@ def test_certified_relations_of_circles_are_found_by_ranges_too(kind, dtype):
     assert wrong  # where nothing is claimed, they do err
 
 
-def test_circles_whose_radius_is_only_rounded_are_not_relied_on_by_what_widens_it():
+def test_a_recommendation_does_not_count_a_bounding_circle_with_a_rounded_radius_as_certain():
     u = 2.0**-54
     a = sv.Polygon([(0, 0), (3, 0), (3, 4), (0, 4)])
     b = sv.Polygon([(-u, 0), (u / 2, -u), (u / 2, u)])

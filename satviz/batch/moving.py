@@ -139,7 +139,10 @@ def _same_topology(frame: Frame, made: Shapes) -> Shapes:
     own = np.diff(frame.start)
     if (other := np.flatnonzero(made.count != own)).size:
         i = other[0]
-        raise InvalidShape(f"polygon {i} has {made.count[i]} corners with these coordinates: it had {own[i]}")
+        raise InvalidShape(
+            f"polygon {i} has {made.count[i]} corners with these coordinates, but had {own[i]}: make a new batch of "
+            "these shapes, or give coordinates in which no corner repeats or lies on a straight edge"
+        )
     return made
 
 

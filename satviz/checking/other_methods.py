@@ -50,7 +50,7 @@ def corners_in(owner: str, a: Shape, b: Shape) -> tuple[Relation, None]:
 def with_circle(gap_of: Callable[[Shape, Vec, float], float], a: Shape, b: Shape) -> tuple[Relation, None]:
     """Return what a gap between a convex polygon and a circle claims; ValueError for other pairs."""
     if a.core_is_point == b.core_is_point:
-        raise ValueError("no circle and polygon")
+        raise ValueError("this method compares a circle with a convex polygon")
     shape, circle = (a, b) if b.core_is_point else (b, a)
     gap = gap_of(shape, circle.core[0], circle.radius)
     return relation_of_gap(gap), None

@@ -249,7 +249,10 @@ def validate_choice(choice: Choice, a: Shape, b: Shape) -> Choice:
     skipped = tuple(skip._replace(axis=_recompute_axis(skip.axis, known)) for skip in left_out)
     without_direction = nearest_vertex(a, b).skipped
     if any(skip.axis in chosen for skip in without_direction):
-        raise ValueError(f"{without_direction[0].axis.source} has no direction: the center is on that vertex")
+        raise ValueError(
+            f"the axis to {without_direction[0].axis.source.shape}'s nearest vertex has no direction, "
+            "because the circle's center is on that vertex: leave this axis out"
+        )
     complete = bool(known) and is_complete(chosen, a, b)
     return Choice(chosen, tuple(_number_skips(chosen, skipped, without_direction, a, b)), complete)
 

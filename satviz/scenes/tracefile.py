@@ -164,7 +164,7 @@ def _parse_run(data: Any, where: str, a: Shape, b: Shape, names: Names, shortcut
             raise InvalidScene(f"{where}.skipped[{i}].reason is {short_repr(reason)}: not a reason that satviz gives")
         skipped.append(Skip(_parse_axis(skip["axis"], f"{where}.skipped[{i}].axis", known), *reasons[reason]))
     if len(lists["tests"]) > len(found):
-        raise InvalidScene(f"{where}.tests has more tests than there are axes")
+        raise InvalidScene(f"{where}.tests has {len(lists['tests'])} tests for {len(found)} axes")
     tests = tuple(_parse_test(test, f"{where}.tests[{i}]", found[i]) for i, test in lists["tests"])
     choice = Choice(found, tuple(skipped), require_type(data["complete"], f"{where}.complete", bool))
     every_axis = require_type(data["every_axis"], f"{where}.every_axis", bool)
@@ -274,7 +274,7 @@ def _require_same_run(trace: Trace, again: Trace, where: str) -> None:
     Numbers may differ by the rounding of another machine; signs and everything else may not.
     """
     if _sources(trace.choice) != _sources(again.choice):
-        raise InvalidScene(f"{where}.axes are not the axes of these shapes")
+        raise InvalidScene(f"{where}.axes are not the axes of these shapes: record the trace again")
     _require_equal(again.choice.complete, trace.choice.complete, f"{where}.complete")
     _require_equal(again.every_axis, trace.every_axis, f"{where}.every_axis")
     if len(trace.tests) != len(again.tests):

@@ -44,7 +44,7 @@ def site(
         except PythonMissing as error:
             if pyodide:
                 raise
-            missing = [f"{error}: the site is whole, but its scenes stay still"]
+            missing = [f"{error}. Without it the site is whole, but its scenes stay still"]
     try:
         reference_files = list(reference(in_site=True))
     except ImportError as error:

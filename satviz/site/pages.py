@@ -49,7 +49,10 @@ HOW_IN_WORDS = {
 LEVELS = {
     1: ("First steps", "A few drags are enough."),
     2: ("For some thought", "Only a few places will do. Think first about where they could be."),
-    3: ("Hard to find", "The place is small, or it needs exact steps. The arrow keys move a shape step by step."),
+    3: (
+        "Hard to find",
+        "Only a very few positions will do, and they need exact steps. The arrow keys move a shape step by step.",
+    ),
 }
 FAILING_ON_FRONT = "aabb-turned", "no-nearest-vertex", "far-centers", "box-in-u"
 
@@ -249,9 +252,9 @@ def challenges_page(frame: Frame) -> bytes:
     )
     body = f"""
 <h1>Challenges</h1>
-<p class="lead">Each claim in quotation marks is a shortcut that many people believe. It begins with shapes for which it
-is right. <b>Drag the shapes until it is wrong.</b> If you have broken a shortcut once, you will not use it. If you give
-up, most scenes show in red where the claim is wrong.</p>
+<p class="lead">Each claim in quotation marks is a shortcut that many people believe. Each challenge
+starts with shapes for which its claim is right. <b>Drag the shapes until it is wrong.</b> If you have broken a shortcut
+once, you will not use it. If you give up, most scenes show in red where the claim is wrong.</p>
 <p class="action"><a href="{escape(link(scene("aabb"), goal=TOUCH))}">Begin with the first challenge</a></p>
 <p class="progress" hidden><span class="count" role="status" tabindex="-1"></span>
 <button type="button">Forget what I have solved</button></p>

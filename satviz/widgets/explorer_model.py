@@ -319,7 +319,7 @@ def _distance(a: Shape, b: Shape) -> float:
 def _number(value: Any, what: str) -> float | None:
     """Return a number or None from a message; InvalidScene if it is not finite, naming it `what`."""
     if value is not None and not (isinstance(value, (int, float)) and isfinite(value)):
-        raise InvalidScene(f"{what} must be a number")
+        raise InvalidScene(f"{what} must be a finite number, not {value!r}")
     return value
 
 

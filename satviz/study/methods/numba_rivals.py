@@ -24,6 +24,7 @@ from numba import njit
 from numpy.typing import NDArray
 
 from ...batch.arrays import TILE_SHAPES
+from ...batch.codes import APART
 from ...batch.with_numba.filter import clearance_kernel
 from ...batch.with_numba.jit_cache import compiled, inlined
 
@@ -248,9 +249,9 @@ def plain_sat(va: int, vb: int) -> Callable[..., None]:
     gaps = clearance_kernel(va, vb)
 
     def hits(ax: Array, ay: Array, bx: Array, by: Array, out: Out) -> None:
-        """Write for each pair whether no clearance is above 0."""
+        """Write for each pair whether no clearance is above 0; a touching pair is a hit, as in `sat_kernel`."""
         gaps(ax, ay, bx, by, 0, np.zeros(-(-out.size // TILE_SHAPES)), out)
-        out[:] = out > 0
+        out[:] = out != APART
 
     return hits
 
