@@ -42,7 +42,7 @@ def small(count):
             Cell(f"gap-{k}", axis_order.count_tested_axes, (2, 4 + k, settings)) for k in range(count)
         ],
         rows=lambda found: {"gaps": rows(found)},
-        CHARTS={"gaps": lambda rows, settings: Chart("gaps", "Gaps", (300, 200), blank, rows, "Only its numbers.")},
+        CHARTS={"gaps": lambda rows, settings: Chart("gaps", "Gaps", (), 180, blank, rows, "Only its numbers.")},
     )
 
 

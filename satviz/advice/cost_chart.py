@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, NullFormatter
 
 from ..pictures import Theme
-from ..render.chart import TEXT_POINTS, WIDTH, Chart, JsonRow, add_axes, draw_headline, head_height, label_points
+from ..render.chart import TEXT_POINTS, WIDTH, Chart, JsonRow, add_axes, label_points
 from .candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, Model
 from .costs import Cost
 from .records import InputSummary, ModelResult
@@ -49,14 +49,12 @@ def chart(
 
 def cost_chart(words: tuple[str, str], rows: Sequence[JsonRow], advised: str, sentence: str) -> Chart:
     """Return the chart of these rows, under a title and a line below it; `advised`: the model to mark."""
-    size = WIDTH, head_height(words[0], words[1:]) + HEIGHT
-    return Chart("advice", words[0], size, partial(_draw, words=words, rows=rows, advised=advised), rows, sentence)
+    return Chart("advice", words[0], words[1:], HEIGHT, partial(_draw, rows=rows, advised=advised), rows, sentence)
 
 
-def _draw(fig: Figure, theme: Theme, words: tuple[str, str], rows: Sequence[JsonRow], advised: str) -> None:
+def _draw(fig: Figure, theme: Theme, rows: Sequence[JsonRow], advised: str) -> None:
     """Draw the axes, the time and wrong answers of each model, and the names on a figure."""
-    draw_headline(fig, theme, *words)
-    ax = add_axes(fig, (0.14, 0.13, 0.78, (HEIGHT - 75) / (fig.get_size_inches()[1] * 72)), theme, "wrong answers")
+    ax = add_axes(fig, (55, 48, WIDTH - 86, HEIGHT - 75), theme, "wrong answers")
     times = [t for row in rows for t in (row["cold"], row["warm"])]
     low, high = min(times) / 1.6, max(times) * 1.6
     ax.set(xscale="log", xlim=(low, high), xlabel="time a pair")

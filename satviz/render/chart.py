@@ -26,36 +26,51 @@ TITLE_LINE, TEXT_LINE = 17.0, 14.5  # points from line to line
 
 
 class Chart(NamedTuple):
-    """One chart: `draw` draws it on an empty Figure of `size` (points) in a theme.
+    """One chart: a title, smaller `lines` below it, and what `draw` draws below these on a Figure in a theme.
 
-    `stem`: the name of its files without the ending.  `rows`: the numbers that are drawn, written beside the chart as
-    JSON and CSV.  `reading`: the content in words, made from the rows; it is also the alternative text.  `warning`: why
-    its times are only rough, stamped on the chart; empty if they are not.
+    `stem`: the name of its files without the ending.  `height`: of what is below the lines, in points.  `rows`: the
+    numbers that are drawn, written beside the chart as JSON and CSV.  `reading`: the content in words, made from the
+    rows; it is also the alternative text.  `warning`: why its times are only rough, stamped on the chart; empty if
+    they are not.
     """
 
     stem: str
     title: str
-    size: tuple[float, float]
+    lines: Sequence[str]
+    height: float
     draw: Callable[[Figure, Theme], None]
     rows: Sequence[JsonRow]
     reading: str
     warning: str = ""
 
+    @property
+    def headline(self) -> list[tuple[str, bool]]:
+        """Return the lines of the title (True) and of the text below it (False), wrapped to the chart's width."""
+        found = [(text, True) for text in wrap(self.title, int(WIDTH / TITLE_LETTER))]
+        return found + [(text, False) for line in self.lines for text in wrap(line, int(WIDTH / TEXT_LETTER))]
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """Return the width and the height of the whole chart in points."""
+        return WIDTH, 12.0 + sum(TITLE_LINE if is_title else TEXT_LINE for _, is_title in self.headline) + self.height
+
     def figure(self, theme: Theme) -> Figure:
         """Return the chart on a new Figure."""
-        fig = Figure(figsize=(self.size[0] / 72, self.size[1] / 72), dpi=DPI)
+        width, height = self.size
+        fig = Figure(figsize=(width / 72, height / 72), dpi=DPI)
         FigureCanvasAgg(fig)
         fig.set_facecolor(theme.paper)
+        up = height - 8.0
+        for text, is_title in self.headline:
+            style: dict[str, Any] = {"color": theme.roles["guide"]}
+            if is_title:
+                style = {"color": theme.roles["ink"], "fontsize": TITLE_POINTS, "fontweight": "bold"}
+            add_text(fig, 6, up, text, va="top", **style)
+            up -= TITLE_LINE if is_title else TEXT_LINE
         self.draw(fig, theme)
         if self.warning:
-            style: dict[str, Any] = {"ha": "right", "va": "bottom", "fontsize": TEXT_POINTS, "parse_math": False}
-            fig.text(
-                1 - 6 / self.size[0],
-                3 / self.size[1],
-                self.warning,
-                color=theme.text.get("wrong", theme.roles["wrong"]),
-                **style,
-            )
+            shade = theme.text.get("wrong", theme.roles["wrong"])
+            add_text(fig, width - 6, 3, self.warning, color=shade, ha="right", va="bottom")
         return fig
 
     def __repr__(self) -> str:
@@ -105,9 +120,20 @@ def save_chart(
     yield folder / f"{chart.stem}.csv"
 
 
+def share_of(fig: Figure, x: float, y: float) -> tuple[float, float]:
+    """Return a place that is given in points from the lower left corner, in shares of the figure."""
+    width, height = fig.get_size_inches() * 72
+    return x / width, y / height
+
+
+def add_text(fig: Figure, x: float, y: float, words: str, **style: Any) -> None:
+    """Write words at a place in points from the lower left corner."""
+    fig.text(*share_of(fig, x, y), words, **{"fontsize": TEXT_POINTS, "parse_math": False, **style})
+
+
 def add_axes(fig: Figure, box: tuple[float, float, float, float], theme: Theme, title: str = "") -> Axes:
-    """Add axes in the project's style at `box`: (left, bottom, width, height) as shares of the figure."""
-    ax = fig.add_axes(box)
+    """Add axes in the project's style at `box`: (left, bottom, width, height) in points."""
+    ax = fig.add_axes((*share_of(fig, *box[:2]), *share_of(fig, *box[2:])))
     ink, guide = theme.roles["ink"], theme.roles["guide"]
     ax.set_facecolor(theme.paper)
     ax.spines[["top", "right"]].set_visible(False)
@@ -119,30 +145,6 @@ def add_axes(fig: Figure, box: tuple[float, float, float, float], theme: Theme, 
     if title:
         ax.set_title(title, loc="left", color=ink, fontsize=TEXT_POINTS + 1, fontweight="bold", parse_math=False)
     return ax
-
-
-def head_height(title: str, lines: Sequence[str]) -> float:
-    """Return the height in points of what `draw_headline` draws."""
-    return 12.0 + sum(TITLE_LINE if is_title else TEXT_LINE for _, is_title in _headline(title, lines))
-
-
-def draw_headline(fig: Figure, theme: Theme, title: str, *lines: str) -> None:
-    """Draw the chart's title at its upper left, and smaller lines below it, wrapped to the chart's width."""
-    height = fig.get_size_inches()[1] * 72
-    style: dict[str, Any] = {"ha": "left", "va": "top", "parse_math": False}
-    down = 8.0
-    for text, is_title in _headline(title, lines):
-        text_style: dict[str, Any] = {"color": theme.roles["guide"], "fontsize": TEXT_POINTS}
-        if is_title:
-            text_style = {"color": theme.roles["ink"], "fontsize": TITLE_POINTS, "fontweight": "bold"}
-        fig.text(6 / WIDTH, 1 - down / height, text, **text_style, **style)
-        down += TITLE_LINE if is_title else TEXT_LINE
-
-
-def _headline(title: str, lines: Sequence[str]) -> list[tuple[str, bool]]:
-    """Return the lines of a title (True) and of the text below it (False), wrapped to the chart's width."""
-    found = [(text, True) for text in wrap(title, int(WIDTH / TITLE_LETTER))]
-    return found + [(text, False) for line in lines for text in wrap(line, int(WIDTH / TEXT_LETTER))]
 
 
 PointsBox = tuple[float, float, float, float]  # x0, y0, x1, y1 in points
