@@ -27,7 +27,7 @@ from satviz.advice.timing import time_in_turn
 from satviz.engine.axes import needed
 from satviz.engine.geometry import Relation
 from satviz.pictures import THEMES
-from satviz.render.chart import TEXT_POINTS, WIDTH
+from satviz.render.chart import TEXT_POINTS, WIDTH, Chart
 from satviz.study import bench, methods, run, truth
 from satviz.study.harness import timings
 from satviz.study.harness.cells import Settings
@@ -708,6 +708,11 @@ def test_no_label_of_a_chart_covers_another_or_leaves_it(theme):
         for (one, p), (other, q) in combinations(zip(texts, boxes, strict=True), 2):
             over = min(min(p.x1, q.x1) - max(p.x0, q.x0), min(p.y1, q.y1) - max(p.y0, q.y0))
             assert over <= 1, (chart.stem, one.get_text(), other.get_text())
+
+
+def test_a_headline_is_as_high_as_its_lines():
+    short, long = (Chart("stem", title, (), 0.0, print, [], "").size[1] for title in ("one two", "one two " * 20))
+    assert long > short
 
 
 def test_letters_have_eleven_pixels_on_a_phone():
