@@ -142,7 +142,11 @@ MODELS = [
 ]
 
 
-@pytest.mark.parametrize("engine", ["numpy", "numba"])
+# the study's numba kernels compile for five seconds
+each_engine = pytest.mark.parametrize("engine", ["numpy", pytest.param("numba", marks=pytest.mark.slow)])
+
+
+@each_engine
 def test_relations_certified_for_many_pairs_are_certified_by_fractions_and_found_by_the_model(engine):
     known = Counter()
     some = list(pairs(21, 4 * len(KINDS)))
@@ -159,7 +163,7 @@ def test_relations_certified_for_many_pairs_are_certified_by_fractions_and_found
     assert min(known.values()) > 25 and len(known) == len(MODELS)
 
 
-@pytest.mark.parametrize("engine", ["numpy", "numba"])
+@each_engine
 def test_a_circle_too_small_for_float32_remains_a_circle_in_float32(engine):
     dot, model = sv.Circle((0.5, 0.5), 1e-50), Model("float32", 5)
     kite = sv.Polygon([(0, 0), (1, 0), (1.25, 1), (0, 1.5)])
