@@ -49,7 +49,7 @@ NO_BLOCK = np.empty((2, 1, 0))
 
 @compiled
 def _collide_block(block: Array) -> tuple[Pairs, bool]:
-    """Return what `_collide` returns, for the shapes of a group's block: (2, corners, n), or 3 rows with radii."""
+    """Return what `_collide` returns, for the block of one CornerColumns: (2, V, n), or (3, 1, n) for circles."""
     _, corners, n = block.shape
     if n > MAX_SHAPES:
         return np.empty((0, 2), np.intp), False
@@ -66,7 +66,7 @@ def _collide_block(block: Array) -> tuple[Pairs, bool]:
 
 @compiled
 def _collide_blocks(a: Array, b: Array, c: Array, d: Array) -> tuple[Pairs, bool]:
-    """Return what `_collide` returns, for the shapes of four blocks of groups, in order."""
+    """Return what `_collide` returns, for the blocks of four CornerColumns, numbered through in this order."""
     n = a.shape[2] + b.shape[2] + c.shape[2] + d.shape[2]
     if n > MAX_SHAPES:
         return np.empty((0, 2), np.intp), False
@@ -104,7 +104,10 @@ def _collide(x: Array, y: Array, start: Indices, radius: Array) -> tuple[Pairs, 
 
 @compiled
 def _hits_in_order(first: Indices, second: Indices, found: Signs, n: int) -> tuple[Pairs, bool]:
-    """Return (the pairs that are not apart, in order, for n shapes; False if there is a pair that is not decided)."""
+    """Return ((K, 2) pairs that are not apart, sorted by i, then by j; False if a pair is undecided).
+
+    Pair k is (first[k], second[k]) with the relation found[k]; n is the number of shapes.
+    """
     start = np.zeros(n + 1, np.intp)
     for k in range(found.size):
         if found[k] == UNDECIDED:
