@@ -7,7 +7,6 @@ from fcntl import LOCK_EX, flock
 import pytest
 from browser import axe, chromium, site_with_python
 
-
 gc.disable()  # while tests are collected: their objects live as long as the run
 
 
