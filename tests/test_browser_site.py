@@ -811,7 +811,7 @@ def test_at_any_depth_a_page_asks_for_the_service_worker_of_its_site(browser, bu
     (tmp_path / "courses").mkdir()
     (tmp_path / "courses" / "sat").symlink_to(built)
     with served(tmp_path) as at:
-        frame = pages.Frame(chapters(), guides(), "1", True, False, f"{at}courses/sat/")
+        frame = pages.SiteInfo(chapters(), guides(), "1", True, False, f"{at}courses/sat/")
         (tmp_path / NOT_FOUND).write_bytes(pages.not_found_page(frame))
         for path in "nothing/at/all.html", "2-sat.html":
             context, asked = browser.new_context(), []
