@@ -7,6 +7,8 @@ before "rectangle" because the longer ending comes first.
 import re
 from typing import NamedTuple
 
+from .tree import parts_of
+
 POINT, RING, CIRCLE, BOX, MANY, MOVE, ARC = "point", "ring", "circle", "box", "many", "move", "arc"
 ELLIPSE, OTHER_SHAPE, ON_THE_GLOBE, TABLE = "ellipse", "other", "globe", "table"
 # How the four numbers of a box are meant, in the words of `--as`.
@@ -232,7 +234,7 @@ def notation(name: str) -> Notation | None:
     plain = name.lower().split("<")[0].rstrip("!") if "<" in name else name.lower()
     for ending in ("::new", "::from", ".new", "_t"):
         plain = plain.removesuffix(ending) if plain not in NAMES else plain
-    words = plain.replace("::", ".").replace("->", ".").split(".")[-MAX_WORDS:]
+    words = parts_of(plain)[-MAX_WORDS:]
     for candidate in (plain, *(".".join(words[i:]) for i in range(len(words))), words[-1].rstrip("!")):
         if candidate in NAMES:
             return NAMES[candidate]
