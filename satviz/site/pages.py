@@ -49,7 +49,7 @@ HOW_IN_WORDS = {
 LEVELS = {
     1: ("First steps", "A few drags are enough."),
     2: ("For some thought", "Only a few places will do. Think first about where they could be."),
-    3: ("Hard to find", "The place is small, or it needs exact steps. The arrow keys move a shape step by step."),
+    3: ("Hard to find", "The place is small, or it needs exact steps: switch on “snap”, or use the arrow keys."),
 }
 FAILING_ON_FRONT = "aabb-turned", "no-nearest-vertex", "far-centers", "box-in-u"
 
