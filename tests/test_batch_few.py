@@ -595,7 +595,7 @@ def test_a_batch_moves_with_the_kind_of_array_that_it_was_made_of():
     assert shapes.bounds.tolist() == [[2, 2, 4, 4]] * 2 and shapes.count.tolist() == [4, 3]
     for corners in [square.tolist()], (square,), iter([MOVED]), square[None], MOVED:
         assert batch.move(batch.Polygons([BOX]), corners).bounds.tolist() == [[1, 1, 3, 3]]
-    with pytest.raises(sv.InvalidShape, match="polygon 1 has 4 corners with these coordinates: it had 3"):
+    with pytest.raises(sv.InvalidShape, match="polygon 1 has 4 corners with these coordinates, but had 3"):
         batch.move(batch.Polygons(padded), np.array([square, square]))
     empty = batch.Polygons(np.zeros((0, 4, 2)))
     assert len(batch.move(batch.move(empty, np.zeros((0, 4, 2))), np.zeros((0, 2)))) == 0

@@ -253,7 +253,7 @@ def test_an_answer_is_opened_with_the_keyboard_and_without_javascript(visit):
         assert page.get_by_text("Only one. The table").is_visible() == answer.locator("pre.out").is_visible() == open_
 
 
-def test_what_is_in_an_answer_comes_to_life_when_it_is_opened(visit):
+def test_a_widget_in_a_folded_answer_starts_when_the_answer_opens(visit):
     page = whole(visit("6-where-it-fails.html"))
     answer = page.locator("details.later", has=page.locator(".live"))
     assert not answer.locator(".live.ready").count()
@@ -817,7 +817,7 @@ def test_at_any_depth_a_page_asks_for_the_service_worker_of_its_site(browser, bu
     (tmp_path / "courses").mkdir()
     (tmp_path / "courses" / "sat").symlink_to(built)
     with served(tmp_path) as at:
-        frame = pages.Frame(chapters(), guides(), "1", True, False, f"{at}courses/sat/")
+        frame = pages.SiteInfo(chapters(), guides(), "1", True, False, f"{at}courses/sat/")
         (tmp_path / NOT_FOUND).write_bytes(pages.not_found_page(frame))
         for path in "nothing/at/all.html", "2-sat.html":
             context, asked = browser.new_context(), []
@@ -886,7 +886,7 @@ def test_a_frame_that_stays_low_shows_a_smaller_picture(framed):
 
 
 @pytest.mark.parametrize("theme", ["light", "dark"])
-def test_a_frame_is_light_or_dark_as_it_was_told_from_the_first_paint_on(framed, theme):
+def test_an_embedded_frame_has_the_chosen_theme_from_the_first_paint_on(framed, theme):
     other = {"light": "dark", "dark": "light"}[theme]
     page, frame = framed("circle-polygon", theme=theme, more={"color_scheme": other})
     paper = {"light": LIGHT, "dark": DARK}[theme].paper

@@ -99,7 +99,7 @@ def test_draw_writes_one_step_or_some(tmp_path, capsys):
     assert sorted(path.name for path in (tmp_path / "end").iterdir()) == ["triangles-14.svg", "triangles-15.svg"]
 
 
-def test_a_page_a_link_and_a_frame_ask_what_they_are_told_to(tmp_path, capsys):
+def test_a_page_a_link_and_a_frame_ask_the_question_that_was_chosen(tmp_path, capsys):
     made = ["draw", "far-centers", "--predict", "--format", "html", "--out", str(tmp_path), "--format", "link"]
     assert main([*made, "--format", "embed", "--site", "https://example.org/s", "--theme", "dark"]) == 0
     page, captured = (tmp_path / "far-centers.html").read_text(), capsys.readouterr().out
@@ -294,7 +294,7 @@ FULL = Path("/dev/full")
 
 @pytest.mark.skipif(not FULL.exists(), reason="only Linux has it")
 @pytest.mark.parametrize("args", ["trace aabb", "trace aabb --json", "scenes", "--help", "--version", "draw --help"])
-def test_output_that_cannot_be_written_is_told_in_one_line(args):
+def test_output_that_cannot_be_written_gives_a_one_line_error(args):
     with FULL.open("w") as full:
         command = [sys.executable, "-m", "satviz", *args.split()]
         done = subprocess.run(command, stdout=full, stderr=subprocess.PIPE, text=True)
@@ -331,7 +331,7 @@ def test_a_number_out_of_range_is_refused_in_one_line(args, capsys):
     assert f"argument {args[1]}" in err and "is not a whole number from" in err
 
 
-def test_too_little_memory_is_told_in_one_line(capsys, monkeypatch):
+def test_too_little_memory_gives_a_one_line_error(capsys, monkeypatch):
     def none(*_):
         raise MemoryError
 
@@ -378,7 +378,7 @@ def test_no_name_steers_the_terminal(tmp_path, capsys):
         assert captured.count("\n") == 1 and captured[:-1].isprintable() and "x1b" in captured, args
 
 
-def test_file_names_that_are_no_text_are_told(tmp_path):
+def test_file_names_that_are_not_utf8_are_printed(tmp_path):
     done = run("trace", os.fsdecode(os.fsencode(tmp_path) + b"/\xff.json"))
     assert done.returncode == 2 and "\\udcff.json: No such file" in done.stderr and done.stderr.count("\n") == 1
 

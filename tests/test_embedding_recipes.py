@@ -77,7 +77,7 @@ def saved(folder, site):
     (folder / "scene-to-embed.html").write_text(sv.embed("triangles", site=site), encoding="utf-8")
 
 
-def test_a_plain_page(browser, site, tmp_path):
+def test_an_embedded_scene_can_be_dragged_in_a_plain_page(browser, site, tmp_path):
     saved(tmp_path, site)
     text = (tmp_path / "scene-to-embed.html").read_text()
     (tmp_path / "page.html").write_text(f"<!doctype html><h1>My page</h1>{text}<p>More.</p>", encoding="utf-8")

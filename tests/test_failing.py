@@ -550,7 +550,7 @@ def test_no_direction_at_all_clears_the_notch_though_the_distance_is_one():
     assert min(truth.squared_distance(p, case.b) for p in sv.parts(case.a)) == 1
 
 
-def test_the_box_lies_in_neither_half_and_the_halves_push_against_each_other():
+def test_neither_half_contains_the_box_and_the_mtvs_of_the_halves_cancel():
     case = NAMED["sum-of-parts"]
     corners = [sv.Polygon([(x, y), (x + 0.01, y), (x, y + 0.01)]) for x, y in case.b.vertices]
     for half in halves(case.a):

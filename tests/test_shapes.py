@@ -304,7 +304,7 @@ def test_two_vertices_in_one_place_are_refused_from_whichever_sides_they_come(x,
             Polygon(turned)
 
 
-def test_where_edges_run_along_each_other_from_is_reported_without_minus_zero():
+def test_the_start_of_overlapping_edges_is_reported_without_minus_zero():
     ring = [(-1, 1), (0, 1), (-0.0, -0.0), (2, 0), (2, -1), (1, -1), (1, 0), (-1, 0)]
     with refused(r"edges 2 and 6 cross near \(0, 0\)"):
         Polygon(ring)

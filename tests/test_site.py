@@ -406,7 +406,7 @@ def test_the_gallery_has_every_scene(files, pages):
     assert openable == {s.name for s in SCENES} | {row.name for row in FAILURE_CASES if row.how != REFUSED}
 
 
-def test_no_letter_is_replaced(files):
+def test_no_page_contains_the_replacement_character(files):
     """A no-break space between a number and its unit is a letter, too."""
     texts = {path: data for path, data in files.items() if path.endswith((".html", ".svg"))}
     assert [path for path, data in texts.items() if "\ufffd" in data.decode()] == []
@@ -444,7 +444,10 @@ def test_without_npm_the_site_is_made_and_one_line_says_so(monkeypatch, tmp_path
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     monkeypatch.setattr(runtime, "which", lambda name: None)
     found, lacks = site()
-    assert lacks == ["npm is not installed: the site is whole, but its scenes stay still"]
+    assert lacks == [
+        "npm is not installed: install it, or give a folder that holds Pyodide. "
+        "Without it the site is whole, but its scenes stay still"
+    ]
     assert next(found)[0] == "site.js"
 
 

@@ -488,7 +488,7 @@ def test_every_way_through_many_corners_gives_one_answer(v):
 # -- poses, pushes, the stack and the table
 
 
-def test_the_exact_turn_is_that_of_the_angle():
+def test_the_exact_rotation_matches_cos_and_sin_of_the_angle():
     for angle in 0.001, 0.0537, 0.1:
         c, s = pose_error._exact_turn(angle)
         assert c / 2**pose_error.BITS == pytest.approx(math.cos(angle), abs=1e-15)

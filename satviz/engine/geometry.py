@@ -40,6 +40,14 @@ class Relation(IntEnum):
         return self.name.lower()
 
 
+APART, TOUCHING, OVERLAPPING = Relation
+
+
+def relation_of_gap(gap: Any) -> Relation:
+    """Return the relation of two shapes from the exact sign of the gap between them."""
+    return APART if gap > 0 else OVERLAPPING if gap < 0 else TOUCHING
+
+
 class InvalidShape(ValueError):
     """Raised for a shape that the engine refuses; the message names the culprit and what to do about it."""
 

@@ -115,28 +115,14 @@ class Digits(NamedTuple):
         return text.replace("-", MINUS)
 
 
-USUAL_DIGITS = Digits()  # where no scene decides the format
+USUAL_DIGITS = Digits()  # where no scene decides the format: three decimals, or more where three would show 0
+number, vector = USUAL_DIGITS.number, USUAL_DIGITS.vector
 
 
 def _scientific(value: float) -> str:
     """Return a number as text with a power of ten and four significant digits."""
     mantissa, _, power = f"{value:.3e}".partition("e")
     return f"{mantissa}e{int(power)}".replace("-", MINUS)
-
-
-def number(value: float) -> str:
-    """Return a number as text with three decimals, or more where three would show 0; no scene decides the format."""
-    return USUAL_DIGITS.number(value)
-
-
-def signed(value: float) -> str:
-    """Return a number as text with its sign and three decimals, or more where three would show 0."""
-    return USUAL_DIGITS.signed(value)
-
-
-def vector(value: Vec) -> str:
-    """Return a vector as text, each component with up to three decimals."""
-    return USUAL_DIGITS.vector(value)
 
 
 def ascii_minus(text: str) -> str:

@@ -240,9 +240,10 @@ def refuse_crossings(ring: Sequence[Vec], ids: Sequence[int]) -> None:
 
 
 def _segments_meet(p: Vec, q: Vec, r: Vec, s: Vec) -> bool:
-    """Return whether two closed segments whose x ranges overlap share a point."""
-    if max(p.y, q.y) < min(r.y, s.y) or max(r.y, s.y) < min(p.y, q.y):
-        return False
+    """Return whether two closed segments share a point, if their ends in the order of (x, y) enclose a common point.
+
+    Two segments on one line then always share a point, so the orientations decide.
+    """
     return orient(p, q, r) * orient(p, q, s) <= 0 and orient(r, s, p) * orient(r, s, q) <= 0
 
 

@@ -5,7 +5,7 @@ from math import isnan
 from typing import NamedTuple
 
 from ...engine import describe, number_format
-from ...engine.geometry import InvalidShape, Relation
+from ...engine.geometry import InvalidShape, Relation, relation_of_gap
 from ...engine.number_format import USUAL_DIGITS, Digits
 from ...engine.shapes import Polygon, Shape
 from ...engine.shortcut import Shortcut
@@ -133,8 +133,7 @@ class FailureCase(NamedTuple):
         words = self.in_words(answer, digits)
         if not isinstance(answer, float | int) or self.quantity != "gap":
             return f"{relation}, {words}"
-        said = Relation.APART if answer > 0 else Relation.OVERLAPPING if answer < 0 else Relation.TOUCHING
-        return words if said is relation else f"{relation}, {words.removeprefix('touching, ')}"
+        return words if relation_of_gap(answer) is relation else f"{relation}, {words.removeprefix('touching, ')}"
 
     @property
     def answers(self) -> tuple[str, str]:

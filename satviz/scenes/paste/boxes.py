@@ -269,8 +269,9 @@ class Boxes(Points):
         named_corner = get("corner") is not None or get("x0") is not None
         if named_center or named_corner:
             return [*place, *size], CENTER_SIZE if named_center else CORNER_SIZE
-        if row and row.form in CORNER_OR_CENTER:
-            return [*place, *size], self._overridden(row.form)
+        form = (row.form if row.form in CORNER_OR_CENTER else row.keyed) if row else ""
+        if form:
+            return [*place, *size], self._overridden(form)
         return [*place, *size], self._choose(BOX_FORM, CORNER_OR_CENTER)
 
 

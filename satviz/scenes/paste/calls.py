@@ -6,7 +6,7 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-from .axis_lists import are_axes, joined
+from .axis_lists import are_axes, joined, lengths
 from .boxes import (
     AT_ORIGIN,
     BOX_FORM,
@@ -101,9 +101,10 @@ class Calls(Keyed):
         values = [self.resolve(a) for a in arguments]
         if are_axes(arguments, values, group.name):
             count = values[2] if len(values) > 2 else None
-            points = joined(values[0], values[1], int(count.value or 0) if isinstance(count, Num) else None)
+            corners = int(count.value or 0) if isinstance(count, Num) else None
+            points = joined(values[0], values[1], corners)
             if points is None:
-                raise Unreadable("the lists of x and y, and the number of corners, do not fit together")
+                raise Unreadable(lengths(values[0], values[1], corners))
             self.consume(arguments)
             made = self._outline(self._points(points.items) or [], group, label)
             return [replace(made, used=made.used | ({count.end} if count else set()))]
@@ -115,14 +116,12 @@ class Calls(Keyed):
         loose = Group(group.start, group.end, arguments, group.bracket, group.name)
         outline = self.ring(loose)
         taken = arguments
-        count_of_position = 0
         given: frozenset[int] = frozenset()
         if outline is None and len(arguments) > 1:
             first = self.point(arguments[0], origin=True)
             rest = self.ring(arguments[1])
             if first is None and len(arguments) > 2 and self.numbers(arguments[:2]):
                 first = self.point(Group(group.start, group.end, arguments[:2], "("))
-                count_of_position = 2
                 rest = self.ring(arguments[2])
             if first is not None and rest is not None:
                 place, outline = first, rest
@@ -145,9 +144,6 @@ class Calls(Keyed):
             outline = hull(outline) if len(hull(outline)) < len(set(outline)) else outline
         if any(not key(name) and self.point(value) is not None for name, value in named.fields.items()):
             raise Unreadable("a list of corners holds something that is not a corner")
-        beside = sum(self._is_number(a) for a in arguments)
-        if beside and not (outline is not None and self.numbers(arguments)) and beside != count_of_position:
-            self.remark("numbers beside a list of corners were left out")
         shift = place or ZERO
         how = f", the convex hull of {count} points" if len(outline) < count else ""
         made = self._outline(outline, group, label, shift, f"{how} and a position" if shift != ZERO else how)
@@ -182,7 +178,7 @@ class Calls(Keyed):
             flat = [self.number(named.get("radius"))]
         if not flat:
             self._refuse_names(arguments)
-            raise Unreadable("a circle without a radius")
+            raise Unreadable("a circle without a radius: write it behind the center")
         x, y = points[0] if points else ZERO
         said = "a circle by its center and radius" if points or place else f"a circle by its radius{AT_ORIGIN}"
         row = notation(group.name)

@@ -23,6 +23,7 @@ class Notation(NamedTuple):
     form: str = ""
     ask: tuple[str, ...] = ()
     unit: str = ""
+    keyed: str = ""  # the form of a box with the keys x, y, width and height
     alone: bool = False  # of a box or circle given by its size: its corner, not its center, is where its body is
 
 
@@ -52,7 +53,7 @@ NOTATIONS = (
         "zip column_stack rbind newpolygonshape "
         "edgecollider polygoncollider2d addpoly "
         "seq set z zm tensor torch.tensor double[][] float32array float64array makepolygon fromvertices "
-        "create_polygon convex newpolygon polygon_2",
+        "create_polygon convex newpolygon newconvexpolygon polygon_2 cppolyshapenew b2computehull b2makepolygon",
         RING,
     ),
     Notation(
@@ -101,7 +102,8 @@ NOTATIONS = (
         BOX,
         CENTER_HALF,
     ),
-    Notation("rect box createbox sat.box obb orientedbox", BOX, ask=ANY_BOX),
+    Notation("rect", BOX, ask=ANY_BOX, keyed=CORNER_SIZE),
+    Notation("box createbox sat.box obb orientedbox", BOX, ask=ANY_BOX),
     Notation("rectangleshape", BOX, CORNER_SIZE, alone=True),
     Notation("sf::circleshape", CIRCLE, alone=True),
     Notation("ellipse svg.ellipse", ELLIPSE),

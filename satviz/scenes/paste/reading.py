@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 from .atoms import holds_numbers
-from .axis_lists import joined, numbers_of, pairs_of_lists
+from .axis_lists import joined, lengths, pairs_of_lists
 from .boxes import (
     BOX_FORM,
     CHOICES,
@@ -68,8 +68,7 @@ class Reader(Calls):
         for name, x, y in pairs_of_lists(self.env.fields):
             points = joined(x, y)
             if points is None:
-                sizes = f"{len(numbers_of(x))} and {len(numbers_of(y))}"
-                self.problems.append(f"{name}: the lists of x and y have {sizes} numbers")
+                self.problems.append(lengths(x, y))
             elif not self.used & {id(x), id(y)}:
                 self.axes.append((points, (x, y)))
                 entries.append((points.start, name, points))
@@ -113,7 +112,7 @@ class Reader(Calls):
         value = self.resolve(value)
         try:
             if isinstance(value, Bad) and value.hides:
-                raise Unreadable("an expression, which is not evaluated")
+                raise Unreadable("an expression, which is not evaluated: write its result")
             if isinstance(value, Bad):
                 return [s for inner in value.inside for s in self.shapes(inner, label)]
             if isinstance(value, Obj):
@@ -141,11 +140,13 @@ class Reader(Calls):
         if (plain := self._columns(group)) is not group:
             return self._plain(plain, label)
         if kind == OTHER_SHAPE and self._has_numbers(group):
-            raise Unreadable(f"{short(group.name)}: satviz takes boxes, circles, and polygons by their corners")
+            raise Unreadable(
+                f"{short(group.name)} is not read: satviz takes boxes, circles, and polygons by their corners"
+            )
         if kind == ON_THE_GLOBE:
-            raise Unreadable(f"{group.name}: its center is in degrees and its radius is not: write both in one unit")
+            raise Unreadable(f"the center of {group.name} is in degrees and its radius is not: write both in one unit")
         if kind == TABLE:
-            raise Unreadable("the names of the columns fit no shape: call them x, y, width, height or x, y, radius")
+            raise Unreadable("the names of the columns fit no shape: name them x, y, width, height or x, y, radius")
         if kind in (POINT, MOVE):
             self._refuse_methods(group)  # Point(0, 0).buffer(1)
             return []
@@ -195,7 +196,7 @@ class Reader(Calls):
         at = 0
         for name, count in two:
             items, at = group.items[at : at + count], at + count
-            if len(items) == count and all(map(self._is_number, items)):
+            if len(items) == count and any(map(self._is_number, items)):
                 found += self._group(Group(items[0].start, items[-1].end, items, "(", name), label)
         return found
 
@@ -294,7 +295,9 @@ class Reader(Calls):
             self.number(items[0])  # a list of expressions: says that they are not evaluated
         sizes = {len(v.items) if isinstance(v, Group) and not v.name and holds_numbers(v) else 0 for v in items}
         if len(items) > 2 and len(sizes) > 1 and min(sizes) > 2:
-            raise Unreadable(f"lists of {' and '.join(map(str, sorted(sizes)))} numbers in one list are not corners")
+            raise Unreadable(
+                f"lists of {' and '.join(map(str, sorted(sizes)))} numbers stand in one list: a corner has two numbers"
+            )
         flat = self.numbers(items) if len(items) in (4, 5) and not _is_call(group) else None
         if flat is not None:
             self._ask_order()

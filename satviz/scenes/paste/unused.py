@@ -11,7 +11,7 @@ from .account import Account, Part, root, within
 from .boxes import Read
 from .harmless import CHANGING_CALLS, CHANGING_NUMBERS, OTHER_NUMBERS, words
 from .names import Names, Obj, short
-from .notations import POINT, SHAPE_STEMS, key, notation
+from .notations import POINT, RING, SHAPE_STEMS, key, notation
 from .parser import Tree
 from .tokens import NAME, NUMBER
 from .tree import Bad, Group, Num, Pair
@@ -58,7 +58,9 @@ def rest(tree: Tree, reads: Sequence[Read], text: str, reader: Names) -> Rest:
         if isinstance(said := getattr(value, "text", getattr(value, "name", "")), str)
     }
     shapes = [read.used - tree.indices for read in reads]
-    account = Account(text, tree.tokens, shapes, variables, [*tree.parts, *reader.parts], changed, aliases)
+    account = Account(
+        text, tree.tokens, shapes, variables, [*tree.parts, *reader.parts], changed, aliases, reader.counts
+    )
     parts = account.run()
     quoted = within(reader.named, parts)
     parts = [part for part in parts if part not in quoted]
@@ -136,7 +138,9 @@ def _is_harmless(left: Left) -> bool:
     said, last = words(left.key.removeprefix("svg.")), words(left.key.split(".")[-1])
     path = left.key.split(".")
     aside = not {"bounds", "properties"}.isdisjoint(path) and key(path[-1]) not in ("center", "half", "size")
-    if "moment" in said or left.key == "pymunk.Body" or aside:
+    row = notation(left.key)
+    no_radius = left.value == 0 and row is not None and row.kind == RING  # b2MakePolygon(&hull, 0.0f)
+    if "moment" in said or left.key == "pymunk.Body" or aside or no_radius:
         return True
     if any(word.startswith(SHAPE_STEMS) for word in last) and not last & CHANGING_NUMBERS:
         return "count" in last
