@@ -31,7 +31,7 @@ from satviz.advice.margins import relative_margins
 from satviz.advice.models import evaluate, prepare
 from satviz.advice.pairs import paired
 from satviz.advice.relative_margin import relative_margin, signed_relative_margin
-from satviz.advice.scope import ANYWHERE, GRID, HERE, MOVED, Scope, power_of_two_bound
+from satviz.advice.scope import ANYWHERE, HERE, MOVED, MULTIPLES, Scope, power_of_two_bound
 from satviz.advice.shapesfile import load
 from satviz.cli import main
 from satviz.engine.axis_count import NUMBER_WORDS, axes_hint, count_axes
@@ -142,7 +142,11 @@ MODELS = [
 ]
 
 
-@pytest.mark.parametrize("engine", ["numpy", "numba"])
+# the study's numba kernels compile for five seconds
+each_engine = pytest.mark.parametrize("engine", ["numpy", pytest.param("numba", marks=pytest.mark.slow)])
+
+
+@each_engine
 def test_relations_certified_for_many_pairs_are_certified_by_fractions_and_found_by_the_model(engine):
     known = Counter()
     some = list(pairs(21, 4 * len(KINDS)))
@@ -159,7 +163,7 @@ def test_relations_certified_for_many_pairs_are_certified_by_fractions_and_found
     assert min(known.values()) > 25 and len(known) == len(MODELS)
 
 
-@pytest.mark.parametrize("engine", ["numpy", "numba"])
+@each_engine
 def test_a_circle_too_small_for_float32_remains_a_circle_in_float32(engine):
     dot, model = sv.Circle((0.5, 0.5), 1e-50), Model("float32", 5)
     kite = sv.Polygon([(0, 0), (1, 0), (1.25, 1), (0, 1.5)])
@@ -510,7 +514,7 @@ CORNER_ON_EDGE = [(0, 0), (6, 2), (2, 6)], [(4, 4), (9, 3), (8, 9)]
 def test_touching_shapes_on_a_grid_are_right_in_float32_since_nothing_is_rounded():
     recommendation = sv.advise(batch.Polygons(np.array(CORNER_ON_EDGE, float)))
     assert recommendation.model.kind == "float32"
-    assert recommendation.scope.kind == "on a grid"
+    assert recommendation.scope.kind == "multiples of a unit"
     assert recommendation.check()
     assert recommendation.summary.relative_margin == 0 and recommendation.scope.bound == 2.0**10
 
@@ -587,7 +591,7 @@ def wrong_claims(recommendation):
             replace(recommendation, results=(*before, *after)),
             f"no {one.model.name}",
         )
-    for kind in {ANYWHERE, GRID, MOVED} - {scope.kind}:
+    for kind in {ANYWHERE, MULTIPLES, MOVED} - {scope.kind}:
         yield replace(recommendation, scope=Scope(kind, 2.0**60, 0)), kind
     if scope.bound:
         yield replace(recommendation, scope=scope._replace(bound=scope.bound * 4)), "bound"
@@ -609,7 +613,7 @@ def test_a_recommendation_with_any_wrong_claim_does_not_pass_its_check():
         seen.add(recommendation.scope.kind)
         for doctored, claim in wrong_claims(recommendation):
             assert not doctored.check(), (recommendation, claim)
-    assert seen == {ANYWHERE, GRID, MOVED, HERE}
+    assert seen == {ANYWHERE, MULTIPLES, MOVED, HERE}
 
 
 def test_a_bound_is_the_largest_power_of_two_within_what_is_allowed():
@@ -713,7 +717,7 @@ def test_costs_are_those_of_all_candidates_and_count_their_wrong_answers():
 @pytest.mark.parametrize("theme", THEMES.values(), ids=lambda theme: theme.name)
 @pytest.mark.parametrize("seed", one_in(3, range(6)))
 def test_the_charts_labels_cover_nothing_and_stay_on_the_paper(seed, theme):
-    from satviz.advice.cost_chart import Chart
+    from satviz.advice.cost_chart import CostChart
     from satviz.advice.costs import Cost
 
     rng = Random(seed)
@@ -724,7 +728,7 @@ def test_the_charts_labels_cover_nothing_and_stay_on_the_paper(seed, theme):
         rows.append(
             (name, "float", Cost(warm * rng.uniform(1, 5), warm, 0 if i > 2 else rng.choice((1, 40, 12_345)), 9))
         )
-    fig = Chart("title", "under", tuple(rows), "SAT, float32", 20_000, "words").figure(theme)
+    fig = CostChart("title", "under", tuple(rows), "SAT, float32", 20_000, "words").figure(theme)
     renderer = fig.canvas.get_renderer()
     texts = [t for ax in fig.axes for t in ax.texts]
     boxes = [t.get_window_extent(renderer) for t in texts]

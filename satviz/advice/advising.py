@@ -23,15 +23,15 @@ from . import report
 from .candidates import AABB, Model, SplitPolygon, convex_parts, count_axes, shared_directions
 from .certified_bounds import certify, exact_relation
 from .limits import MAX_TESTS_CHECKED, TESTS_BY_FRACTIONS, TESTS_TIMED
-from .records import GivenPairs, InputSummary, ModelResult, Pair, anywhere, best, candidates_of, for_hits, kind_of
+from .records import GivenPairs, IndexPair, InputSummary, ModelResult, anywhere, best, candidates_of, for_hits, kind_of
 from .relative_margin import signed_relative_margin
-from .scope import HERE, Scope, grid_of, moved_bound, scope_of
+from .scope import HERE, Scope, common_unit_of, moved_bound, scope_of
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from ..batch import Shapes
-    from .cost_chart import Chart
+    from .cost_chart import CostChart
     from .costs import Cost
 
 
@@ -134,14 +134,14 @@ class Recommendation:
         certified = certify(claim.model, a, b)
         return certified not in (None, exact_relation(a, b)) if claim.wrong else certified is None
 
-    def _number_of(self, pair: Pair) -> int | None:
+    def _number_of(self, pair: IndexPair) -> int | None:
         """Return the number k of the given pair with these two indices; None if it is not among them."""
         return next((k for k in range(self.given.numbered) if self.given.indices(k) == pair), None)
 
     def _scope_holds(self) -> bool:
         """Return whether the scope, worked out again with integers, is at least the claimed one."""
         pairs = [self.given.shapes_of(k) for k in range(self.given.pairs)]
-        again = self.given._replace(moved_bound=lambda: moved_bound(pairs), grid=lambda: grid_of(pairs))
+        again = self.given._replace(moved_bound=lambda: moved_bound(pairs), common_unit=lambda: common_unit_of(pairs))
         found = scope_of(self.model, self.summary, again)
         return self.scope == Scope(HERE) or (
             self.scope._replace(bound=0) == found._replace(bound=0) and (0 <= self.scope.bound <= found.bound)
@@ -176,7 +176,7 @@ class Recommendation:
         """
         return self._costs
 
-    def chart(self) -> "Chart":
+    def chart(self) -> "CostChart":
         """Return a chart of time against wrong answers of all candidates on these pairs, the recommended one marked."""
         from .cost_chart import chart
 
@@ -276,7 +276,7 @@ def _give_pair(a: Shape, b: Shape) -> GivenPairs:
         lambda: (a, b),
         batches,
         lambda: moved_bound(both),
-        lambda: grid_of(both),
+        lambda: common_unit_of(both),
         tests,
     )
 
@@ -293,8 +293,8 @@ def _summarize(given: GivenPairs, models: Sequence[Model]) -> tuple[InputSummary
     """Return the summary of the given pairs and the result of each model, by integers, pair by pair."""
     relations, least, at = Counter[Relation](), inf, (0, 0)
     wrong, uncertain = Counter[Model](), Counter[Model]()
-    first: dict[Model, Pair] = {}
-    first_uncertain: dict[Model, Pair] = {}
+    first: dict[Model, IndexPair] = {}
+    first_uncertain: dict[Model, IndexPair] = {}
     missing = set()
     for k in range(given.numbered):
         a, b = given.shapes_of(k)

@@ -23,8 +23,11 @@ TEXT, TITLE, SMALL = 10.0, 13.0, 9.0
 ROLES = {EXACT_FILTER: "exact", BOUNDING_CIRCLES: "shortcut", AABB: "shortcut", K_DOP: "shortcut"}  # the others: float
 
 
-class Chart(NamedTuple):
-    """Hold a chart of time per pair against wrong answers: `rows` are the numbers drawn, `sentence` their summary."""
+class CostChart(NamedTuple):
+    """Hold a chart of time per pair against wrong answers: `rows` are the numbers drawn, `sentence` their summary.
+
+    `under`: the line below the title; `advised`: the name of the recommended model; `pairs`: the number of pairs.
+    """
 
     title: str
     under: str
@@ -62,7 +65,7 @@ class Chart(NamedTuple):
 
 def chart(
     model: Model, summary: InputSummary, results: Sequence[ModelResult], found: Mapping[str, Cost | None]
-) -> Chart:
+) -> CostChart:
     """Return the chart of all timed candidates; `model` is recommended, `found` has each cost (None: not timed).
 
     ValueError where there is nothing to draw: no pairs, or a recommended model that is not timed.
@@ -87,10 +90,10 @@ def chart(
         f"{mine.timed:,} copies of it" if one else "all" if mine.timed == summary.pairs else f"the first {mine.timed:,}"
     )
     under = f"filled: warm, hollow: with set-up; {what}, times of {of} at once"
-    return Chart(f"Right and enough here: {model.name}", under, rows, model.name, summary.pairs, sentence)
+    return CostChart(f"Right and enough here: {model.name}", under, rows, model.name, summary.pairs, sentence)
 
 
-def _draw(fig: Figure, chart: Chart, theme: Theme) -> None:
+def _draw(fig: Figure, chart: CostChart, theme: Theme) -> None:
     """Draw the axes, the time and wrong answers of each model, and the names on a figure."""
     ink, guide = theme.roles["ink"], theme.roles["guide"]
     at: dict[str, Any] = {"ha": "left", "va": "top", "parse_math": False}
@@ -126,8 +129,8 @@ def _draw(fig: Figure, chart: Chart, theme: Theme) -> None:
     _label(fig, ax, chart, theme)
 
 
-def _front(ax: Axes, chart: Chart, theme: Theme) -> None:
-    """Draw the Pareto front of the warm times: no other model is both faster and more often right."""
+def _front(ax: Axes, chart: CostChart, theme: Theme) -> None:
+    """Draw the Pareto front of the warm times: the models than which no other is both faster and more often right."""
     points = sorted((cost.warm, cost.wrong) for _, _, cost in chart.rows)
     front: list[tuple[float, int]] = []
     for point in points:
@@ -148,7 +151,7 @@ def _minor(low: float, high: float) -> Callable[[float, object], str]:
     return label
 
 
-def _label(fig: Figure, ax: Axes, chart: Chart, theme: Theme) -> None:
+def _label(fig: Figure, ax: Axes, chart: CostChart, theme: Theme) -> None:
     """Write each name above or below its points, in the nearest place where it covers no point and no other name."""
     renderer = fig.canvas.get_renderer()  # type: ignore[attr-defined]
     frame = ax.get_window_extent(renderer)

@@ -99,7 +99,7 @@ def _without_unused_shapes(pairs: Pairs) -> Pairs:
 
 
 def _evaluate(model: Model, pairs: Pairs, ready: tuple[object, object], engine: str | None) -> NDArray[np.int8]:
-    """Return the relations that the model finds; `ready` is the data prepared for both sides."""
+    """Return the (n,) relations that the model finds; `ready`: what `prepare` returned for side a and side b."""
     with np.errstate(all="ignore"):
         return models.evaluate(model, pairs, *ready, engine=engine)
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import batch
-from ..batch.arrays import Group, Shapes
+from ..batch.arrays import CornerColumns, Shapes
 from ..batch.codes import TOUCHING
 from ..batch.with_numpy.filter import clearance
 from ..engine.geometry import Vec
@@ -36,7 +36,7 @@ class ConvertedParts:
     bounds: NDArray[Any]
     count: NDArray[np.int64]
     slot: Indices
-    groups: dict[int, Group]
+    groups: dict[int, CornerColumns]
 
 
 def prepare(model: Model, shapes: Shapes) -> Any:
@@ -52,7 +52,7 @@ def prepare(model: Model, shapes: Shapes) -> Any:
         return direction_ranges(shapes, model.directions)
     dtype = DTYPES[model.kind]
     with np.errstate(over="ignore"):
-        groups = {v: Group(g.block.astype(dtype)) for v, g in shapes.groups.items()}
+        groups = {v: CornerColumns(g.block.astype(dtype)) for v, g in shapes.groups.items()}
         x, y, r = (c.astype(dtype) for c in (*shapes.rings[:2], part_radii(shapes)))
         bounds = shapes.parts.bounds.astype(dtype)  # rounding keeps order: boxes apart after it were apart before
         return ConvertedParts(x, y, r, shapes.rings.start, bounds, shapes.count, shapes.slot, groups)
@@ -236,7 +236,7 @@ def sat(pairs: Pairs, a: ConvertedParts, b: ConvertedParts, kernels: Any) -> Rel
     return pairs.whole(found)
 
 
-def sat_gaps(p: Group, q: Group) -> NDArray[Any]:
+def sat_gaps(p: CornerColumns, q: CornerColumns) -> NDArray[Any]:
     """Return for each pair of columns a number with the sign that SAT finds for the gap."""
     if p.r is not None and q.r is not None:
         return _squared_gap((p.x[0], p.y[0], p.r), (q.x[0], q.y[0], q.r))
@@ -247,12 +247,12 @@ def sat_gaps(p: Group, q: Group) -> NDArray[Any]:
     return found
 
 
-def circle_polygon_gap(circle: Group, ring: Group) -> NDArray[Any]:
+def circle_polygon_gap(circle: CornerColumns, ring: CornerColumns) -> NDArray[Any]:
     """Return the squared distance of each center from the boundary less r squared; -1 if it is inside."""
     assert circle.r is not None
     inside = np.ones(ring.x.shape[1], bool)
     nearest = np.full(ring.x.shape[1], np.inf, ring.x.dtype)
-    for _, _, turn, distance in edge_distances(circle, ring):
-        inside &= turn > 0
+    for _, _, orientation, distance in edge_distances(circle, ring):
+        inside &= orientation > 0
         np.minimum(nearest, distance, out=nearest)
     return np.where(inside, -1, nearest - circle.r * circle.r)

@@ -1,6 +1,6 @@
 """Pairs of shapes of two batches, the pairs of their convex parts, and blocks of these pairs in columns.
 
-Columns hold shapes with equally many corners: x and y are (corners, n) arrays, one column per shape (`Group`).
+Columns hold shapes with equally many corners: x and y are (corners, n) arrays, one column per shape (`CornerColumns`).
 """
 
 from collections.abc import Iterator
@@ -9,7 +9,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..batch.arrays import Group, Shapes
+from ..batch.arrays import CornerColumns, Shapes
 from ..batch.codes import UNDECIDED
 from ..batch.narrow_phase import check_pairs
 from ..engine.shapes import Circle, Polygon, Shape
@@ -21,7 +21,11 @@ MAX_CORNERS_AT_ONCE = 1 << 18  # corners times pairs
 
 
 class Pairs(NamedTuple):
-    """Hold pairs of shapes (ia, ib) of two batches, all pairs (pa, pb) of their parts, and `of`: the pair of each."""
+    """Hold pairs of shapes of two batches, and all pairs of their convex parts.
+
+    ia, ib: (n,) pair k is a[ia[k]] with b[ib[k]]; pa, pb: (m,) indices of the convex parts of each pair of parts;
+    of: (m,) the number k of the pair of shapes to which each pair of parts belongs.
+    """
 
     a: Shapes
     b: Shapes
@@ -32,9 +36,10 @@ class Pairs(NamedTuple):
     of: Indices
 
     def whole(self, of_parts: Relations) -> Relations:
-        """Return the relation of each pair of shapes: the largest one of the pairs of their convex parts.
+        """Return the (n,) relations of the pairs of shapes: the largest one of their pairs of convex parts.
 
-        UNDECIDED for a part makes the pair UNDECIDED, unless another part overlaps.
+        of_parts: (m,) relations of the pairs of parts.  UNDECIDED for a part makes the pair UNDECIDED, unless another
+        part overlaps.
         """
         if self.a.owner is None and self.b.owner is None:
             return of_parts
@@ -61,7 +66,7 @@ class HasColumns(Protocol):
         """Return the column of each part in its group, (N,)."""
 
     @property
-    def groups(self) -> dict[int, Group]:
+    def groups(self) -> dict[int, CornerColumns]:
         """Return the groups by number of corners."""
 
 
@@ -102,7 +107,7 @@ def part_shape(shapes: Shapes, part: int) -> Shape:
 
 def pair_columns(
     a: HasColumns, pa: Indices, b: HasColumns, pb: Indices, most: int = 1 << 62
-) -> Iterator[tuple[Indices, Group, Group]]:
+) -> Iterator[tuple[Indices, CornerColumns, CornerColumns]]:
     """Yield (indices of pairs, group for a, group for b) for blocks of pairs with equal numbers of corners.
 
     `most` is the largest number of pairs in a block.
@@ -124,7 +129,7 @@ def slice_if_adjacent(slots: Indices) -> Indices | slice:
     return slice(first, last + 1) if adjacent else slots
 
 
-def max_coordinates(group: Group) -> Array:
+def max_coordinates(group: CornerColumns) -> Array:
     """Return the largest absolute coordinate of each column, plus the radius of circles."""
     most: Array = np.maximum(np.abs(group.x).max(axis=0), np.abs(group.y).max(axis=0))
     return most if group.r is None else most + group.r

@@ -157,7 +157,7 @@ def _check_concave(path: Path, coords: NDArray[Any], offsets: NDArray[Any]) -> N
 
 
 def _in_the_file(message: str) -> str:
-    """Return an error message of `batch` reworded to name the file's array that is at fault."""
+    """Return an error message of `batch`, reworded so that it names the array of the file that is at fault."""
     if message.startswith("polygon"):
         return f"coords: {message}"
     if message.startswith("circle"):

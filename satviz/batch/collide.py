@@ -73,8 +73,8 @@ def stream_colliding_pairs(
     reads and holds only the shapes that reach into it.  A pair is
     given once, by the strip where the later of the two begins.  Memory: a few
     hundred bytes a shape of one strip (shapes that all begin at one x are in one), and some
-    25 bytes a shape of the file for the x ranges.  Options are checked at the call, shapes as the
-    strips are asked for: InvalidShape as in Polygons, before the first strip for a value that is not a number,
+    25 bytes a shape of the file for the x ranges.  Options are checked at the call, shapes when a
+    strip is requested: InvalidShape as in Polygons, before the first strip for a value that is not a number,
     else of the first strip that holds one at fault.
     """
     if getattr(vertices, "ndim", 0) != 3:

@@ -13,7 +13,7 @@ from ..engine.predicates import warn_if_flushed
 from ..engine.shapes import Polygon
 from . import validation
 from .array_types import Array, Indices, Mask
-from .arrays import Group, Shapes, check_shapes
+from .arrays import CornerColumns, Shapes, check_shapes
 from .engines import engine_for_checks
 from .outlines import convex_rings
 from .ragged import MAX_LANE_CORNERS, Rings, concat_rings
@@ -45,10 +45,10 @@ class Circles(Shapes):
         if (bad := np.flatnonzero(~(block[2, 0] > 0))).size:
             i = bad[0]
             raise InvalidShape(f"circle {i}: radius is {block[2, 0, i]}: a circle needs a positive radius")
-        self.runs = (Group(block),)
+        self.runs = (CornerColumns(block),)
 
 
-def _certified_circles(centers: object, radii: object) -> Group | None:
+def _certified_circles(centers: object, radii: object) -> CornerColumns | None:
     """Return the circles if both arguments are plain float arrays of valid values; else None, for slower checks."""
     if not _is_carray(centers, 2) or centers.shape[1] != 2:
         return None
@@ -58,7 +58,7 @@ def _certified_circles(centers: object, radii: object) -> Group | None:
     elif not _is_carray(radii, 1) or len(radii) != n:
         return None
     warn_if_flushed()
-    group: Group | None = engine_for_checks(n).certified_circles(centers, radii)
+    group: CornerColumns | None = engine_for_checks(n).certified_circles(centers, radii)
     return group
 
 
@@ -174,7 +174,7 @@ def build_mixed(points: Array, start: Indices, radius: Array, concave: str | Non
     circles = radius > 0
     if len(radius) and circles.all():
         block = np.array([*points.T, radius])[:, None] + 0.0
-        return Shapes(runs=[Group(block)])
+        return Shapes(runs=[CornerColumns(block)])
     if not circles.any():
         return build_shapes(points, start, "polygon {}".format, concave)
     of = np.flatnonzero(~circles)
@@ -230,7 +230,7 @@ def number_polygons(vertices: validation.Rings, numbers: Indices | None, concave
     return build_shapes(*validation.rings_from_sequence(vertices, name), name, concave)
 
 
-def _certified_group(vertices: object) -> Group | None:
+def _certified_group(vertices: object) -> CornerColumns | None:
     """Return the polygons of an (N, V, 2) plain float array as a group; None if one is not certified convex."""
     if not _is_carray(vertices, 3):
         return None
@@ -238,7 +238,7 @@ def _certified_group(vertices: object) -> Group | None:
     if axes != 2 or not 3 <= corners <= MAX_LANE_CORNERS:
         return None
     warn_if_flushed()
-    group: Group | None = engine_for_checks(vertices.size // 2).certified_group(vertices)
+    group: CornerColumns | None = engine_for_checks(vertices.size // 2).certified_group(vertices)
     return group
 
 

@@ -1,4 +1,4 @@
-"""Outlines one after another: how shapes of many numbers of corners lie in memory."""
+"""Outlines stored one after another (ragged arrays), for shapes with different numbers of corners."""
 
 from typing import NamedTuple
 

@@ -1,12 +1,12 @@
 """Known mistakes as hypotheses: what each failing case would have answered, compared with what a function answered."""
 
 from collections.abc import Iterator, Sequence
-from functools import partial
+from functools import lru_cache, partial
 from itertools import product
 from math import hypot
 from typing import NamedTuple
 
-from ..engine.geometry import APART, OVERLAPPING, TOUCHING, Vec
+from ..engine.geometry import APART, OVERLAPPING, TOUCHING, Relation, Vec
 from ..engine.shapes import Shape
 from ..engine.shortcut import Shortcut
 from ..scenes.failing import FAILURE_CASES, FALSE_HIT, MISSED_HIT, NAMED, REFUSED
@@ -104,7 +104,7 @@ SYMPTOMS: dict[str, tuple[str, ...]] = {
 
 
 def symptom_of(name: str) -> str:
-    """Return what a mistake looks like, in the words of the people who see it; "" where it is never seen."""
+    """Return the symptom of a mistake in the words of people who see it, such as "falls through"; "" if unseen."""
     return next((words for words, names in SYMPTOMS.items() if name in names), "")
 
 
@@ -239,7 +239,10 @@ def _misses_touching(results: Sequence[Result], rules: Rules) -> bool:
 
 
 def _likeness(hypothesis: Hypothesis, results: Sequence[Result], rules: Rules, asked: Rules) -> Likeness | None:
-    """Return how like the answers are to the hypothesis's by the rules `asked`; None if no wrong answer is shared."""
+    """Return the Likeness of the answers to those of a hypothesis; None if no wrong answer is shared.
+
+    `rules`: those of the check; `asked`: those by which the hypothesis answers about shapes that touch.
+    """
     agrees = alike = either = missed = not_touching = 0
     for i, result in enumerate(results):
         predicted = predicted_answer(hypothesis, result.a, result.b, asked)
@@ -270,12 +273,24 @@ def _alike(one: Answer, other: Answer, kind: str, margin: float, one_is_right: b
     return kind == MTV and not one_is_right and bool(one and other) and abs(hypot(*one) - hypot(*other)) <= margin
 
 
-def predicted_answer(hypothesis: Hypothesis, a: Shape, b: Shape, rules: Rules) -> tuple[Answer] | None:
-    """Return (the answer that the mistake gives,) in the kind of `rules`; None where it cannot answer."""
+@lru_cache(maxsize=1 << 14)  # another function is asked about the same pairs
+def _prediction(hypothesis: Hypothesis, a: Shape, b: Shape) -> tuple[Relation, Vec | None] | None:
+    """Return the relation and the push that follow from the mistake; None where it has no answer."""
     try:
-        claim, push = hypothesis.predict(a, b)
+        return hypothesis.predict(a, b)
     except (ValueError, ArithmeticError):
         return None
+
+
+def predicted_answer(hypothesis: Hypothesis, a: Shape, b: Shape, rules: Rules) -> tuple[Answer] | None:
+    """Return a tuple with the answer that the mistake gives, in the kind of `rules`; None where it has no answer.
+
+    The tuple keeps an answer of None (no move) apart from no answer.
+    """
+    predicted = _prediction(hypothesis, a, b)
+    if predicted is None:
+        return None
+    claim, push = predicted
     hit = claim is OVERLAPPING or (claim is TOUCHING and rules.touching != "miss")
     if push is not None and rules.moves == "A":
         push = Vec(-push.x, -push.y)

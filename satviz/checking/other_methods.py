@@ -48,7 +48,7 @@ def first_corner_in(a: Shape, b: Shape) -> tuple[Relation, None]:
 
 
 def with_circle(gap_of: Callable[[Shape, Vec, float], float], a: Shape, b: Shape) -> tuple[Relation, None]:
-    """Return what a gap between a convex polygon and a circle claims; ValueError for other pairs."""
+    """Return the relation that `gap_of` (polygon, center, radius) claims by its sign; ValueError for other pairs."""
     if a.core_is_point == b.core_is_point:
         raise ValueError("this method compares a circle with a convex polygon")
     shape, circle = (a, b) if b.core_is_point else (b, a)
@@ -67,7 +67,7 @@ def center_outside(shape: Shape, center: Vec, radius: float) -> float:
 
 
 def corner_or_center(shape: Shape, center: Vec, radius: float) -> float:
-    """Return the smaller of both, since a corner in the circle or the center in the polygon is a hit."""
+    """Return the smaller of `nearest_corner` and `center_outside`: either below 0 is a hit."""
     return min(nearest_corner(shape, center, radius), _outside(center, shape))
 
 
@@ -78,7 +78,7 @@ def box_and_circle(shape: Shape, center: Vec, radius: float) -> float:
 
 
 def raw_radius(shape: Shape, center: Vec, radius: float) -> float:
-    """Return the largest gap on the edge normals as they come, with a radius that is not as long as they are."""
+    """Return the largest gap on edge normals that are not of length 1, from which the radius is subtracted unscaled."""
     ranges = [(ends(shape.vertices, n), ends([center], n).lo) for n in listed(shape.vertices, ())]
     return max(max(at - radius - on.hi, on.lo - at - radius) for on, at in ranges)
 
@@ -89,14 +89,14 @@ def rims_meet(a: Shape, b: Shape) -> tuple[Relation, None]:
     return (OVERLAPPING if abs(a.radius - b.radius) <= away <= a.radius + b.radius else APART), None
 
 
-def edges_turn(strict: bool, a: Shape, b: Shape) -> tuple[Relation, None]:
-    """Return OVERLAPPING if two edges cross by the signs of their turns, one of which may be 0 if not `strict`.
+def edges_cross(strict: bool, a: Shape, b: Shape) -> tuple[Relation, None]:
+    """Return OVERLAPPING if two edges cross by the orientations of their ends.
 
-    A turn of 0 counts as clockwise then.
+    `strict`: three collinear points decide nothing; otherwise they count as clockwise.
     """
 
-    def turn(p: Vec, q: Vec, r: Vec) -> int:
-        """Return 1 where p, q, r turn counter-clockwise, -1 where they turn clockwise, and else 0 or -1."""
+    def side(p: Vec, q: Vec, r: Vec) -> int:
+        """Return 1 if p, q, r are counter-clockwise, -1 if clockwise; if collinear, 0 if `strict`, else -1."""
         size = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x)
         return (size > 0) - (size < 0 if strict else size <= 0)
 
@@ -104,7 +104,7 @@ def edges_turn(strict: bool, a: Shape, b: Shape) -> tuple[Relation, None]:
         raise ValueError("a circle has no edges")
     edges_of_a, edges_of_b = (tuple(zip(ring, (*ring[1:], *ring[:1]))) for ring in (a.vertices, b.vertices))
     crossed = any(
-        turn(p, r, s) * turn(q, r, s) < 0 and turn(p, q, r) * turn(p, q, s) < 0
+        side(p, r, s) * side(q, r, s) < 0 and side(p, q, r) * side(p, q, s) < 0
         for p, q in edges_of_a
         for r, s in edges_of_b
     )
@@ -112,7 +112,7 @@ def edges_turn(strict: bool, a: Shape, b: Shape) -> tuple[Relation, None]:
 
 
 def squared_distance(a: Shape, b: Shape) -> tuple[Relation, None]:
-    """Return what follows for two circles if the squared distance is compared with the sum of the radii."""
+    """Return the relation of two circles as claimed if the squared distance is compared with the sum of the radii."""
     (ax, ay), (bx, by) = _centers(a, b)
     gap = (bx - ax) ** 2 + (by - ay) ** 2 - a.radius - b.radius
     return relation_of_gap(gap), None
@@ -137,7 +137,7 @@ def _outside(spot: Vec, shape: Shape) -> float:
 
 
 def outward_from_each_middle(a: Shape, b: Shape, axis: Axis) -> AxisTest:
-    """Return the test of an edge normal that is turned for each shape by itself, away from its own vertex mean."""
+    """Return the test of an edge normal that points, for each shape separately, away from its own vertex mean."""
     start, n = (a if axis.source.shape == "A" else b).vertices[axis.source.ids[0]], axis.direction
 
     def project_outward(shape: Shape) -> Projection:
@@ -155,7 +155,10 @@ def reversed_verdict(a: Shape, b: Shape) -> tuple[Relation, None]:
 
 
 def within_reach(middle: Middle, reach: Callable[[Ring, Ring], float], a: Shape, b: Shape) -> tuple[Relation, None]:
-    """Return what follows if nothing but the distance of the middles counts."""
+    """Return OVERLAPPING if the distance of both middles is at most `reach` of both rings, else APART.
+
+    `middle`, `reach`: functions of the rings of vertices (of a circle, its center).
+    """
     p, q = a.vertices or a.core, b.vertices or b.core
     return (OVERLAPPING if dist(middle(p), middle(q)) <= reach(p, q) else APART), None
 
@@ -163,7 +166,7 @@ def within_reach(middle: Middle, reach: Callable[[Ring, Ring], float], a: Shape,
 def beyond_reach(
     middle: Middle, reach: Callable[[Ring, Ring], float], a: Shape, b: Shape
 ) -> tuple[Relation, Vec | None]:
-    """Return APART where the middles are further apart than a reach, else the right answer."""
+    """Return APART where the middles are further apart than `reach` of both rings, else the right answer and push."""
     p, q = a.vertices or a.core, b.vertices or b.core
     if dist(middle(p), middle(q)) > reach(p, q):
         return APART, None

@@ -1,4 +1,4 @@
-"""Other ways in which people write a known mistake: (the name of its failing case, what it claims, in which way)."""
+"""Variants of known mistakes: (name of the failing case, function that answers for two shapes, how it is written)."""
 
 from collections.abc import Callable, Iterator
 from functools import partial
@@ -16,7 +16,7 @@ from .other_methods import (
     center_outside,
     corner_or_center,
     corners_in,
-    edges_turn,
+    edges_cross,
     first_corner_in,
     middle_inside,
     nearest_corner,
@@ -98,11 +98,15 @@ def _chosen_edges() -> Iterator[Variant]:
     for middle in mean, middle_of_box:
         yield one, Written(partial(between, middle)), "here on the line between the middles"
     along = "here an edge is taken as an axis, without the quarter turn"
-    yield "line-for-axis", Written(partial(listed, turn=Vec)), along
+    yield "line-for-axis", Written(partial(listed, normal_of=Vec)), along
     yield "line-for-axis", Written(partial(of_vertices, Vec)), "here the way to each vertex"
     yield "slipped-normal", Written(partial(of_vertices, normal)), "here of each vertex instead of each edge"
-    yield "slipped-normal", Written(partial(listed, turn=lambda x, y: Vec(y, x))), "here (dy, dx), without the minus"
-    yield "degrees-for-radians", Written(partial(listed, turn=angle_in_degrees)), "here the whole angle in degrees"
+    yield (
+        "slipped-normal",
+        Written(partial(listed, normal_of=lambda x, y: Vec(y, x))),
+        "here (dy, dx), without the minus",
+    )
+    yield "degrees-for-radians", Written(partial(listed, normal_of=angle_in_degrees)), "here the whole angle in degrees"
     roundings: tuple[tuple[Callable[[float], float], str], ...] = (
         (round, ""),
         (partial(round, ndigits=1), "here to 1 digit"),
@@ -112,7 +116,7 @@ def _chosen_edges() -> Iterator[Variant]:
     )
     for rounding, words in roundings:
         for power in 0, 1:
-            rounded = Written(partial(listed, turn=partial(rounded_to, rounding)), powers=(0, power))
+            rounded = Written(partial(listed, normal_of=partial(rounded_to, rounding)), powers=(0, power))
             yield "rounded-normals", rounded, words
 
 
@@ -193,7 +197,7 @@ def _other_ways() -> Iterator[Variant]:
     yield "no-nearest-vertex", partial(by_shortcut, to_center), "here the line of the centers, too"
     yield "edges-cross", rims_meet, "here the rims of circles"
     for strict, words in ((False, "here by the signs of their turns"), (True, "here at a point inside both edges")):
-        yield "edges-cross", partial(edges_turn, strict), words
+        yield "edges-cross", partial(edges_cross, strict), words
     yield "circles-turned-round", squared_distance, "here the squared distance is compared"
     yield "circles-turned-round", reversed_verdict, "here the whole verdict, for shapes of any kind"
     from_each_middle = NAMED["mixed-signs"].shortcut._replace(choose=edge_normals, measure=outward_from_each_middle)

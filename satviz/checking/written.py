@@ -32,12 +32,12 @@ def normal(dx: float, dy: float) -> Vec:
 def listed(
     a: Ring,
     b: Ring,
-    turn: Callable[[float, float], Vec] = normal,
+    normal_of: Callable[[float, float], Vec] = normal,
     sign: int = 1,
     cut_a: slice = slice(None),
     cut_b: slice = slice(None),
 ) -> list[Vec]:
-    """Return what `turn` makes of each edge of A and of B, in the order in which the vertices are listed.
+    """Return `normal_of` each edge vector of A and of B, in the order in which the vertices are listed.
 
     `sign`: -1 for the opposites; `cut_a`, `cut_b`: the edges that are taken.
     """
@@ -45,7 +45,7 @@ def listed(
     for ring, cut in (a, cut_a), (b, cut_b):
         for p, q in list(zip(ring, (*ring[1:], *ring[:1])))[cut]:
             if p != q:  # a vertex that is listed twice is another mistake
-                x, y = turn(q.x - p.x, q.y - p.y)
+                x, y = normal_of(q.x - p.x, q.y - p.y)
                 found.append(Vec(sign * x, sign * y))
     return found
 
@@ -70,11 +70,11 @@ def shorter_way(a: Ring, b: Ring, found: Overlap) -> int:
 class Written:
     """SAT as people write it; a mistake replaces one step.
 
-    `axes`: the axes of two rings, of any length; `ends`: the range of a ring on an axis; `overlap`: of two ranges;
-    `powers`: of the normal's length, by which overlaps are divided where they are compared, and the normal times the
-    overlap where it becomes the push; `pick`: the place of the axis of the push, where the least overlap comes first,
-    or, with `in_order`, in the order of the axes; `way`: 1 for a push along the normal, else -1;
-    `any_axis`: whether one overlap is enough for a hit.
+    `axes`: returns the axes of two rings, vectors of any length; `ends`: the range of a ring on an axis; `overlap`:
+    that of two ranges.  `powers` = (p, q): overlaps are compared after division by |n|**p, and the push is n times the
+    overlap divided by |n|**q.  `pick`: which axis gives the push, counted from the least overlap, or, with `in_order`,
+    in the order of the axes; `way`: 1 for a push along the normal, else -1; `any_axis`: whether one overlap is enough
+    for a hit.
     """
 
     axes: Callable[[Ring, Ring], Sequence[Vec]] = listed
@@ -119,7 +119,7 @@ def _length(n: Vec) -> float:
 
 
 def of_world(a: Ring, b: Ring) -> list[Vec]:
-    """Return x and y."""
+    """Return the world axes x and y, whatever the rings."""
     return [Vec(1.0, 0.0), Vec(0.0, 1.0)]
 
 
@@ -130,7 +130,7 @@ def between(middle: Middle, a: Ring, b: Ring) -> list[Vec]:
 
 
 def one_edge(index: int, a: Ring, b: Ring) -> list[Vec]:
-    """Return the normal of one of all edges."""
+    """Return a list with the normal of edge `index` in the list of all edges of A and B."""
     return [listed(a, b)[index]]
 
 
@@ -144,9 +144,9 @@ def of_each(cut: Callable[[int], slice], a: Ring, b: Ring) -> list[Vec]:
     return listed(a, b, cut_a=cut(len(a)), cut_b=cut(len(b)))
 
 
-def of_vertices(turn: Callable[[float, float], Vec], a: Ring, b: Ring) -> list[Vec]:
-    """Return what `turn` makes of each vertex, as if it were the vector of an edge."""
-    return [turn(*p) for ring in (a, b) for p in ring]
+def of_vertices(normal_of: Callable[[float, float], Vec], a: Ring, b: Ring) -> list[Vec]:
+    """Return `normal_of` each vertex, as if the vertex were the vector of an edge."""
+    return [normal_of(*p) for ring in (a, b) for p in ring]
 
 
 def one_for_equal_counts(a: Ring, b: Ring) -> list[Vec]:
@@ -155,7 +155,10 @@ def one_for_equal_counts(a: Ring, b: Ring) -> list[Vec]:
 
 
 def outward(sign: int, a: Ring, b: Ring) -> list[Vec]:
-    """Return normals that lead from A to B if both rings are counter-clockwise; -1 for `sign` if clockwise."""
+    """Return the normals of A, and the opposites of B's, which all lead from A to B if both are counter-clockwise.
+
+    `sign`: -1 for rings in clockwise order.
+    """
     return [*listed(a, (), sign=sign), *listed((), b, sign=-sign)]
 
 
@@ -175,13 +178,13 @@ def rounded_to(round_to: Callable[[float], float], dx: float, dy: float) -> Vec:
 
 
 def from_zero(ring: Ring, n: Vec) -> Interval:
-    """Return a range whose larger end was searched for from 0 upward."""
+    """Return the range of a ring whose maximum starts at 0 in the search, so it is never below 0."""
     lo, hi = ends(ring, n)
     return Interval(lo, max(0.0, hi))
 
 
 def both_from_zero(ring: Ring, n: Vec) -> Interval:
-    """Return a range both of whose ends were searched for from 0."""
+    """Return the range of a ring whose minimum and maximum start at 0 in the search, so it always contains 0."""
     lo, hi = ends(ring, n)
     return Interval(min(0.0, lo), max(0.0, hi))
 
@@ -194,18 +197,18 @@ def about_the_mean(ring: Ring, n: Vec) -> Interval:
 
 
 def circle_about(middle: Middle, radius: Radius, ring: Ring, n: Vec) -> Interval:
-    """Return the range of the circle of this middle and radius."""
+    """Return the range of a circle in place of the ring; `middle`, `radius`: functions of the ring."""
     (at, _), reach = ends([middle(ring)], n), radius(ring) * hypot(*n)
     return Interval(at - reach, at + reach)
 
 
 def one_extreme_each(step: int, ring: Ring, n: Vec) -> Interval:
-    """Return the range of one vertex on each side of the bounding box; -1 for `step` takes the last of several."""
+    """Return the range of four vertices, one on each side of the bounding box; `step` -1 takes the last of several."""
     return ends([pick(ring[::step], key=itemgetter(k)) for pick in (min, max) for k in (0, 1)], n)
 
 
 def some_vertices(cut: slice, ring: Ring, n: Vec) -> Interval:
-    """Return the range of some vertices."""
+    """Return the range of the vertices in the slice `cut` of the ring."""
     return ends(ring[cut], n)
 
 
@@ -255,7 +258,7 @@ def by_an_end_of_b(a: Interval, b: Interval) -> float:
 
 
 def along_normal(sign: int, a: Ring, b: Ring, found: Overlap) -> int:
-    """Return the sign: the normal as it comes, or its opposite."""
+    """Return `sign`, whatever the shapes: the push goes along the normal (1) or against it (-1)."""
     return sign
 
 

@@ -325,12 +325,15 @@ def _parallel_key(axis: Axis, a: Shape, b: Shape, corners: dict[str, dict[int, i
 
 
 class ExactDots(NamedTuple):
-    """The dot products of both cores with an axis, in integers: a point lands at dot / |normal|, in units of 2**-k."""
+    """The dot products of both cores with an axis, in integers: a point lands at dot / |normal|, in units of 2**-k.
+
+    `normal`: the axis as an integer vector; `a`, `b`: one product for each point of the core of A and of B.
+    """
 
     normal: IntPoint
     a: list[int]
     b: list[int]
-    radii: int  # the sum of both radii
+    radii: int  # the sum of both radii, in units of 2**-k
     k: int
 
 
@@ -382,7 +385,10 @@ def _convex_polygons(a: Shape, b: Shape) -> bool:
 
 
 def _make_axis(normal: IntPoint, k: int, source: Source, *, as_given: bool = False) -> Axis:
-    """Return the axis along an integer vector in units of 2**-k; turned to the right unless `as_given`."""
+    """Return the axis along an integer vector in units of 2**-k, reversed if needed to point right or up.
+
+    `as_given`: keep the direction as it is.
+    """
     x, y = normal
     if not as_given and (x, y) < (0, 0):
         x, y = -x, -y
@@ -403,7 +409,10 @@ def _integer_edge_normal(shape: Shape, role: str, kind: str, i: int, j: int) -> 
 
 
 def _keyed_normals(shape: Shape, role: str) -> tuple[tuple[Axis, IntPoint], ...]:
-    """Return (axis, key) for each edge normal; keys of parallel edges are equal; cached on the shape."""
+    """Return (axis, its `_direction_key`) for each edge normal, computed once for each shape and role.
+
+    Parallel edges have equal keys.
+    """
     return shape.cached(role, lambda: tuple(_compute_keyed_normals(shape, role)))
 
 
@@ -429,7 +438,7 @@ def _normals(shape: Shape, role: str) -> tuple[Axis, ...]:
 def _vertex_axis(a: Shape, b: Shape, number: dict[IntPoint, int]) -> tuple[Axis, Skip | None]:
     """Return (axis from the circle's center to the polygon's nearest vertex, its Skip or None if needed).
 
-    `number`: the number of each axis already chosen, by its key.
+    `number`: the number of each axis already chosen, by its `_direction_key`.
     """
     role, polygon = ("B", b) if a.core_is_point else ("A", a)
     core_a, core_b, _, k = to_common_unit(a, b)

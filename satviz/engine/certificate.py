@@ -135,9 +135,9 @@ def separating_line(a: Shape, b: Shape, axis: Axis) -> SeparatingLine:
 
 
 def _radius_on_axis(shape: Shape, k: int, square: int, bits: int) -> Fraction:
-    """Return radius times normal length, rounded up to 2**-bits; square: the normal's squared length.
+    """Return the radius times the length of an axis's normal, rounded up to a multiple of 2**-bits.
 
-    `square` is |normal|**2.
+    The result is in units of 2**-k; `square` is |normal|**2.
     """
     own_k, _, r = shape.integers
     return Fraction(ceil_sqrt((r << k - own_k) ** 2 * square << 2 * bits), 1 << bits)

@@ -24,7 +24,7 @@ from .mtv import why_too_many_parts
 from .number_format import MINUS, Digits, digits_for_shapes, digits_for_tests, vector
 from .sat import AxisTest
 from .shapes import Shape
-from .trace import Names, Trace
+from .trace import ShapeNames, Trace
 
 # invisible characters: Persian, emoji and Hebrew need joiners and marks; a number and its unit keep on one line
 _INVISIBLE = "\u200c\u200d\u200e\u200f\xa0\u202f"
@@ -48,7 +48,7 @@ _PLAIN = {
 }
 
 
-def axis_name(axis: Axis, shapes: tuple[Shape, Shape], names: Names) -> str:
+def axis_name(axis: Axis, shapes: tuple[Shape, Shape], names: ShapeNames) -> str:
     """Return where an axis comes from: "normal of B's edge v1v3"."""
     kind, role, ids = axis.source
     if kind == WORLD:
@@ -65,7 +65,7 @@ def axis_name(axis: Axis, shapes: tuple[Shape, Shape], names: Names) -> str:
     return f"direction {vector(axis.normal)}"
 
 
-def short_axis_name(axis: Axis, shapes: tuple[Shape, Shape], names: Names) -> str:
+def short_axis_name(axis: Axis, shapes: tuple[Shape, Shape], names: ShapeNames) -> str:
     """Return an axis's name for a list: "B's v2v3"."""
     return axis_name(axis, shapes, names).replace("normal of ", "").replace("edge ", "").replace("through ", "")
 
@@ -103,7 +103,11 @@ NumberFormat = Callable[..., Digits]  # of a trace and some of its tests, as `di
 
 
 def outcome(t: AxisTest, numbers: Digits) -> str:
-    """Return the gap of a test in words; where one range holds the other also the way out: "overlap 1, way out 3"."""
+    """Return the gap of a test in words: "gap 2" or "overlap 1".
+
+    Where one range holds the other, the overlap is less than the penetration depth, so both stand there:
+    "overlap 1, way out 3".
+    """
     shared = _shared_interval(t)
     # the depth is then more than the length that they share
     if 0 < shared.hi - shared.lo < -t.gap / 1.001 and not numbers.fine:
@@ -167,7 +171,10 @@ def test_sentence(trace: Trace, i: int) -> str:
 
 
 def verdict_sentence(trace: Trace, move: Vec | None, digits: NumberFormat = digits) -> str:
-    """Return a sentence on the result of the whole run and what proves it; `move`: the MTV of an overlap."""
+    """Return a sentence on the result of the whole run and what proves it; `move`: the MTV of an overlap.
+
+    `digits`: a function that returns the number format for a trace and some of its tests.
+    """
     if trace.shortcut:
         return shortcut_verdict(trace, digits)
     if trace.pairs:
@@ -203,7 +210,10 @@ RELATION_PHRASES = {Relation.APART: "are apart", Relation.TOUCHING: "touch", Rel
 
 
 def shortcut_verdict(trace: Trace, digits: NumberFormat | None = None) -> str:
-    """Return a sentence on what a shortcut claims, with `digits` the axis that made it do so, and what is true."""
+    """Return a sentence on what a shortcut claims and what is true.
+
+    If `digits` is given, a function that returns number formats, the sentence also names the axis behind the claim.
+    """
     assert trace.shortcut
     a, b = trace.names
     says = f"By the shortcut “{trace.shortcut.claim}” {a} and {b} {RELATION_PHRASES[trace.claim]}"
@@ -245,7 +255,7 @@ def _parts_verdict(trace: Trace, move: Vec | None, digits: NumberFormat) -> str:
     return f"{a} and {b} overlap: their parts {p} and {q} do. {_mtv_sentence(trace, move, digits)}"
 
 
-def scene(trace: Trace) -> str:
+def scene_sentence(trace: Trace) -> str:
     """Return the sentence that says what is given and asks whether the shapes collide."""
     return f"{shapes_sentence(trace)} Do they collide?"
 
@@ -266,7 +276,7 @@ def plural(kind: str) -> str:
     return f"{head}{'es' if head.endswith('x') else 's'}{' with' if tail else ''}{tail}"
 
 
-def parts(trace: Trace) -> str:
+def parts_sentence(trace: Trace) -> str:
     """Return a sentence that names the convex parts into which each concave shape of the trace is split."""
     names = [[name for _, name in named_parts(s, n)] for s, n in zip((trace.a, trace.b), trace.names)]
     split = [f"{n} is split into {join_words(ps)}" for ps, n in zip(names, trace.names) if len(ps) > 1]

@@ -15,7 +15,7 @@ MAX_TABLE_PAIRS = 20  # pairs of convex parts in one table
 def table(trace: Trace, width: int | None = None, sums: bool = False) -> str:
     """Return the trace as plain text: one row per test, then the axes that were not tested, then the sentence.
 
-    `width`: the largest number of letters in a line; where the columns need more, a test takes several lines.
+    `width`: the largest number of characters in a line; where the columns need more, a test takes several lines.
     `sums`: below each test stand the sums behind the ends of both ranges, where all their numbers are printed in full.
     """
     if not trace.pairs:
@@ -31,7 +31,7 @@ def table(trace: Trace, width: int | None = None, sums: bool = False) -> str:
 
 
 def _rows(trace: Trace, width: int | None, sums: bool) -> str:
-    """Return the lines for all tests and untested axes as text, at most `width` letters wide where possible."""
+    """Return the lines for all tests and untested axes as text, at most `width` characters wide where possible."""
     shapes = trace.a, trace.b
     rows = [("axis", "direction", trace.names.a, trace.names.b, "gap", "")]
     for i, t in enumerate(trace.tests, 1):
@@ -91,7 +91,7 @@ def untested_rows(trace: Trace) -> list[tuple[str, str, str]]:
 
 
 def _wrap(pieces: Sequence[str], width: int | None, indent: str) -> str:
-    """Join the pieces into lines of at most `width` letters, the later ones indented; None: one line.
+    """Join the pieces into lines of at most `width` characters, the later ones indented; None: one line.
 
     A line is broken between two pieces, or within a piece at a space.  Lines after the first begin with `indent`.
     """

@@ -23,14 +23,14 @@ MAX_SIZE = (
 NamedParts = Sequence[tuple[Shape, str]]  # convex parts or pieces, each with its name
 
 
-class Names(NamedTuple):
-    """What the two shapes are called: "A" and "B", or the name of a convex part such as "B2"."""
+class ShapeNames(NamedTuple):
+    """The names of the two shapes of a trace in sentences: "A" and "B", or the name of a convex part such as "B2"."""
 
     a: str = "A"
     b: str = "B"
 
 
-DEFAULT_NAMES = Names()
+DEFAULT_NAMES = ShapeNames()
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +50,7 @@ class Trace:
     tests: tuple[AxisTest, ...]
     every_axis: bool
     pairs: tuple["Trace", ...]
-    names: Names = DEFAULT_NAMES
+    names: ShapeNames = DEFAULT_NAMES
     shortcut: Shortcut | None = None
 
     @property
@@ -219,7 +219,7 @@ class Trace:
         return self.table()
 
     def table(self, *, width: int | None = None, sums: bool = False) -> str:
-        """Return the table that `print(trace)` shows, in lines of at most `width` letters.
+        """Return the table that `print(trace)` shows, in lines of at most `width` characters.
 
         `sums`: below each test stand the sums behind the ends of both ranges, such as
         "v1: 2*8 + 3*3 = 25; 25 / sqrt(13) = 6.934"; a sum whose numbers are not printed in full is left out.
@@ -284,7 +284,7 @@ def _record_shortcut(a: Shape, b: Shape, shortcut: Shortcut, every_axis: bool) -
 
 
 def _record(
-    a: Shape, b: Shape, choice: Choice, every_axis: bool, names: Names, shortcut: Shortcut | None = None
+    a: Shape, b: Shape, choice: Choice, every_axis: bool, names: ShapeNames, shortcut: Shortcut | None = None
 ) -> Trace:
     """Run the loop over one choice of axes and return its trace; InvalidScene if it would list too much."""
     tests: list[AxisTest] = []
@@ -309,7 +309,7 @@ def _record_pairs(
     """Run the loop on pairs of parts, each with its name; return one trace that holds all of theirs."""
     pairs, size = [], 0
     for (p, name_a), (q, name_b) in product(of_a, of_b):
-        pair = _record(p, q, needed(p, q), every_axis, Names(name_a, name_b))
+        pair = _record(p, q, needed(p, q), every_axis, ShapeNames(name_a, name_b))
         pairs.append(pair)
         size += _count_listed(p, q, pair.choice, pair.tests)
         if size > MAX_SIZE:
@@ -336,7 +336,7 @@ def _count_listed(a: Shape, b: Shape, choice: Choice, tests: Sequence[AxisTest])
     return _count_points(a, b) * (1 + len(tests)) + len(choice.axes) + len(choice.skipped)
 
 
-def _check_size(a: Shape, b: Shape, choice: Choice, tests: Sequence[AxisTest], names: Names) -> None:
+def _check_size(a: Shape, b: Shape, choice: Choice, tests: Sequence[AxisTest], names: ShapeNames) -> None:
     """Raise InvalidScene if a trace would list more than MAX_SIZE points and axes."""
     if _count_listed(a, b, choice, tests) > MAX_SIZE:
         raise _too_large_error(

@@ -15,7 +15,7 @@ from ..engine.predicates import MAX_FLOAT, MIN_FLOAT
 from ..engine.sat import CLOSE_GAP_FACTOR, AxisTest, Projection
 from ..engine.shapes import Shape
 from ..engine.shortcut import Shortcut
-from ..engine.trace import DEFAULT_NAMES, Names, Trace, record
+from ..engine.trace import DEFAULT_NAMES, ShapeNames, Trace, record
 from .failing import SHORTCUTS
 from .scenefile import shape_data, shape_from
 from .strictjson import parse, refuse_large, require_keys, require_type
@@ -146,7 +146,7 @@ _KEYS = {"a", "b", "names", "shortcut", "every_axis", "complete", *_LISTS}
 _KEYS |= {"claim", "relation", "hit", "mtv", "sentence"}
 
 
-def _parse_run(data: Any, where: str, a: Shape, b: Shape, names: Names, shortcut: Shortcut | None = None) -> Trace:
+def _parse_run(data: Any, where: str, a: Shape, b: Shape, names: ShapeNames, shortcut: Shortcut | None = None) -> Trace:
     """Return the Trace with the file's numbers, not yet checked against the shapes; `where`: its field's name."""
     require_keys(data, where, _KEYS)
     lists = {name: list(enumerate(require_type(data[name], f"{where}.{name}", list))) for name in _LISTS}

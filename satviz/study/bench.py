@@ -210,7 +210,7 @@ def _numba_peers(a: batch.Shapes, b: batch.Shapes) -> Jobs:
     out = np.empty(len(a), np.int8)
 
     def run(kernel: Callable[..., None]) -> NDArray[np.bool_]:
-        """Return which pairs hit, by a kernel."""
+        """Return the (n,) answers of a kernel: True for each pair that hits."""
         kernel(*columns, out)
         return out > 0
 

@@ -133,7 +133,7 @@ def fastest_by_size(times: Times) -> str:
 
 
 def crossings(times: Times, engine: str) -> str:
-    """Return a sentence that says from which size on an engine is faster than each rival, and than which it is not."""
+    """Return a sentence that says from which size on an engine is faster than each rival, and which are faster."""
     faster: dict[str, list[str]] = {}
     slower: dict[str, list[str]] = {}
     for rival, other in times.items():
@@ -167,12 +167,12 @@ def _stopped_early(works: Mapping[str, Times]) -> Iterator[str]:
 
 
 def _from_to(sizes: Sequence[int]) -> str:
-    """Return the first and the last of these sizes in words."""
+    """Return the first and the last of these numbers of shapes in words: "10 to 1,000", or "at 10"."""
     return f"{sizes[0]:,} to {sizes[-1]:,}" if len(sizes) > 1 else f"at {sizes[0]:,}"
 
 
 def _notes_of_arrays(rows: Sequence[TimingRow]) -> Iterator[str]:
-    """Yield what `hits` takes from raw arrays beside plain SAT, and what one large or far box costs each engine."""
+    """Yield sentences: the time of `hits` from raw arrays beside plain SAT, and the cost of one large or far box."""
     arrays = [row for row in rows if row.section == "arrays"]
     times = {row.method: row for row in arrays}
     if (plain := times.get(PLAIN_SAT)) is not None:

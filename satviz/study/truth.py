@@ -90,7 +90,7 @@ def relation_by_difference(a: Polygon, b: Polygon) -> Relation:
 
 
 def relation_by_axes(a: Shape, b: Shape) -> Relation:
-    """Return the relation of two convex shapes, of which one is a circle, by the largest gap less the radii."""
+    """Return the relation of a circle and a convex shape, by the largest gap on an axis less the radii."""
     a, b = (a, b) if isinstance(a, Circle) else (b, a)
     assert isinstance(a, Circle), "two polygons have no radius"
     points, other_radius = ((b.center,), b.radius) if isinstance(b, Circle) else (b.vertices, 0.0)
@@ -131,14 +131,14 @@ def least_pushes(a: Polygon, b: Polygon) -> list[Ints]:
 
 
 def _least_square(sides: Iterable[tuple[int, Ints]]) -> Fraction:
-    """Return the square of the least distance of the origin from these sides."""
+    """Return the squared distance of the origin from the nearest side; `sides`: as `_sides_of_difference` returns."""
     return min(Fraction(side * side, nx * nx + ny * ny) for side, (nx, ny) in sides)
 
 
 def _sides_of_difference(a: Polygon, b: Polygon) -> tuple[int, list[tuple[int, Ints]]]:
-    """Return k, and for each edge of a - b scaled by 2**k: the origin's side, above 0 inside, and the outward normal.
+    """Return (k, sides): for each edge of the difference a - b, scaled by 2**k, (depth of the origin, outward normal).
 
-    The side is the distance of the origin from the edge, times the length of the normal.
+    The depth is positive where the origin lies on the inner side of the edge, and times the length of the normal.
     """
     k, rings = _rings(a, b)
     return k, [(px * qy - py * qx, (qy - py, px - qx)) for (px, py), (qx, qy) in _edges(_difference(*rings))]

@@ -68,9 +68,9 @@ def _classify_edges(
 ) -> int:  # fmt: skip
     """Return the relation proven by the edges of (x, y) that end in corners first to last - 1.
 
-    APART where all corners lie beyond one.  Where some lie on its line and none before, the shapes can only
-    meet there: TOUCHING, or APART, as their ranges on the line tell.  Else OVERLAPPING for now; UNDECIDED
-    out of range.
+    APART where all corners of (p, q) lie beyond an edge.  Where some lie on the edge's line and none before it, the
+    shapes can meet only on that line: TOUCHING if their ranges on the line meet, else APART.  OVERLAPPING if no edge
+    clears, which is no proof while other edges remain; UNDECIDED where floats go out of range.
     """
     start = first - 1 if first > i0 else i1 - 1
     ex, ey = x[start], y[start]

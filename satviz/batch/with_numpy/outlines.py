@@ -4,7 +4,7 @@ import numpy as np
 
 from ...engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
 from ..array_types import Array, Indices, Mask
-from ..arrays import Group
+from ..arrays import CornerColumns
 from ..exact_signs import ERRBOUND_A
 from ..ragged import Rings
 
@@ -13,10 +13,12 @@ TURN_ERROR = 2.0**-51  # |error| <= 3.1 u |edge| |next edge| (u = 2**-53), round
 MAX_PADDED_CORNERS = 1 << 15  # of padded arrays, which are checked all at once: few shapes
 
 
-def certified_group(vertices: Array) -> Group | None:
+def certified_group(vertices: Array) -> CornerColumns | None:
     """Return (N, V, 2) outlines as a group, counter-clockwise; None if one is not certified convex.
 
-    A turn counts only where a float64 error bound certifies its sign, which no NaN, infinity or underflow passes."""
+    The orientation at a corner counts only if a float64 error bound certifies its sign, which no NaN, infinity or
+    underflow passes.
+    """
     n, corners = vertices.shape[:2]
     columns = np.empty((2, corners, n))
     size = max(1, BLOCK_CORNERS // corners)
@@ -31,15 +33,15 @@ def certified_group(vertices: Array) -> Group | None:
                 part[:, :, right] = part[:, ::-1, right]
             if not (left | right).all():
                 return None
-    return Group(columns)
+    return CornerColumns(columns)
 
 
-def certified_circles(centers: Array, radii: Array) -> Group | None:
+def certified_circles(centers: Array, radii: Array) -> CornerColumns | None:
     """Return circles from (N, 2) centers and (N,) radii as a group; None if a number is not finite or not positive."""
     block = np.empty((3, 1, len(centers)))
     np.add(centers.T, 0.0, out=block[:2, 0])  # -0.0 becomes 0.0
     block[2, 0] = radii
-    return Group(block) if np.isfinite(block).all() and (radii > 0).all() else None
+    return CornerColumns(block) if np.isfinite(block).all() and (radii > 0).all() else None
 
 
 def certified_padded(corners: Array, counts: Indices, radii: Array) -> Rings | None:

@@ -70,9 +70,9 @@ class Part(NamedTuple):
     end: int
 
 
-class Frame(NamedTuple):
-    """A bracket of the text: where it begins, whether it holds data of a shape, statements, a shape to draw or to
-    test, or an index."""
+class BracketFrame(NamedTuple):
+    """The state of an open bracket: where it begins, and whether it holds data of a shape, statements, a shape to draw
+    or to test, or an index."""
 
     begin: int
     data: bool
@@ -252,7 +252,7 @@ class Account:
         touches = before.end == token.start or token.text == "{"
         return before if touches and before.kind in (NAME, FIELD) else None
 
-    def frame(self, i: int) -> Frame:
+    def frame(self, i: int) -> BracketFrame:
         """Return the frame of the bracket at token i: whether it holds data, statements, a drawing or an index."""
         word = self.callee(i)
         end = self.close[i]
@@ -268,7 +268,7 @@ class Account:
         draws = word is not None and not data and bool(words(word.text) & DRAWS) and (call or word.text in DRAWS)
         draws = draws or (word is not None and is_test(word.text))
         index = self.at(i).text == "[" and word is not None and self.is_variable(word) and ":" not in self.between(i)
-        return Frame(
+        return BracketFrame(
             i,
             data and not block and not call and not index,
             block,
@@ -276,7 +276,7 @@ class Account:
             index,
         )
 
-    def frame_of(self, i: int, frame: Frame) -> Frame:
+    def frame_of(self, i: int, frame: BracketFrame) -> BracketFrame:
         """Return the frame around token i, which holds data between two numbers of one shape."""
         return frame._replace(data=True) if i in self._amid else frame
 
@@ -286,7 +286,7 @@ class Account:
 
     def run(self) -> list[Part]:
         """Return the parts of the text that are not understood."""
-        frames = [Frame(-1, False, True)]
+        frames = [BracketFrame(-1, False, True)]
         begins_in_block = True
         for i, token in enumerate(self.tokens):
             if len(self.parts) >= MAX_PARTS:
@@ -327,7 +327,7 @@ class Account:
         """Return whether a bracket with numbers of a shape is never closed, so that some can be missing."""
         return any(self.frame(i).data for i in self.unclosed)
 
-    def is_count(self, i: int, frame: Frame) -> bool:
+    def is_count(self, i: int, frame: BracketFrame) -> bool:
         """Return whether a number counts or names something: a label before a colon, a length, 4 corners, { 0 }."""
         before, after = self.at(i - 1), self.at(i + 1)
         shifts = before.text in ("<", ">") and self.at(i - 2).text == before.text
@@ -358,7 +358,7 @@ class Account:
             after.kind == LINE or after.text in (":", ",", "at", "is", "of", "has", "with", "")
         )
 
-    def is_color(self, i: int, frame: Frame) -> bool:
+    def is_color(self, i: int, frame: BracketFrame) -> bool:
         """Return whether a bracket in a call that draws holds a color: draw.circle(screen, (255, 0, 0), (4, 4), 9)."""
         word = self.callee(frame.begin)
         if word is None or "draw" not in words(word.text) or self.callee(i) or self.holds(*self.span(i)):
@@ -424,7 +424,7 @@ class Account:
         if makes or not known:
             self.miss(i - 1, i)
 
-    def check_name(self, i: int, frame: Frame) -> None:
+    def check_name(self, i: int, frame: BracketFrame) -> None:
         """Name a word among the numbers of a shape that is on no list."""
         token, after = self.at(i), self.at(i + 1)
         if after.kind == OPEN and self.callee(i + 1) is token:
@@ -563,7 +563,7 @@ class Account:
             i += 1
         return self.at(i).end
 
-    def check_field(self, i: int, frame: Frame) -> None:
+    def check_field(self, i: int, frame: BracketFrame) -> None:
         """Name an unknown field or method behind a shape."""
         before, after = self.at(i - 1), self.at(i + 1)
         name = self.at(i).text.lstrip(".->:")
@@ -584,7 +584,7 @@ class Account:
         elif not (name.lower() in KEYS - {"x", "y"} or is_call(name) or (after.text in ASSIGNS and key(name))):
             self.miss(i, i)
 
-    def check_text(self, i: int, frame: Frame) -> None:
+    def check_text(self, i: int, frame: BracketFrame) -> None:
         """Name a text in quotes among the numbers of a shape that is on no list; look into one with such numbers."""
         token = self.at(i)
         inner = token.text[1:-1]
@@ -609,7 +609,7 @@ class Account:
         elif not (words(inner) & INSIDE or self.is_value(i) or inner[0] == "#" or STYLE.fullmatch(inner)):
             self.miss(i, i)
 
-    def check_sign(self, i: int, frame: Frame) -> None:
+    def check_sign(self, i: int, frame: BracketFrame) -> None:
         """Name a sign among the numbers of a shape, or beside one."""
         token, before = self.at(i), self.at(i - 1)
         if token.text == "'" and self.transposes(i):
@@ -646,7 +646,7 @@ class Account:
         row = before.kind == NUMBER and self.holds(before.start, before.end)
         return self.is_variable(before) or row or (before.kind == CLOSE and self.is_data(i - 1))
 
-    def is_of_code(self, i: int, frame: Frame) -> bool:
+    def is_of_code(self, i: int, frame: BracketFrame) -> bool:
         """Return whether a sign is a reference, a bullet, or a mark of a language that changes no value."""
         token, before, after = self.at(i), self.at(i - 1), self.at(i + 1)
         tight = token.end == after.start

@@ -179,13 +179,13 @@ def _inner(text: str, at: int) -> list[Token]:
 
 
 def _number(text: str, at: int) -> list[Token]:
-    """Return the number of an attribute, or one that says why it is none."""
+    """Return the NUMBER token of an attribute, or a token with the reason why the attribute is not a number."""
     found = _inner(text, at)
     return found if len(found) == 1 and found[0].text == text.strip() else [_broken(text, at)] if found else []
 
 
 def _broken(text: str, at: int) -> Token:
-    """Return a number without a value for what is none."""
+    """Return a NUMBER token without a value, with the reason, for text that is not a number."""
     return Token(NUMBER, text, at, at + len(text), None, f"{text[:40]!r} is not a number")
 
 

@@ -64,7 +64,7 @@ def parse(text: str) -> Tree:
     root = Group(0, len(text), parser.items("", 0))
     written = (token for token in found if token.kind == NUMBER or (token.kind == TEXT and is_numeral(token)))
     numbers = [token for token in written if token.start < token.end]
-    return Tree(root, parser.remarks, frozenset(parser.indices), numbers, plain, [*parts, *parser.signs])
+    return Tree(root, parser.remarks, frozenset(parser.indices), numbers, plain, [*parts, *parser.understood])
 
 
 class _Parser:
@@ -76,7 +76,7 @@ class _Parser:
         self.at = 0
         self.remarks: list[str] = []
         self.indices: set[int] = set()  # where numbers end that count: v[2], float[3]
-        self.signs: list[tuple[int, int]] = []  # that a rule gives a meaning: poly << P(0, 0) << P(1, 0)
+        self.understood: list[tuple[int, int]] = []  # that a rule gives a meaning: poly << P(0, 0) << P(1, 0)
         self.ended: set[int] = set()  # places of brackets with semicolons in them
 
     def items(self, bracket: str, depth: int) -> list[Any]:
@@ -158,7 +158,7 @@ class _Parser:
             elif not bracket and atoms and self.ends_sentence(token):
                 end_line()
             elif not bracket and self.ends_list(token, atoms, row):
-                self.signs.append((token.start, token.end))
+                self.understood.append((token.start, token.end))
                 end_item()
             elif not bracket and self.separates(token, atoms, row):
                 end_line()
@@ -237,7 +237,7 @@ class _Parser:
         parser = _Parser(self.text, [t._replace(start=t.start + begin, end=t.end + begin) for t in tokens(inner)])
         items = [item for item in parser.items("", depth + 1) if item is not None]
         self.indices |= parser.indices
-        self.signs += parser.signs
+        self.understood += parser.understood
         self.remarks += [r for r in parser.remarks if r not in self.remarks]
         return items[0] if len(items) == 1 else Group(token.start, token.end, items, '"')
 
@@ -335,7 +335,7 @@ class _Parser:
                 and len(values) == 2
                 and all(is_pair(v) and v.bracket == "(" and not v.name for v in values)
             ):
-                self.explain(atoms)
+                self.mark_understood(atoms)
                 return Group(start, end, values, " ")  # (0, 0)-(10, 10), as Go prints a box
             if (
                 set(operators) == {"<"}
@@ -343,7 +343,7 @@ class _Parser:
                 and isinstance(values[0], Name)
                 and _are_points(values[1:])
             ):
-                self.explain(atoms)
+                self.mark_understood(atoms)
                 return Pair(
                     start, end, (values[0].text,), Group(values[1].start, end, values[1:], "[")
                 )  # poly << P(0, 0)
@@ -364,9 +364,9 @@ class _Parser:
         apart = len(inside) > 1 and all(isinstance(v, Num) for v in inside)  # 780 mod 2
         return Bad(start, end, "words", [] if apart else inside)
 
-    def explain(self, atoms: Sequence[Any]) -> None:
-        """Note that a rule gives the signs among these atoms a meaning."""
-        self.signs += [(atom.start, atom.end) for atom in atoms if isinstance(atom, Token) and atom.kind == OTHER]
+    def mark_understood(self, atoms: Sequence[Any]) -> None:
+        """Record the OTHER tokens among these atoms as understood, so that they are not reported as unread."""
+        self.understood += [(atom.start, atom.end) for atom in atoms if isinstance(atom, Token) and atom.kind == OTHER]
 
     def joined(self, atoms: list[Any]) -> tuple[list[Any], list[str]]:
         """Return the values among the atoms, each name joined with the brackets behind it, and the operators."""
@@ -437,7 +437,7 @@ class _Parser:
         while begin > 1 and is_hyphen(atoms, begin - 1):  # border-radius is no radius
             begin -= 2
         if begin < (names[-1] if names else 0):
-            self.signs.append((start_of(atoms[begin]), start_of(atoms[names[-1]])))
+            self.understood.append((start_of(atoms[begin]), start_of(atoms[names[-1]])))
             return (self.text[start_of(atoms[begin]) : end_of(atoms[names[-1]])],)
         for atom in atoms[begin:]:
             if isinstance(atom, Token) and atom.kind in (NAME, TEXT, FIELD):

@@ -100,7 +100,7 @@ def run_cells(
 
 
 def _attempt(work: Callable[..., Any], arguments: tuple[Any, ...]) -> Any:
-    """Return the result of the work after a round trip through JSON, as if read from disk; or a Failure."""
+    """Do the work; return its result after a round trip through JSON, as if read from disk, or a Failure."""
     try:
         return json.loads(json.dumps(work(*arguments), allow_nan=False))
     except Exception as error:

@@ -65,7 +65,7 @@ def passing_frames(rng: Rng, frames: int) -> Iterator[tuple[Polygon, Polygon]]:
 
 
 def count_tested_axes(paths: int, frames: int, settings: Settings) -> list[JsonRow]:
-    """Return for each order its mean number of axes tested while apart, and its number of right verdicts.
+    """Return for each order the mean number of axes that it tests while the shapes are apart, and its right verdicts.
 
     The interval of the mean is from the means of the single paths.
     """

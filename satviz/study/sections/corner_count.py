@@ -89,7 +89,7 @@ def ready_jobs(a: Rings, b: Rings) -> dict[str, Callable[[], Any]]:
         v, out = a.shape[1], np.empty(len(a), np.int8)
 
         def run(kernel: Callable[..., None], columns: list[Array]) -> Any:
-            """Return which pairs hit, by a kernel on these columns."""
+            """Return the (n,) answers of a kernel on these columns: True for each pair that hits."""
             kernel(*columns, out)
             return out > 0
 

@@ -74,7 +74,7 @@ def recommend(n: int, settings: Settings) -> list[JsonRow]:
 
 
 def _kind(kind: str, shapes: batch.Shapes) -> str:
-    """Return the key of a model in MEASURED: "circles" for batches of circles, "exact", or the kind itself."""
+    """Return the key in MEASURED of a model of this kind: "circles" for batches of circles, "exact", or the kind."""
     return "circles" if shapes.max_corners < 3 else "exact" if "exact" in kind else kind
 
 

@@ -51,7 +51,10 @@ def cells(settings: Settings) -> list[Cell]:
 
 
 def workloads(n: int, rng: np.random.Generator) -> dict[tuple[str, float], tuple[Rings, Rings]]:
-    """Return pairs of 4-gons by (what changes, how much)."""
+    """Return n pairs of 4-gons for each workload.
+
+    Keys: ("touching", share of touching pairs), or ("outlier", k) for one 4-gon that is 2**k times as large.
+    """
     random_a, random_b = ngons(rng, n, 4, 1.2), ngons(rng, n, 4, 1.2)
     touching_a, touching_b = touching_quadrilaterals(rng, n)
     order, found = rng.permutation(n), {}
@@ -67,7 +70,7 @@ def workloads(n: int, rng: np.random.Generator) -> dict[tuple[str, float], tuple
 
 
 def take_times(n: int, rounds: int, settings: Settings) -> list[JsonRow]:
-    """Return for each workload and method the ns for a pair: of the answer alone, and from the arrays."""
+    """Return for each workload and method the ns for a pair: `ns` of the answer alone, `whole` from the arrays."""
     timed = []
     methods = {m.name: m for m in all_methods() if m.language == COMPILED and (m.name, "ns") in LINES}
 

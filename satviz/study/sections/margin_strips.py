@@ -153,7 +153,10 @@ def search_circles(n: int, generations: int, settings: Settings) -> list[JsonRow
 
 
 def _counted(what: str, method: Method, wrong: Any, margin: Any) -> JsonRow:
-    """Return the row of one method: pairs and wrong answers by octave, and the largest wrong margin."""
+    """Return the row of one method: pairs and wrong answers by octave, and the largest margin of a wrong answer.
+
+    what: the kind of pairs; wrong: (n,) mask of the wrong answers; margin: (n,) relative margins.
+    """
     bins = np.clip(octave_of(margin) - MARGIN_OCTAVES.start, 0, len(MARGIN_OCTAVES) - 1)
     row: JsonRow = {"what": what, "method": method.name, "family": method.family}
     row |= {"pairs": len(wrong), "wrong": int(wrong.sum()), "largest": float(max(margin[wrong], default=0.0))}

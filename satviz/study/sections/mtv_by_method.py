@@ -65,21 +65,21 @@ def sat_push(dtype: Any, *, unit: bool) -> Push:
 
 
 def box_push(a: Polygon, b: Polygon) -> tuple[float, float]:
-    """Return the push that separates the upright boxes of both shapes."""
+    """Return the push that separates the bounding boxes of both shapes."""
     (ax0, ay0, ax1, ay1), (bx0, by0, bx1, by1) = a.bounds, b.bounds
     ways = [(ax1 - bx0, 0.0), (ax0 - bx1, 0.0), (0.0, ay1 - by0), (0.0, ay0 - by1)]
     return min(ways, key=lambda way: abs(way[0]) + abs(way[1]))
 
 
 def deepest_parts_push(a: Polygon, b: Polygon) -> tuple[float, float]:
-    """Return the longest push among the pairs of convex parts, as engines with compound shapes do."""
+    """Return the longest of the pushes of all pairs of convex parts, as engines with compound shapes do."""
     pushes = [record(p, q).mtv for p in parts(a) for q in parts(b)]
     x, y = max((push for push in pushes if push), key=lambda push: push.x**2 + push.y**2)
     return x, y
 
 
 def hull_push(a: Polygon, b: Polygon) -> tuple[float, float]:
-    """Return the push for the convex hulls."""
+    """Return the push that separates the convex hulls of both shapes."""
     import shapely
 
     hulls = [Polygon(list(shapely.Polygon(s.vertices).convex_hull.exterior.coords)[:-1]) for s in (a, b)]
@@ -87,7 +87,7 @@ def hull_push(a: Polygon, b: Polygon) -> tuple[float, float]:
 
 
 def satviz_push(a: Polygon, b: Polygon) -> tuple[float, float]:
-    """Return `trace.mtv`."""
+    """Return the MTV that satviz finds, `trace.mtv`."""
     move = record(a, b).mtv
     assert move is not None
     return move.x, move.y
@@ -111,7 +111,7 @@ def cells(settings: Settings) -> list[Cell]:
 
 
 def overlapping_pairs(kind: str, rng: np.random.Generator, n: int) -> list[tuple[Polygon, Polygon]]:
-    """Return n pairs that overlap."""
+    """Return n overlapping pairs of a kind: CONVEX, CONTAINED (a small B inside A), or CONCAVE (A has a dent)."""
     found: list[tuple[Polygon, Polygon]] = []
     while len(found) < n:
         if kind == CONCAVE:

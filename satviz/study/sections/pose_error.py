@@ -33,12 +33,12 @@ POSES = {
 
 
 def cells(settings: Settings) -> list[Cell]:
-    """Return one cell, which turns corners by random steps."""
+    """Return one cell, which rotates corners by random steps."""
     return [Cell("pose", measure, (8 if settings.quick else 60, settings))]
 
 
 def measure(corners: int, settings: Settings) -> list[JsonRow]:
-    """Return for each number format, way to turn, distance and number of steps the error of a corner, in metres.
+    """Return for each float format, way to rotate, distance and number of steps the error of a corner, in metres.
 
     The median, with its 95 % interval, and the worst are over random corners and steps.
     """
@@ -66,7 +66,7 @@ def measure(corners: int, settings: Settings) -> list[JsonRow]:
 
 
 def _exact_turn(angle: float) -> tuple[int, int]:
-    """Return cosine and sine of an angle as integers over 2**BITS, by their series."""
+    """Return (cosine, sine) of an angle in radians as integers over 2**BITS, by their series."""
     x, _ = angle.as_integer_ratio()
     unit = 1 << BITS
     x = x * unit // angle.as_integer_ratio()[1]
@@ -79,7 +79,7 @@ def _exact_turn(angle: float) -> tuple[int, int]:
 
 
 def _exact_path(at: tuple[float, float], c: int, s: int) -> dict[int, tuple[Fraction, Fraction]]:
-    """Return where the point is after each number of STEPS; c, s: cosine and sine of a step, integers over 2**BITS."""
+    """Return the exact point after each number of STEPS; c, s: cosine and sine of a step, integers over 2**BITS."""
     x, y = (int(v.as_integer_ratio()[0] * (1 << BITS) // v.as_integer_ratio()[1]) for v in map(float, at))
     path = {}
     for step in range(1, STEPS[-1] + 1):
@@ -90,7 +90,7 @@ def _exact_path(at: tuple[float, float], c: int, s: int) -> dict[int, tuple[Frac
 
 
 def _by_steps(at: tuple[float, float], angle: float, dtype: Any) -> dict[int, tuple[Any, Any]]:
-    """Return where the point is after each number of STEPS, each step made from the one before in floats."""
+    """Return the point after each number of STEPS; each step rotates the point of the step before, in floats."""
     x, y, c, s = dtype(at[0]), dtype(at[1]), dtype(np.cos(angle)), dtype(np.sin(angle))
     path = {}
     for step in range(1, STEPS[-1] + 1):
@@ -101,7 +101,7 @@ def _by_steps(at: tuple[float, float], angle: float, dtype: Any) -> dict[int, tu
 
 
 def _by_angle(at: tuple[float, float], angle: float, dtype: Any) -> dict[int, tuple[Any, Any]]:
-    """Return where the point is after each number of STEPS: the first corner turned once by all steps together.
+    """Return the point after each number of STEPS: the first point, rotated once by the angle of all steps.
 
     The angle of all steps is a product in float64; cosine and sine of it are rounded to the format of the corners.
     """

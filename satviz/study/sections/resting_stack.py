@@ -44,7 +44,7 @@ def exact_contact(a: Polygon, b: Polygon) -> Contact:
 
 
 def by_push(push: Push) -> Test:
-    """Return the test of a method that gives a push: a contact where the push goes outwards."""
+    """Return a Test from a method that returns a push: a contact if the push points from A to B."""
 
     def test(a: Polygon, b: Polygon) -> Contact:
         """Return the contact of one pair."""
@@ -75,8 +75,8 @@ def measure(test: str, away: float, seconds: int, stacks: int) -> JsonRow:
     """Return how far the top box has sunk in metres, and the energy in joules, for each tenth of a second.
 
     `test`: a name in TESTS; `away`: metres from the origin; `stacks`: how many stand there, `APART` from each other.
-    The energy is the largest of the tenth.  `jitter` and `largest_energy` are of all steps in the second half.
-    All figures are of the first stack; `jitters` are those of all.
+    An energy is the largest of its tenth of a second.  `jitter` (the range of the sunk heights) and `largest_energy`
+    are taken over the second half of the run.  All figures are of the first stack; `jitters` are those of all.
     """
     runs = [simulate(TESTS[test], BOXES, round(seconds / STEP), away + k * APART) for k in range(stacks)]
     frames, half = runs[0], len(runs[0]) // 2

@@ -48,7 +48,10 @@ class HardKind(NamedTuple):
 
 
 def hard_pairs(kind: HardKind, rng: Rng, per_octave: int) -> tuple[Rings, Rings, Array]:
-    """Return A's and B's of about `per_octave` pairs an octave, half overlapping, and each relative margin."""
+    """Return (outlines of A, of B, (n,) relative margins) of hard pairs, about `per_octave` for each octave of margins.
+
+    Half of the pairs overlap.
+    """
     octaves = np.repeat(np.array(MARGIN_OCTAVES), per_octave)
     target = np.ldexp(rng.uniform(1, 2, len(octaves)), octaves)
     a, b = kind.shapes(rng, len(target))
@@ -65,7 +68,9 @@ def margins_of(a: batch.Shapes, b: batch.Shapes) -> Array:
 
 
 def moved_to_margin(rng: Rng, a: Rings, b: Rings, margin: Array) -> Pairs:
-    """Return the pairs with B moved: its nearest corner is about `margin` (relative) off A's first edge.
+    """Return the pairs with B moved along the normal of A's first edge until the relative margin is about `margin`.
+
+    margin: (n,) relative margins, negative for pairs that overlap.
 
     Pairs that rounding makes invalid or concave are left out.
     """
@@ -96,7 +101,10 @@ def touching_quadrilaterals(rng: Rng, n: int) -> Pairs:
 
 
 def hard_circles(rng: Rng, per_octave: int) -> tuple[Circles, Circles, Array]:
-    """Return A's and B's of `per_octave` pairs of circles an octave, half overlapping, and each relative margin."""
+    """Return (circles A, circles B, (n,) relative margins), `per_octave` pairs for each octave of margins.
+
+    Half of the pairs overlap.
+    """
     octaves = np.repeat(np.array(MARGIN_OCTAVES), per_octave)
     n = len(octaves)
     a, b = circles(rng, n, 2.0), circles(rng, n, 2.0)
