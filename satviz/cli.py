@@ -256,7 +256,10 @@ def _parser() -> argparse.ArgumentParser:
         "white: print them, or save them as PDF, from any browser.",
     )
     handout.add_argument(
-        "what", nargs="+", metavar="CHAPTER|SCENE", help="a chapter (2 or 2-sat), a scene's name, or a scene file"
+        "what",
+        nargs="+",
+        metavar="CHAPTER|SCENE",
+        help="a chapter (2 or 2-sat), a scene's name, a scene file or a link",
     )
     handout.add_argument("--paper", choices=PAPERS, default="A4", help="(default: A4)")
     handout.add_argument(
@@ -339,7 +342,7 @@ def _add_scene_options(parser: argparse.ArgumentParser) -> None:
     from .engine.axes import NAMED
     from .scenes.failing import SHORTCUTS
 
-    parser.add_argument("scene", metavar="SCENE", help="a built-in scene's name or a scene file")
+    parser.add_argument("scene", metavar="SCENE", help="a built-in scene's name, a scene file, or a link to a scene")
     named = f"which axes to test: {', '.join(NAMED)}, or a shortcut by name (satviz scenes --failing)"
     parser.add_argument("--axes", choices=(*NAMED, *SHORTCUTS), metavar="NAME", help=named)
     parser.add_argument("--every-axis", action="store_true", help="go on past the first separating axis")

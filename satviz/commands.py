@@ -39,7 +39,7 @@ class Failed(Exception):
 
 
 def _load(args: argparse.Namespace) -> "Scene":
-    """Return the scene of that name or file, with --axes and --every-axis applied; Refused for an unknown name."""
+    """Return the scene of that name, file or link, with --axes and --every-axis; Refused for an unknown name."""
     from dataclasses import replace
 
     found = _scene_named(args.scene)
@@ -47,10 +47,13 @@ def _load(args: argparse.Namespace) -> "Scene":
 
 
 def _scene_named(name: str) -> "Scene":
-    """Return the scene of that name or file; Refused for an unknown name."""
+    """Return the scene of that name, file or link; Refused for an unknown name."""
+    from .scenes.link import parse_fragment
     from .scenes.named import names, scene
     from .scenes.scenefile import load
 
+    if name.startswith(("http://", "https://")):
+        return parse_fragment(name.partition("#")[2])[0]
     is_file = any(c in name for c in "./\\") or os.path.exists(name)
     known = names()
     if name not in known and not is_file:
