@@ -370,7 +370,7 @@ def test_the_pairs_hold_all_that_they_promise(kind):
 def test_the_first_pairs_are_small_boxes():
     assert all(
         p.kind == "boxes" and max(p.a.max_coordinate, p.b.max_coordinate) <= 6
-        for p in whole_number_pairs(KINDS, 1)[:50]
+        for p in whole_number_pairs(tuple(KINDS), 1)[:50]
     )
 
 

@@ -30,7 +30,7 @@ SHOWN = [case for case in FAILURE_CASES if case.how != REFUSED]
 each_refused = pytest.mark.parametrize(
     "case", [case for case in FAILURE_CASES if case.how == REFUSED], ids=lambda case: case.name
 )
-each_case = pytest.mark.parametrize("case", SHOWN, ids=lambda case: case.name)
+each_case = pytest.mark.parametrize("case", SHOWN, scope="module", ids=lambda case: case.name)
 
 
 def texts(drawn: Picture, prefix: str) -> dict[str, str]:

@@ -1,6 +1,7 @@
 """The pairs that a function is asked about, the smallest first."""
 
 from collections.abc import Callable, Iterator, Sequence
+from functools import lru_cache
 from itertools import product
 from math import atan2
 from random import Random
@@ -13,22 +14,15 @@ from ..scenes.failing import FAILURE_CASES, REFUSED
 from ..scenes.failing.move_space import convex_hull
 from ..scenes.shape_tools import box, translated
 
-BOXES, CONVEX, CONCAVE, CIRCLES, ROUND, REPEATED = (
-    "boxes",
-    "convex",
-    "concave",
-    "circles",
-    "circle and polygon",
-    "repeated",
-)
 KINDS = {
-    BOXES: "two upright boxes",
-    CONVEX: "two convex polygons",
-    CONCAVE: "outlines with dents",
-    CIRCLES: "two circles",
-    ROUND: "a circle and a convex polygon",
-    REPEATED: "a vertex that is listed twice",
+    "boxes": "two upright boxes",
+    "convex": "two convex polygons",
+    "concave": "outlines with dents",
+    "circles": "two circles",
+    "circle and polygon": "a circle and a convex polygon",
+    "repeated": "a vertex that is listed twice",
 }
+BOXES, CONVEX, CONCAVE, CIRCLES, ROUND, REPEATED = KINDS
 KNOWN_SCENES, PAST_ONE_EDGE = "scenes of known mistakes", "just past one edge"
 DEFAULT_KINDS = BOXES, CONVEX
 SIZES = (3, 4, 6, 8, 12, 20, 60, 400)  # of the grids that later pairs lie on, in whole numbers
@@ -64,7 +58,8 @@ def kind_of(a: Shape, b: Shape) -> str:
     return BOXES if a.is_upright_box and b.is_upright_box else CONVEX
 
 
-def whole_number_pairs(kinds: Sequence[str], seed: int) -> list[CheckPair]:
+@lru_cache(maxsize=16)
+def whole_number_pairs(kinds: tuple[str, ...], seed: int) -> tuple[CheckPair, ...]:
     """Return the pairs that judge a function, in order: small boxes, small shapes, failing cases, seeded pairs."""
     random = Random(seed)
     found = [*_small_boxes()] if BOXES in kinds else []
@@ -80,7 +75,7 @@ def whole_number_pairs(kinds: Sequence[str], seed: int) -> list[CheckPair]:
             found.append(CheckPair(a, b, kind_of(a, b), KNOWN_SCENES))
     for size in SIZES[3:]:
         found += _seeded(kinds, random, size, f"coordinates up to {size}")
-    return [*found, *_past_one_edge(random)] if CONVEX in kinds else found
+    return (*found, *_past_one_edge(random)) if CONVEX in kinds else tuple(found)
 
 
 def _weight(pair: CheckPair) -> tuple[int, float]:
