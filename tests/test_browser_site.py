@@ -74,15 +74,16 @@ def without_python(page):
     page.context.route("**/worker.js*", lambda route: route.fulfill(body="", content_type="text/javascript"))
 
 
-PLAYERS_ARE_THERE = "() => !document.querySelector('.player .still')"  # they are unpacked first
-
-
 OPEN_ALL = "for (const rest of document.querySelectorAll('.rest')) rest.open = true"  # where no script does
 
 
 def whole(page):
-    """Show all of a chapter, which waits for answers."""
+    """Show all of a chapter, which waits for answers, and its players, which are made when they are near."""
     page.get_by_role("button", name="Show the whole chapter").click()
+    for player in page.locator(".player:visible").all():
+        player.evaluate("player => player.scrollIntoView()")
+        player.locator(".still").wait_for(state="detached")
+    page.evaluate("scrollTo(0, 0)")
     return page
 
 
@@ -149,7 +150,6 @@ def test_no_page_is_wider_than_its_window_or_shuts_anyone_out(visit, url, built,
         page.goto(url + path)
         if page.locator(".waits").count():
             whole(page)
-        page.wait_for_function(PLAYERS_ARE_THERE)
         for width in (390, 1280) if desk else (1280, 390):
             page.set_viewport_size({"width": width, "height": 844})
             settled(page)
@@ -469,6 +469,13 @@ def test_a_printed_chapter_asks_and_does_not_answer(visit, scripts):
     assert page.locator("img").count() > 40 and not page.locator("img[loading]").count()
 
 
+def test_no_page_of_a_handout_has_only_lines_to_write_on(browser):
+    page = browser.new_page()
+    page.set_content(sv.handout("1"))
+    assert len(re.findall(rb"/Type /Page\b", page.pdf(prefer_css_page_size=True))) == 4
+    page.close()
+
+
 def test_a_question_is_answered_by_choosing_and_the_answer_is_judged(visit):
     page = whole(visit("2-sat.html", live=False))
     question = page.locator("ul.judges", has_text="v2v3")
@@ -507,7 +514,6 @@ def test_nothing_gives_a_question_away_until_it_is_answered(visit, chapter, more
     page = visit("gallery.html", live=False, service_workers="block", **more)
     without_python(page)
     page.goto(page.url.replace("gallery.html", chapter.path))
-    page.wait_for_function(PLAYERS_ARE_THERE)
     asked = page.locator("ul.choices")
     unseen = "all => all.every((it) => !it.checkVisibility({ contentVisibilityAuto: true }))"
     for i in range(asked.count()):

@@ -111,6 +111,18 @@ def test_a_page_a_link_and_a_frame_ask_the_question_that_was_chosen(tmp_path, ca
     )
 
 
+def test_a_link_stands_for_its_scene(tmp_path, capsys):
+    """Of a scene dragged in the explorer there is only its address."""
+    mine = sv.Scene("mine", sv.Polygon([(0, 0), (4, 0), (0, 3)]), sv.Circle((5, 3), 1))
+    for scene in mine, sv.scene("triangles"):
+        assert main(["trace", sv.link(scene, site="https://example.org/s", free=30.0)]) == 0
+        assert capsys.readouterr().out.rstrip() == str(scene.record())
+    assert main(["trace", "https://example.org/s/scene.html#nosuch"]) == 2
+    assert "no scene is called 'nosuch'" in capsys.readouterr().err
+    assert main(["handout", sv.link(mine, site="https://example.org/s"), "--out", str(tmp_path)]) == 0
+    assert (tmp_path / "handout-mine.html").read_text() == sv.handout(mine)
+
+
 @pytest.mark.parametrize("text", ["3-", "-", "-3", "last-3"])
 def test_half_a_range_of_steps_is_refused_as_it_is_written(text, capsys):
     with pytest.raises(SystemExit) as stop:

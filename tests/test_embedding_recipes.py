@@ -138,6 +138,15 @@ def nodes(node):
         yield from nodes(child)
 
 
+def test_pandoc_which_quarto_uses(browser, site, tmp_path):
+    python = environment(tmp_path, "pypandoc_binary")
+    (tmp_path / "page.md").write_text(f"# A page\n\n{recipe('Quarto', 'markdown', site)}", encoding="utf-8")
+    convert = "import pypandoc; pypandoc.convert_file('page.md', 'html', outputfile='page.html', extra_args=['-s'])"
+    code, said = run(python, "-c", convert, cwd=tmp_path)
+    assert code == 0, said
+    is_dragged(browser, tmp_path, "page.html", grows=False)
+
+
 def test_quarto(browser, site, tmp_path):
     """Its package on PyPI fetches the program from GitHub when it is installed."""
     python = environment(tmp_path, "quarto-cli")

@@ -72,6 +72,11 @@ def test_what_may_scroll_can_be_scrolled_with_the_keyboard(pages):
             assert 'tabindex="0"' in tag, f"{path}: {tag}"
 
 
+def test_no_table_has_a_header_without_words(pages):
+    for path, page in [*pages.items(), ("notebook", sv.scene("triangles").record()._repr_mimebundle_())]:
+        assert not re.search(r"<th\b[^>]*></th>", str(page)), path
+
+
 def without_code(page):
     """The page without the code that it shows."""
     return re.sub(r"<pre\b.*?</pre>", "", page, flags=re.DOTALL)
@@ -895,6 +900,19 @@ def test_no_picture_of_a_card_is_wider_than_a_telephones_page():
         build.pages._scene_picture(name) for name in (s.name for s in ALL_SCENES)
     ]
     assert max(picture.size[0] for picture in drawn) <= 362
+
+
+def test_a_chapters_picture_is_drawn_for_a_telephone_too(pages):
+    """Scrolled sideways it would show one of its two shapes."""
+    for chapter in chapters.chapters():
+        code = ["".join(cell["source"]) for cell in chapter.cells if cell["cell_type"] == "code"]
+        drawn = sum(code.splitlines()[-1].startswith(("sv.picture(", "sv.gap_curve(")) for code in code)
+        places = re.findall(r'<figure><div class="wide">(.*?)</figure>', pages[chapter.path], re.DOTALL)
+        assert len(places) == drawn, chapter.path
+        for place in places:
+            _, narrow = (float(width) for width in re.findall(r'<svg[^>]* width="([\d.]+)pt"', place))
+            assert narrow <= 362, chapter.path
+    assert "<figure><div" in pages["1-aabb.html"]
 
 
 # -- the glossary

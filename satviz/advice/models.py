@@ -1,7 +1,6 @@
 """The models for many pairs: `prepare` sets up the data of a model for a batch, `evaluate` returns its relations."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from functools import cache
 from importlib.util import find_spec
 from typing import Any
@@ -18,25 +17,11 @@ from ..engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
 from .candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, MAX_DIRECTIONS, PARALLEL_ANGLE, Model
 from .certified_bounds import WIDENING
 from .margins import edge_distances
-from .pairs import Array, Indices, Pairs, Relations, pair_columns, slice_if_adjacent
+from .pairs import Array, ConvertedParts, Pairs, Relations, pair_columns, slice_if_adjacent
 from .rounding import FORMATS
 
 PAIRS_PER_BLOCK = 16384  # pairs whose columns fit the cache
 DTYPES: dict[str, Any] = {"float32": np.float32, "float64": np.float64}
-
-
-@dataclass(frozen=True)
-class ConvertedParts:
-    """Hold all convex parts of a batch in one float format, both one after another and in columns."""
-
-    x: NDArray[Any]
-    y: NDArray[Any]
-    r: NDArray[Any]
-    start: Indices
-    bounds: NDArray[Any]
-    count: NDArray[np.int64]
-    slot: Indices
-    groups: dict[int, CornerColumns]
 
 
 def prepare(model: Model, shapes: Shapes) -> Any:

@@ -4,7 +4,8 @@ Columns hold shapes with equally many corners: x and y are (corners, n) arrays, 
 """
 
 from collections.abc import Iterator
-from typing import NamedTuple, Protocol
+from dataclasses import dataclass
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -54,20 +55,18 @@ def paired(a: Shapes, ia: Indices, b: Shapes, ib: Indices) -> Pairs:
     return Pairs(a, b, ia, ib, *part_pairs(a, ia, b, ib))
 
 
-class HasColumns(Protocol):
-    """Describe convex parts in columns by number of corners: a batch, or its copy in another float format."""
+@dataclass(frozen=True)
+class ConvertedParts:
+    """Hold all convex parts of a batch in one float format, both one after another and in columns."""
 
-    @property
-    def count(self) -> NDArray[np.int64]:
-        """Return the number of corners of each part, (N,)."""
-
-    @property
-    def slot(self) -> Indices:
-        """Return the column of each part in its group, (N,)."""
-
-    @property
-    def groups(self) -> dict[int, CornerColumns]:
-        """Return the groups by number of corners."""
+    x: NDArray[Any]
+    y: NDArray[Any]
+    r: NDArray[Any]
+    start: Indices
+    bounds: NDArray[Any]
+    count: NDArray[np.int64]
+    slot: Indices
+    groups: dict[int, CornerColumns]
 
 
 def indexed(a: Shapes, b: Shapes, pairs: ArrayLike | None) -> tuple[Indices, Indices]:
@@ -106,7 +105,7 @@ def part_shape(shapes: Shapes, part: int) -> Shape:
 
 
 def pair_columns(
-    a: HasColumns, pa: Indices, b: HasColumns, pb: Indices, most: int = 1 << 62
+    a: Shapes | ConvertedParts, pa: Indices, b: Shapes | ConvertedParts, pb: Indices, most: int = 1 << 62
 ) -> Iterator[tuple[Indices, CornerColumns, CornerColumns]]:
     """Yield (indices of pairs, group for a, group for b) for blocks of pairs with equal numbers of corners.
 

@@ -27,12 +27,7 @@ RETURNS = {
     "mtv": "a move out of the overlap (MTV)",
     "hit and mtv": "a hit, and a move out of the overlap (MTV)",
 }
-PARTS = {
-    "upright boxes": (BOXES,),
-    "convex": (CONVEX, REPEATED),
-    "circles": (CIRCLES, ROUND),
-    "concave": (CONCAVE,),
-}
+PARTS = {"upright boxes": (BOXES,), "convex": (CONVEX, REPEATED), "circles": (CIRCLES, ROUND), "concave": (CONCAVE,)}
 PART_OF = {kind: part for part, kinds in PARTS.items() for kind in kinds}
 TOUCHING_PART, MTV_PART = "touching", "MTV"
 

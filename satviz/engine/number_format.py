@@ -162,9 +162,8 @@ def digits_for_tests(shapes: Sequence[Shape], tests: Sequence[AxisTest]) -> Digi
         return digits
     lo, hi = min(r.lo for r in ranges) / unit, max(r.hi for r in ranges) / unit
     most = max(-lo, hi)
-    held = min(
-        MAX_DECIMALS, floor(-log10(8 * ulp(most)))
-    )  # decimals that float64 resolves at this distance from the origin
+    # decimals that float64 resolves at this distance from the origin
+    held = min(MAX_DECIMALS, floor(-log10(8 * ulp(most))))
     gap = max(_needed_decimals(abs(t.gap) / unit, 3) for t in tests)
     width = min(max(_needed_decimals(r.hi / unit - r.lo / unit, 2) for r in ranges), held, MAX_NARROW_DECIMALS)
     least = max(0, min(held, 3), width)

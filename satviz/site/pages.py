@@ -51,7 +51,7 @@ LEVELS = {
     2: ("For some thought", "Only a few places will do. Think first about where they could be."),
     3: (
         "Hard to find",
-        "Only a very few positions will do, and they need exact steps. The arrow keys move a shape step by step.",
+        "Only a very few positions will do, and they need exact steps: switch on “snap”, or use the arrow keys.",
     ),
 }
 FAILING_ON_FRONT = "aabb-turned", "no-nearest-vertex", "far-centers", "box-in-u"
