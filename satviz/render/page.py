@@ -11,7 +11,6 @@ from html import escape
 
 from ..engine import describe
 from ..engine.shapes import Shape
-from ..engine.trace import Trace
 from ..pictures import DARK, LIGHT, picture
 from ..pictures.claims import heading
 from ..pictures.comparison import refused_picture
@@ -72,20 +71,8 @@ def page(
     """
     found = resolve(what, b)
     if found.refused:
-        return page_of_refused(found.refused)
-    return page_of_run(found.trace, title=title, predict=predict, sweep=sweep, difference=difference, speed=speed)
-
-
-def page_of_run(
-    trace: Trace,
-    *,
-    title: str = "",
-    predict: bool = False,
-    sweep: bool = False,
-    difference: bool = False,
-    speed: float = 1.0,
-) -> str:
-    """Return the page of a trace, as `page` does."""
+        return _page_of_refused(found.refused)
+    trace = found.trace
     if predict and trace.shortcut:
         trace = trace.truth
     own = sweep_playback if sweep else difference_playback if difference else None
@@ -94,7 +81,8 @@ def page_of_run(
     about = describe.printable(question if predict else trace.sentence)
     title = " ".join(heading(trace)) if trace.shortcut else title or question
     script = javascript("player", "arrows") + START
-    policy = f"default-src 'none'; style-src 'unsafe-inline'; script-src 'sha256-{_sha256(script)}'; "
+    script_hash = b64encode(sha256(script.encode()).digest()).decode()
+    policy = f"default-src 'none'; style-src 'unsafe-inline'; script-src 'sha256-{script_hash}'; "
     policy += "img-src blob:; base-uri 'none'"  # the save menu makes a PNG from a blob
     show = {"predict": predict, "speed": speed, "shows": shows, "narrow": [] if own else narrow_playbacks(trace)}
     data = json.dumps(show, separators=(",", ":"), ensure_ascii=False).replace("<", "\\u003c")
@@ -148,7 +136,7 @@ def _document(title: str, about: str, policy: str, body: Sequence[str]) -> str:
     return "\n".join(lines) + "\n"
 
 
-def page_of_refused(case: FailureCase) -> str:
+def _page_of_refused(case: FailureCase) -> str:
     """Return the page of a scene whose outlines are refused: its picture, without a script.
 
     The picture is as wide as a telephone and follows the colours of the reader's screen.
@@ -158,8 +146,3 @@ def page_of_refused(case: FailureCase) -> str:
     body = ['<section class="sv-static">', *figures, "</section>", f"<footer>{MADE_BY}</footer>"]
     policy = "default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'"
     return _document(drawn.sentence, drawn.sentence, policy, body)
-
-
-def _sha256(script: str) -> str:
-    """Return the SHA-256 hash of a script in base64, by which the page's policy allows the script."""
-    return b64encode(sha256(script.encode()).digest()).decode()

@@ -133,7 +133,7 @@ def _numba_methods() -> Iterator[Method]:
         return on_columns(name, family, kernel_for, dtype)
 
     def on_bounds(name: str, bound: Callable[[int | None], Callable[..., Any]], kernel: Callable[..., None]) -> Method:
-        """Return the Method of a kernel on bounding volumes, which `bound(corners)(x, y)` makes of columns."""
+        """Return the Method of a kernel on bounding volumes; `bound(corners)(x, y)` makes these from columns."""
 
         def prepare(side: Side) -> Any:
             """Return the bounding volumes of a workload's side."""
@@ -165,15 +165,16 @@ def _numba_methods() -> Iterator[Method]:
     yield sat("SAT, tolerance 1e-9", "tolerance", numba_rivals.WITH_TOLERANCE, TOLERANCE)
     pair_by_pair, views = on_columns("GJK", "GJK", gjk), numpy_rivals.as_columns  # it reads the arrays as they lie
     yield pair_by_pair._replace(at_once=lambda a, b: pair_by_pair.hits(views(a), views(b)))
-    yield on_bounds("bounding circles", numba_rivals.enclosing_circles, numba_rivals.circles_hit)
-    yield on_bounds("AABB", numba_rivals.upright_boxes, numba_rivals.boxes_hit)
+    yield on_bounds("bounding circles", numba_rivals.bounding_circles, numba_rivals.circles_hit)
+    yield on_bounds("AABB", numba_rivals.bounding_boxes, numba_rivals.boxes_hit)
     yield on_bounds("oriented boxes", numba_rivals.oriented_boxes, numba_rivals.oriented_boxes_hit)
 
 
 def _in_tiles(a: Any, b: Any, kernel_for: Callable[[int, int], Any], dtype: type = np.float64) -> Answers:
-    """Return the answers of a kernel on columns for raw arrays, whose corners it gets a tile of pairs at a time.
+    """Return the answers of a kernel on columns for raw (N, V, 2) arrays, copied into columns TILE_PAIRS at a time.
 
-    So the columns stay in the cache, and the kernel computes several pairs at a time.
+    So the columns stay in the cache, and the kernel computes several pairs at once.  `kernel_for(va, vb)` returns the
+    kernel for these numbers of corners; `dtype`: the float format of the columns.
     """
     from . import numba_rivals
 

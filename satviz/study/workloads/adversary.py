@@ -41,7 +41,7 @@ class WorstPair(NamedTuple):
 
 
 def kilometre_shapes(rng: Rng, n: int) -> tuple[Rings, Rings]:
-    """Return pairs of 4-gons of 1 m to 14 m whose coordinates go up to 1 km; B is not yet beside A.
+    """Return n pairs of 4-gons of 1 m to 14 m with coordinates up to 1 km; both lie at one place, not yet apart.
 
     Half of them lie at the far corner with edges at about 45 degrees: there roundings are largest.
     """
@@ -105,7 +105,7 @@ def _quadrilaterals(rng: Rng, n: int) -> Rings:
 
 
 def _diagonal(rings: Rings) -> Rings:
-    """Return boxes about the origin turned so that their first edge rises at 45 degrees."""
+    """Return outlines about the origin, rotated so that their first edge rises at 45 degrees."""
     edge = rings[:, 1] - rings[:, 0]
     edge /= np.sqrt((edge * edge).sum(axis=1, keepdims=True))
     back = turn_rings(rings, edge * np.array([1.0, -1.0]))
