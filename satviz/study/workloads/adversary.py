@@ -174,7 +174,8 @@ def _search_once(
             unit = best[0] if metres else best[0] * 2.0**-53
             gaps = np.where(rng.random(n) < 0.2, gaps, unit * rng.uniform(0.5, 2, n))
         new_b = beside(rng, new_a, new_b, gaps * rng.choice([-1.0, 1.0], n))
-        new_a[::16], new_b[::16] = _at_the_origin(rng, len(new_a[::16]))
+        if metres:  # their relative margins would need fractions
+            new_a[::16], new_b[::16] = _at_the_origin(rng, len(new_a[::16]))
         new_a, new_b = _swapped(rng, _first_corner_changed(rng, new_a), _first_corner_changed(rng, new_b))
         if len(best):
             child_a, child_b = _changed(rng, a, b, n)
