@@ -10,10 +10,12 @@ import numpy as np
 
 from ...engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
 from ..array_types import Array, Indices
-from ..arrays import TILE_SHAPES, Group
+from ..arrays import TILE_SHAPES, Group, Shapes
 from ..exact_signs import ERRBOUND_A
 from ..ragged import Rings
 from .jit_cache import compiled, inlined
+
+MAX_FEW_CORNERS = 1 << 12  # arrays up to this length are not cut off, which takes longer than the memory is worth
 
 
 def certified_group(vertices: Array) -> Group | None:
@@ -93,17 +95,22 @@ def certified_rings(points: Array, start: Indices, accept_centers: bool = False)
 
 
 def _rings_of(x: Array, y: Array, kept: Indices) -> Rings:
-    """Return outlines as Rings: x and y cut off, in place, after the last corner."""
+    """Return outlines as Rings: x and y end after the last corner, and long ones are cut off there in place."""
+    end = int(kept[-1])
+    if len(x) <= MAX_FEW_CORNERS:
+        return Rings(x[:end], y[:end], kept)
     for c in (x, y):
-        c.resize(int(kept[-1]), refcheck=False)  # a copy would double the memory
+        c.resize(end, refcheck=False)  # a copy would double the memory
     return Rings(x, y, kept)
 
 
-def certified_padded(corners: Array, counts: Indices, radii: Array) -> Rings | None:
-    """Return shapes in padded arrays, as `from_padded` takes them, as Rings; None if one is not certified."""
+def certified_padded(corners: Array, counts: Indices, radii: Array) -> Shapes | None:
+    """Return shapes in padded arrays, as `from_padded` takes them; None if one is not certified."""
     n, most, _ = corners.shape
     x, y, kept = np.empty(n * most), np.empty(n * most), np.empty(n + 1, np.intp)
-    return _rings_of(x, y, kept) if _fill_padded(corners, counts, radii, x, y, kept) else None
+    if not _fill_padded(corners, counts, radii, x, y, kept):
+        return None
+    return Shapes(rings=_rings_of(x, y, kept), radius=radii + 0.0)
 
 
 @compiled
