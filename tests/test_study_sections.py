@@ -211,9 +211,9 @@ def test_both_oracles_of_circles_agree_on_hard_pairs_and_with_the_engine(monkeyp
 def test_the_least_pushes_of_a_square_in_a_square_are_all_named():
     a = Polygon([(0, 0), (8, 0), (8, 8), (0, 8)])
     square = Polygon([(3, 3), (5, 3), (5, 5), (3, 5)])
-    assert len(truth.least_pushes(a, square)) == 4 and truth.squared_gap(a, square) == 25
+    assert len(truth.mtv_directions(a, square)) == 4 and truth.squared_gap(a, square) == 25
     right = Polygon([(4, 3), (6, 3), (6, 5), (4, 5)])
-    ((x, y),) = truth.least_pushes(a, right)
+    ((x, y),) = truth.mtv_directions(a, right)
     assert x > 0 == y and truth.squared_gap(a, right) == 16
 
 

@@ -28,14 +28,14 @@ from .models import (
     is_circle,
     relations_of_gaps,
 )
-from .pairs import Array, Indices, Pairs, Relations, max_coordinates, pair_columns, part_shape
+from .pairs import Array, Indices, PartPairs, Relations, max_coordinates, pair_columns, part_shape
 from .rounding import FLOAT64, FORMATS, FloatFormat
 from .rounding_numpy import Errors
 
 SQUARE_ERROR = 1 + 2.0**-40  # widens a square computed in float64, with a relative error of a few u
 
 
-def classify(model: Model, pairs: Pairs, exact: Relations, *, engine: str | None = None) -> Relations:
+def classify(model: Model, pairs: PartPairs, exact: Relations, *, engine: str | None = None) -> Relations:
     """Return for each pair the relation that the model certainly finds; UNDECIDED where rounding can decide.
 
     `exact` are the exact relations, which a model finds where it rounds nothing; `engine` as in `batch.relate`, which
@@ -73,8 +73,8 @@ def classify(model: Model, pairs: Pairs, exact: Relations, *, engine: str | None
         return pairs.whole(_decide_by_fractions(pairs, found, form))
 
 
-def _decide_by_fractions(pairs: Pairs, found: Relations, form: FloatFormat) -> Relations:
-    """Return `found` with UNDECIDED parts certified by fractions, up to the first that stays undecided."""
+def _decide_by_fractions(pairs: PartPairs, found: Relations, form: FloatFormat) -> Relations:
+    """Certify UNDECIDED entries of `found` by fractions, in place, up to the first that stays undecided; return it."""
     undecided = np.flatnonzero((found == UNDECIDED) & (pairs.whole(found)[pairs.of] == UNDECIDED))
     for many, k in enumerate(undecided.tolist()):
         refuse_too_many_fractions(many, len(undecided))
@@ -200,7 +200,7 @@ def _rows_fit_format(form: FloatFormat, rows: Array) -> NDArray[np.bool_]:
     return found
 
 
-def _classify_ranges(model: Model, pairs: Pairs) -> Relations:
+def _classify_ranges(model: Model, pairs: PartPairs) -> Relations:
     """Return the relations that ranges on the directions of a k-DOP certainly give, else UNDECIDED."""
     a, b, ia, ib = pairs.a, pairs.b, pairs.ia, pairs.ib
     p, q = direction_ranges(a, model.directions)[ia], direction_ranges(b, model.directions)[ib]

@@ -21,7 +21,7 @@ Relations = NDArray[np.int8]
 MAX_CORNERS_AT_ONCE = 1 << 18  # corners times pairs
 
 
-class Pairs(NamedTuple):
+class PartPairs(NamedTuple):
     """Hold pairs of shapes of two batches, and all pairs of their convex parts.
 
     ia, ib: (n,) pair k is a[ia[k]] with b[ib[k]]; pa, pb: (m,) indices of the convex parts of each pair of parts;
@@ -50,9 +50,9 @@ class Pairs(NamedTuple):
         return np.array([0, 1, UNDECIDED, 2], np.int8)[most]
 
 
-def paired(a: Shapes, ia: Indices, b: Shapes, ib: Indices) -> Pairs:
-    """Return the Pairs record of a[ia[k]] with b[ib[k]], which includes all pairs of their convex parts."""
-    return Pairs(a, b, ia, ib, *part_pairs(a, ia, b, ib))
+def paired(a: Shapes, ia: Indices, b: Shapes, ib: Indices) -> PartPairs:
+    """Return the PartPairs record of a[ia[k]] with b[ib[k]], which includes all pairs of their convex parts."""
+    return PartPairs(a, b, ia, ib, *part_pairs(a, ia, b, ib))
 
 
 @dataclass(frozen=True)

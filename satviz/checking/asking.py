@@ -142,7 +142,7 @@ class CalledInProcess:
         return Outcome(problem=NO_ANSWER, line=f"gives no answer within {seconds:g} s: an endless loop?")
 
     def close(self) -> None:
-        """End the process."""
+        """End the process, if it is running."""
         if self.process is not None:
             end_group(self.process)
             self.process.join()

@@ -46,7 +46,7 @@ class Near(NamedTuple):
 
 
 class Score(NamedTuple):
-    """Partial credit by kind of scene.
+    """The partial credit for a function, by kind of scene.
 
     `parts`: by the name of a part, (right answers, pairs).  A part is passed when all of its answers are right, so
     that guessing earns nothing.

@@ -76,7 +76,7 @@ def mistakes_with(words: str) -> list[str]:
 
 
 class Likeness(NamedTuple):
-    """How much a function's answers are like those of a known mistake.
+    """The likeness of a function's answers to those of a known mistake.
 
     `agrees`: on how many of the `pairs` both give the same answer, or both a right one; `wrong_alike`: on how many
     of those that either is wrong about (`either_wrong`) both give the same wrong answer; `words`: in which way the

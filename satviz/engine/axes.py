@@ -39,7 +39,7 @@ PARALLEL, NO_DIRECTION, EARLY_EXIT = "parallel", "no direction", "early exit"
 
 
 class Source(NamedTuple):
-    """Where an axis comes from, which names it exactly (its numbers may be rounded).
+    """The source of an axis: an edge, a vertex, a direction.  It names the axis exactly; its numbers may be rounded.
 
     `kind`: one of the constants above; `shape`: "A", "B", or None where no single shape gives it; `ids`: which of
     that shape's vertices (an edge's two ends), which world axis (0 for x) or which given direction.
@@ -51,7 +51,7 @@ class Source(NamedTuple):
 
 
 class Axis(NamedTuple):
-    """A direction to project on, pointing right (or up), and where it comes from.
+    """A direction to project on, pointing right (or up), with its source.
 
     `normal` is the direction as found, not normalised (edge v1v2 of the article's B
     gives (2, 3)); `length` is its length; `direction` is the unit vector.

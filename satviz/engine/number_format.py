@@ -18,7 +18,7 @@ MAX_WHOLE_NUMBER = 1e15  # whole numbers beyond lose digits in float64
 
 
 class Digits(NamedTuple):
-    """How the numbers of a scene are printed: their decimals, in units of 10**power, landings relative to `origin`.
+    """The format of a scene's printed numbers: decimals, a unit of 10**power, and landings relative to `origin`.
 
     `origin` is in those units.  `fine` means: the gap is so small that ranges with these decimals cannot show it.
     `padded`: every number has all decimals, zeros at its end too, so that its width does not change in a drag.

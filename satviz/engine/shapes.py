@@ -133,7 +133,7 @@ class Polygon(_Shape):
         )
 
     def _arguments(self) -> tuple[object, ...]:
-        """Return (vertices, labels)."""
+        """Return (vertices, labels), the arguments that make an equal Polygon."""
         return self.vertices, self.labels
 
     @property
@@ -186,7 +186,7 @@ class Circle(_Shape):
         return self.core[0]
 
     def _arguments(self) -> tuple[object, ...]:
-        """Return (center, radius)."""
+        """Return (center, radius), the arguments that make an equal Circle."""
         return self.center, self.radius
 
 

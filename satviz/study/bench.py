@@ -97,7 +97,7 @@ class TimingRow(NamedTuple):
 
 
 class BenchPlan(NamedTuple):
-    """How much work the benchmark does: pairs a workload, rounds, checked pairs, and the sizes of the other sections.
+    """The amount of work of the benchmark: pairs of a workload, rounds, checked pairs, and sizes of other sections.
 
     `scene`: polygons in a scene; `side`: tiles along one side of a map; `corners`, `numbers` and `boxes`: the numbers
     of corners, of polygons and of boxes that are varied; `frames`: the numbers of moving shapes.

@@ -24,7 +24,7 @@ SUBTITLE = "The speed of shapely, unprepared, is 1. Bars show quartiles. Below: 
 
 @dataclass(frozen=True)
 class SpeedRatio:
-    """How many times as fast as shapely, unprepared, a method is at one work: median and quartiles.
+    """The ratio of a method's speed to that of unprepared shapely at one work: median and quartiles.
 
     Above 1 the method is faster than shapely.  `work` is the name of the work with its size.
     """

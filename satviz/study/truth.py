@@ -107,7 +107,7 @@ def squared_gap(a: Polygon, b: Polygon) -> Fraction:
     return (max(beyond) if beyond else _least_square(sides)) / Fraction(4**k)
 
 
-def least_pushes(a: Polygon, b: Polygon) -> list[Ints]:
+def mtv_directions(a: Polygon, b: Polygon) -> list[Ints]:
     """Return the directions in which the shortest push of b ends the overlap of two convex polygons, of any length."""
     _, sides = _sides_of_difference(a, b)
     least = _least_square(sides)

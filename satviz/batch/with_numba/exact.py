@@ -248,7 +248,10 @@ def _certified_cross(ux: float, uy: float, vx: float, vy: float) -> float:
 
 @compiled
 def orient(px: float, py: float, qx: float, qy: float, rx: float, ry: float, terms: Array) -> int:
-    """Return the exact orientation of p, q, r, as exact_signs.orient does for arrays; UNKNOWN out of range."""
+    """Return the exact orientation of p, q, r: 1 left turn, -1 right turn, 0 collinear; UNKNOWN out of range.
+
+    `terms`: scratch, which is overwritten.
+    """
     left, right = (qx - px) * (ry - py), (qy - py) * (rx - px)
     size = abs(left) + abs(right)
     if abs(left - right) > ERRBOUND_A * size and size > MIN_SAFE_PRODUCT and size < MAX_SAFE_PRODUCT:

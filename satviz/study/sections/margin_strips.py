@@ -35,7 +35,7 @@ from ..methods import (
     wrong_answers,
 )
 from ..workloads.adversary import boxes_within_one, worst_pair
-from ..workloads.generators import Circles
+from ..workloads.generators import CircleArrays
 from ..workloads.hard_pairs import (
     HARD_KINDS,
     MARGIN_OCTAVES,
@@ -98,7 +98,7 @@ def count_touching(n: int, settings: Settings) -> list[JsonRow]:
             for m, answers in answers_by_method(_methods(), a, b)]  # fmt: skip
 
 
-def _squares(a: Circles, b: Circles) -> Any:
+def _squares(a: CircleArrays, b: CircleArrays) -> Any:
     """Return which circles hit, by the squares of their distance and of the sum of their radii, in float64."""
     (dx, dy), reach = (a[0] - b[0]).T, a[1] + b[1]
     return dx * dx + dy * dy <= reach * reach

@@ -145,7 +145,7 @@ def least_push(kind: str, a: Polygon, b: Polygon) -> tuple[float, list[Vector]]:
     computes in floats, and one direction is returned.
     """
     if kind != CONCAVE:
-        return math.sqrt(truth.squared_gap(a, b)), [(Fraction(x), Fraction(y)) for x, y in truth.least_pushes(a, b)]
+        return math.sqrt(truth.squared_gap(a, b)), [(Fraction(x), Fraction(y)) for x, y in truth.mtv_directions(a, b)]
     import shapely
 
     differences = ([(px - qx, py - qy) for px, py in one.vertices for qx, qy in other.vertices]
