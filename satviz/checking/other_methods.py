@@ -19,7 +19,7 @@ from .written import LARGE_RADII, SMALL_RADII, Middle, Radius, Ring, Variant, Wr
 
 
 def by_shortcut(shortcut: Shortcut, a: Shape, b: Shape) -> tuple[Relation, Vec | None]:
-    """Return what a shortcut claims for a pair."""
+    """Return (relation, push) as a shortcut claims them for two shapes."""
     trace = record(a, b, axes=shortcut, every_axis=True)
     return trace.claim, trace.push
 
