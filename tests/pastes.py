@@ -3205,7 +3205,8 @@ M 5 5 h 10 v 10 z""",
     ),
     Paste(
         "polygons in sentences",
-        "Polygon 1 has 3 points (0,0), (4,0), (4,4). The second polygon is at (1,1), (5,1), (5,5).\nUsing Tool 3.8.1",
+        "Polygon 1 has 3 points (0,0), (4,0), (4,4). The second polygon is at (1,1), (5,1), (5,5).\nUsing Tool 3.8.1"
+        " on Windows 11. They share 1 point.",
         ((0, 0, 4, 4), (1, 1, 5, 5)),
     ),
     Paste(

@@ -40,6 +40,7 @@ from .harmless import (
 from .notations import MOVES, SETTERS, SHAPE_STEMS, SHAPE_WORDS, SHIFTS, TURNS, TWO_SHAPES, key, notation
 from .statements import ADDERS, ATTACHERS, PEN_STARTS, PENS, owner_of
 from .tokens import CLOSE, FIELD, LINE, MARK, NAME, NUMBER, OPEN, OTHER, TEXT, Token, tokens
+from .tree import parts_of
 
 MAX_PARTS = 50  # that are not understood; fewer are named
 MAX_ARGUMENTS = 200  # words and signs in a call in which the names of shapes are looked for
@@ -723,12 +724,12 @@ def within(spans: Sequence[tuple[int, int]], values: Sequence[Any]) -> set[Any]:
 
 def last_of(name: str) -> str:
     """Return the last part of a name."""
-    return name.replace("->", ".").replace("::", ".").split(".")[-1]
+    return parts_of(name)[-1]
 
 
 def root(name: str) -> str:
     """Return the first part of a name, and the second one behind `this` or `self`: player of this.player.x."""
-    parts = name.replace("->", ".").replace("::", ".").split(".")
+    parts = parts_of(name)
     return parts[1] if parts[0] in ("this", "self") and len(parts) > 1 else parts[0]
 
 

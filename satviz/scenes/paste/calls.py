@@ -10,11 +10,14 @@ from .axis_lists import are_axes, joined, lengths
 from .boxes import (
     AT_ORIGIN,
     BOX_FORM,
+    BY_DIAMETER,
+    BY_RADIUS,
     CHOICES,
     DIAMETER,
     RADIUS,
     ROUND,
     Read,
+    circle,
     moved,
     unit_of,
 )
@@ -35,7 +38,7 @@ from .notations import (
     notation,
 )
 from .points import ZERO, Pt, angle_of, places
-from .tree import Bad, Group, Name, Num, Pair
+from .tree import Bad, Group, Name, Num, Pair, parts_of
 
 FULL_TURNS = frozenset(["2*pi", "pi*2", "2pi", "tau", "two_pi", "360", "6.283185307179586"])
 
@@ -60,7 +63,7 @@ class Calls(Keyed):
         for item in named.rest:
             value = self.resolve(item)
             if isinstance(value, (Name, Bad)) and not (isinstance(value, Bad) and value.inside):
-                if isinstance(value, Bad) or key(value.text.replace("->", ".").split(".")[-1]):
+                if isinstance(value, Bad) or key(parts_of(value.text)[-1]):
                     kept.append(item)  # player.x, width: a number that is not in the text
                 continue  # null, a body, options
             if isinstance(value, Group) and not value.items and not value.name:
@@ -180,18 +183,18 @@ class Calls(Keyed):
             self._refuse_names(arguments)
             raise Unreadable("a circle without a radius: write it behind the center")
         x, y = points[0] if points else ZERO
-        said = "a circle by its center and radius" if points or place else f"a circle by its radius{AT_ORIGIN}"
+        said = BY_RADIUS if points or place else f"a circle by its radius{AT_ORIGIN}"
         row = notation(group.name)
         if row and row.alone and len(flat) == 1 and not points and not place:  # SFML's: the corner of its box is there
             x, y, said = flat[0], flat[0], f"a circle by its radius{AT_ORIGIN}"
-        used = places(x, y, *(place or ()), flat[0])
+        given = x, y, *(place or ()), flat[0]
         bare = group.name == "circle" and len(group.items) == 3 and all(isinstance(v, Num) for v in group.items)
         if self.mode(group) not in ("", CENTER_SIZE):
             raise Unreadable("an ellipseMode other than CENTER: write the center and the diameter")
         if bare and self._choose(ROUND, CHOICES[ROUND], sure=DIAMETER if self.sketch else "") == DIAMETER:
-            flat[0], said = flat[0] / 2, "a circle by its center and diameter"
+            flat[0], said = flat[0] / 2, BY_DIAMETER
         x, y = (x + place[0], y + place[1]) if place else (x, y)
-        return [Read(((x, y),), flat[0], said, group.start, group.end, label, used=used)]
+        return [circle((x, y), flat[0], group, label, said, *given)]
 
     def _refuse_expressions(self, arguments: Sequence[Any]) -> None:
         """Raise Unreadable for a call before a number that is no point and no color: Circle(sqrt(4), 0, 1)."""
@@ -218,19 +221,18 @@ class Calls(Keyed):
         if {"cx", "cy", "rx", "ry"} <= set(keys):
             x, y, radius, other = (self.number(keys[name]) for name in ("cx", "cy", "rx", "ry"))
             if radius == other:
-                said, used = "a circle by its center and radius", places(x, y, radius, other)
-                return [Read(((x, y),), radius, said, group.start, group.end, label, used=used)]
+                return [circle((x, y), radius, group, label, BY_RADIUS, other)]
         if self.mode(group) not in ("", CENTER_SIZE):
             raise Unreadable("an ellipseMode other than CENTER: write the center and the diameter")
         flat = self.numbers(group.items) or []
         if len(flat) not in (3, 4) or flat[2] != flat[-1]:
             raise Unreadable("an ellipse: satviz takes polygons and circles")
-        said, used, radius = "a circle by its center and diameter", places(*flat), flat[2] / 2
+        said, radius = BY_DIAMETER, flat[2] / 2
         sure = DIAMETER if self.sketch or row.form else ""
         if len(flat) == 4 and self._choose(ROUND, (DIAMETER, RADIUS), sure=sure) == RADIUS:
-            said, radius = "a circle by its center and radius", flat[2]
+            said, radius = BY_RADIUS, flat[2]
         x, y = (flat[0] + radius, flat[1] + radius) if row.form == CORNER_SIZE else (flat[0], flat[1])
-        return [Read(((x, y),), radius, said, group.start, group.end, label, used=used)]
+        return [circle((x, y), radius, group, label, said, *flat)]
 
     def _box(self, group: Group, row: Notation, label: str) -> list[Read]:
         """Return the box of a call, in the form that `row` gives to its numbers, or that the user chose."""
@@ -292,9 +294,7 @@ class Calls(Keyed):
         center: Pt | None = None
         for item in items:
             if center is not None and self._is_number(item):
-                radius = self.number(item)
-                said, used = "a circle by its center and radius", places(*center, radius)
-                found.append(Read((center,), radius, said, item.start, item.end, label, used=used))
+                found.append(circle(center, self.number(item), item, label))
                 center = None
             elif (center := self.point(item)) is None:
                 rest.append(item)

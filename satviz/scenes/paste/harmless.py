@@ -137,7 +137,8 @@ LABELS = listed(
 )
 COUNTED = listed(
     """
-    rows row corners points vertices verts pts shapes polygons circles boxes ms fps times people users
+    rows row corner corners point points vertex vertices verts pts edge edges shapes polygons circles boxes ms fps
+    times people users
     """
 )
 # Words that say that the numbers behind them hold only sometimes, or several times.

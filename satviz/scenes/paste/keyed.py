@@ -7,10 +7,12 @@ from .axis_lists import is_flat, joined, lengths, pairs_of_lists
 from .boxes import (
     ABSOLUTE,
     AT_ORIGIN,
+    BY_RADIUS,
     CHOICES,
     CORNERS,
     Boxes,
     Read,
+    circle,
     moved,
     origin_of,
     unit_of,
@@ -148,13 +150,13 @@ class Keyed(Boxes):
             raise Unreadable("a regular polygon given by its radius: write its corners")
         given = obj.get("radius")
         size = self.number(given if given is not None else obj.get("diameter"))
-        used = places(*(place or ()), size)
+        given_numbers = [*(place or ()), size]
         radius = size if given is not None else size / 2
         keys = {str(k).lower(): v for k, v in obj.fields.items()}
-        said = "a circle by its center and radius" if place else f"a circle by its radius{AT_ORIGIN}"
+        said = BY_RADIUS if place else f"a circle by its radius{AT_ORIGIN}"
         if place is None and "left" in keys and "top" in keys:
             place = self.number(keys["left"]), self.number(keys["top"])
-            used |= places(*place)
+            given_numbers += place
             origins = origin_of(obj, "originx", "left"), origin_of(obj, "originy", "top")
             if origins == ("left", "top"):
                 place, said = (
@@ -165,7 +167,7 @@ class Keyed(Boxes):
                 raise Unreadable("the origin of the circle is neither its corner nor its center: write the center")
         if given is None:
             said = said.replace("radius", "diameter")
-        return Read((place or ZERO,), radius, said, obj.start, obj.end, label, used=used)
+        return circle(place or ZERO, radius, obj, label, said, *given_numbers)
 
 
 def _placed(shape: Read, obj: Obj, place: Pt) -> Read:

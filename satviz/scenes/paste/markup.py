@@ -28,7 +28,9 @@ _OTHER = re.compile(
     r"|\b(?:interface|struct|type|record)\s+\w+\s*(?:=\s*)?\{[^{}()\d]*\}"
     r"|\bsizeof\s*\([^()]*\)\s*/\s*sizeof\s*\([^()]*\)|(?P<quote>['\"])[012FT*]{9}(?P=quote)"
     r"|(?<![\w/.-])[\w/.-]{1,80}\.(?:py|js|ts|cs|cpp|cc|c|h|hpp|rs|go|java|rb|lua|gd|kt|swift|m):\d+(?::\d+)?|TopologyException:[^\n]*"
-    r"|\bversion\W{1,6}\d+(?:\.\d+)+|(?:\bv|\b(?:Using|using|with|on|in|of) \w+ v?)\d+\.\d+\.\d+\w*"
+    r"|\bversion\W{1,6}\d+(?:\.\d+)+"
+    r"|\b(?:Windows|macOS|Ubuntu|Android|iOS|Python|Node|Java|Chrome|Firefox) \d+(?:\.\d+)*"
+    r"|(?:\bv|\b(?:Using|using|with|on|in|of) \w+ v?)\d+\.\d+\.\d+\w*"
     r"|\bEigen::Matrix\w+ +\w+\(\d+, *\d+\)|^\s*size\(\d+, *\d+\);",
     re.IGNORECASE | re.MULTILINE,
 )

@@ -31,7 +31,7 @@ from .harmless import CASTS
 from .markup import all_tokens
 from .notations import UNREAD
 from .tokens import CLOSE, FIELD, LINE, MARK, MAX_CHARS, NAME, NUMBER, OPEN, OTHER, TEXT, Token, tokens
-from .tree import Bad, Group, Name, Num, Pair
+from .tree import Bad, Group, Name, Num, Pair, parts_of
 
 MAX_ANGLE = 50  # characters of an angle in terms of pi
 MAX_DEPTH = 24
@@ -442,7 +442,7 @@ class _Parser:
         for atom in atoms[begin:]:
             if isinstance(atom, Token) and atom.kind in (NAME, TEXT, FIELD):
                 text = atom.text[1:-1] if atom.kind == TEXT else atom.text
-                parts += [p for p in text.replace("->", ".").replace("::", ".").split(".") if p]
+                parts += [p for p in parts_of(text) if p]
             elif isinstance(atom, Token) and atom.kind == NUMBER and not names:
                 parts.append(atom.text)
             elif isinstance(atom, Group) and atom.bracket == "[" and len(atom.items) == 1:

@@ -100,12 +100,16 @@ class Points(Statements):
         if len(items) == 3:
             if plain < 3 or not row or row.kind != POINT:
                 return None
-            self.remark("a third coordinate was left out: the shapes are read in x and y")
-            self.counts.add(items[2].end)
+            self._leave_out([items[2]])
         if plain == 0 and not (row and row.kind == POINT):
             return None
         self._refuse_methods(value)
         return self.number(items[0]), self.number(items[1])
+
+    def _leave_out(self, thirds: Sequence[Any]) -> None:
+        """Note that third coordinates were left out."""
+        self.remark("a third coordinate was left out: the shapes are read in x and y")
+        self.counts |= {value.end for value in thirds}
 
     def vector(self, value: Any) -> Pt | None:
         """Return the value of a key as a point or a size, also of (x, y, z) and {width, height}; else None."""
@@ -118,8 +122,7 @@ class Points(Statements):
         if isinstance(made, Obj) and made.get("width") is not None and made.get("height") is not None:
             return self.number(made.get("width")), self.number(made.get("height"))
         if isinstance(value, Group) and not value.name and len(value.items) == 3 and self.numbers(value.items):
-            self.counts.add(value.items[2].end)
-            self.remark("a third coordinate was left out: the shapes are read in x and y")
+            self._leave_out([value.items[2]])
             value = Group(value.start, value.end, value.items[:2], value.bracket)
         return self.point(value)
 
@@ -180,8 +183,7 @@ class Points(Statements):
         sizes = [len(row) for row in rows]
         flat = [number for row in rows for number in row]
         if sizes == [1, 1, *[2, 1] * ((len(sizes) - 3) // 2), 1]:
-            self.remark("a third coordinate was left out: the shapes are read in x and y")
-            self.counts |= {number.end for number in flat[2::3]}
+            self._leave_out(flat[2::3])
             return [number for i, number in enumerate(flat) if i % 3 < 2]
         if set(sizes) != {2} and sizes != [1, *[2] * (len(sizes) - 2), 1]:
             raise Unreadable("commas and spaces between the numbers do not say which are x and y: write (x, y)")

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 from .tokens import CLOSE, MARK, NAME, NUMBER, OPEN, Token, tokens
 
-_N = r"[-+\u2212]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?(?:[ ]?(?:px|[cmk]?m|ft)\b)?"
+_N = r"[-+\u2212]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?(?:[ ]?(?:px|[cmk]?m|ft)\b)?+"
 _PLACE = rf"(?:\([ ]?{_N}[ ]?,[ ]?{_N}[ ]?\)|\b(?:center|centre|at|position)[ ]{_N}[ ]?,[ ]?{_N})"
 _FILL = r"[ ,]{1,3}(?:(?:and|with|has|having|of|is|a|an|the|its|size|shape)[ ,]{1,3}){0,4}"
 _P, _A = rf"\({_N}[ ]?,[ ]?{_N}\)", rf"(?:{_N}|\({_N}\))"
@@ -29,7 +29,7 @@ SENTENCES = (
     ("v2", re.compile(rf"<{_N}, {_N}>")),  # of C#
     ("image.rect", re.compile(rf"\bmin(?:imum)?(?: at| =|:)? {_P},?(?: and)? (?:its )?max(?:imum)?(?: at| =|:)? {_P}")),
     ("image.rect", re.compile(rf"\b(?:rect|rectangle|box) from {_P} to {_P}", re.IGNORECASE)),
-    ("v2", re.compile(rf"\bX={_N},? Y={_N}(?![\w.]|[ ,]*(?!X=)[A-Za-z]\w*=)")),  # Unreal
+    ("v2", re.compile(rf"\bX={_N},? Y={_N}(?![\w.%]|[ ,]*(?!X=)[A-Za-z]\w*=)")),  # Unreal
     (
         "svg.polygon",
         re.compile(rf"(?<![\d.])[-.\d]{{1,20}} {_N} moveto(?:\s+{_N} {_N} lineto)+\s+closepath"),

@@ -13,6 +13,7 @@ from .boxes import (
     LAST_VALUE,
     TWICE,
     Read,
+    circle,
     moved,
 )
 from .calls import Calls
@@ -43,9 +44,9 @@ from .notations import (
     TWO_SHAPES,
     notation,
 )
-from .points import ZERO, Pt, angle_of, places
+from .points import ZERO, Pt, angle_of
 from .statements import ATTACHERS
-from .tree import Bad, Group, Name, Num, Pair, Value
+from .tree import Bad, Group, Name, Num, Pair, Value, parts_of
 
 _SECTION = re.compile(r"^\[[A-Za-z]", re.MULTILINE)
 _ASSIGNED = re.compile(r"[ \t+-]*(?:\w+[ \t*&]+){0,4}[\w.]+(?:\[\w*\])?[ \t]*:?=[ \t]*(?:new[ \t]+)?")  # Rect a =
@@ -158,17 +159,8 @@ class Reader(Calls):
             ring = self._points(group.items) or []
             if len(ring) == 3 and ring[0] == ring[2] and ring[0][1] == ring[1][1]:
                 (x0, y), (x1, _), _ = ring
-                return [
-                    Read(
-                        (((x0 + x1) / 2, y),),
-                        abs(x1 - x0) / 2,
-                        "a circle by two points",
-                        group.start,
-                        group.end,
-                        label,
-                        used=places(*(c for p in ring for c in p)),
-                    )
-                ]
+                numbers = (c for p in ring for c in p)
+                return [circle(((x0 + x1) / 2, y), abs(x1 - x0) / 2, group, label, "a circle by two points", *numbers)]
             raise Unreadable("an outline with arcs: satviz takes polygons and circles")
         if kind == CIRCLE:
             found = self._circle(group, label)
@@ -178,7 +170,7 @@ class Reader(Calls):
             found = self._box(group, row, label)
         elif kind == RING and group.bracket != '"':
             found = self._polygon(group, label)
-        elif group.name and group.name.replace("->", ".").split(".")[-1].lower() in ATTACHERS:
+        elif group.name and parts_of(group.name)[-1].lower() in ATTACHERS:
             return self._attached(group, label)
         elif kind == MANY:
             return [s for item in group.items if not self._are_names(item) for s in self._rings(item, label)]
@@ -202,10 +194,10 @@ class Reader(Calls):
 
     def _copied(self, group: Group) -> Any:
         """Return what a call copies that has a name: a in a.clone() and in copy(a); None for other calls."""
-        owner, _, last = group.name.replace("->", ".").rpartition(".")
+        *owner, last = parts_of(group.name)
         if last.lower() not in COPIES or len(group.items) > 1 or group.methods:
             return None
-        named = group.items[0] if group.items else Name(group.start, group.end, owner)
+        named = group.items[0] if group.items else Name(group.start, group.end, ".".join(owner))
         found = self.resolve(named)
         return found if isinstance(named, Name) and isinstance(found, (Group, Obj)) else None
 
@@ -221,8 +213,7 @@ class Reader(Calls):
 
     def _attached(self, group: Group, label: str) -> list[Read]:
         """Return the shapes that a call gives to a body, at the body's position: body.addShape(circle)."""
-        owner, _, _ = group.name.replace("->", ".").rpartition(".")
-        body = self.resolve(Name(group.start, group.end, owner))
+        body = self.resolve(Name(group.start, group.end, ".".join(parts_of(group.name)[:-1])))
         made = body if isinstance(body, Obj) else Obj(group.start, group.end, rest=[body])
         place = made.get("center")
         angle = made.get("angle")
@@ -308,9 +299,7 @@ class Reader(Calls):
         if shaped and len(items) in (2, 3) and all(self._is_number(item) for item in items[1:]):
             center = self.point(items[0])
             if center is not None and len(items) == 2:
-                radius = self.number(items[1])
-                said, used = "a circle by its center and radius", places(*center, radius)
-                return [Read((center,), radius, said, group.start, group.end, label, used=used)]
+                return [circle(center, self.number(items[1]), group, label)]
             if center is not None and _is_call(group):
                 four = [*center, self.number(items[1]), self.number(items[2])]
                 return [self._made_box(four, self._choose(BOX_FORM, CORNER_OR_CENTER), group, label)]

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 from .atoms import holds_numbers
 from .names import Names, Obj, is_block, short
 from .notations import BOX, CIRCLE, MOVES, OTHER_SHAPE, POINT, RING, SETTERS, SHIFTS, TURNS, key, notation
-from .tree import Bad, Group, Name, Num, Pair
+from .tree import Bad, Group, Name, Num, Pair, parts_of
 
 # Calls that add a corner to a list, that draw an outline with a pen, and that give a shape to a body.
 ADDERS = frozenset(
@@ -116,7 +116,7 @@ class Statements(Names):
                 declared.kind in (BOX, CIRCLE, OTHER_SHAPE) or not notation(item.name)
             ):  # Circle c(0, 0, 1)
                 made = replace(item, name=item.before, before="")
-                self._insert(Pair(item.start, item.end, _path(item.name), made))
+                self._insert(Pair(item.start, item.end, tuple(parts_of(item.name)), made))
             elif item.bracket == "{" and not item.name and is_block(item):
                 self.assign(item.items)
             elif item.bracket in (",", "+") and item.items and all(isinstance(v, Pair) for v in item.items):
@@ -154,7 +154,7 @@ class Statements(Names):
 
     def _statement(self, item: Group) -> bool:
         """Take a call that changes something that has a name; return whether it is one."""
-        words = item.name.replace("->", ".").replace("::", ".").split(".")
+        words = parts_of(item.name)
         last, owner = words[-1].lower(), tuple(words[:-1])
         if last in NUMBERED and owner and len(item.items) == 2 and isinstance(item.items[0], Num):
             index, point = item.items  # shape.setPoint(0, Vector2f(1, 2))
@@ -297,11 +297,6 @@ def _is_points(name: str | int) -> bool:
 def _is_nameless_point(value: Any) -> bool:
     """Return whether a value is a point without a name before its bracket: (1, 2) or {x: 1, y: 2}."""
     return isinstance(value, Group) and not value.name and _is_point(value)
-
-
-def _path(name: str) -> tuple[str, ...]:
-    """Return the parts of a name."""
-    return tuple(name.replace("->", ".").replace("::", ".").split("."))
 
 
 def _point_of(call: Group) -> Group | None:

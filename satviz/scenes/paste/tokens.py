@@ -12,17 +12,8 @@ MAX_TOKENS = 60_000  # some 12,000 points; a second of work
 TOO_MANY = f"the text has more than {MAX_TOKENS:,} words and numbers: paste the shapes alone"
 MAX_DIGITS = 400  # no float64 needs more, and no exponent beyond this size fits one
 
-NUMBER, NAME, FIELD, TEXT, OPEN, CLOSE, MARK, LINE, OTHER = (
-    "number",
-    "name",
-    "field",
-    "text",
-    "open",
-    "close",
-    "mark",
-    "line",
-    "other",
-)
+NUMBER, NAME, FIELD, TEXT, OPEN = "number", "name", "field", "text", "open"
+CLOSE, MARK, LINE, OTHER = "close", "mark", "line", "other"
 
 # Units of length.  They may follow a number after a space, and one text has only one of them.
 LENGTHS = ("px", "mm", "cm", "m", "km", "ft")

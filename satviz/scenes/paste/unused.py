@@ -14,7 +14,7 @@ from .names import Names, Obj, short
 from .notations import POINT, RING, SHAPE_STEMS, key, notation
 from .parser import Tree
 from .tokens import NAME, NUMBER
-from .tree import Bad, Group, Num, Pair
+from .tree import Bad, Group, Name, Num, Pair
 
 MIN_SAID = 12  # characters of a part that says enough without its line
 MAX_NAMED = 6  # keys that are named in a line, and numbers without a key
@@ -48,6 +48,7 @@ def rest(tree: Tree, reads: Sequence[Read], text: str, reader: Names) -> Rest:
     named = [(root(path.split(" ")[0]), value) for path, value in _paths(reader.env.fields)]
     names = dict(named)
     variables = {name: _size(value) for name, value in named if _holds(places, value)}
+    variables |= {name: 0 for name, value in named if _is_made_of(variables, value)}
     labels = {read.label for read in reads if not (key(read.label) or words(read.label) & CHANGING_CALLS)}
     variables |= dict.fromkeys(labels - set(variables), 0)
     objects = ((name, value) for name, value in names.items() if isinstance(value, Obj))
@@ -99,6 +100,12 @@ def _paths(fields: Mapping[str | int, Any]) -> Iterator[tuple[str, Any]]:
 def _size(value: Any) -> int:
     """Return how many items a value has."""
     return len(value.fields) if isinstance(value, Obj) else len(value.items) if isinstance(value, Group) else 0
+
+
+def _is_made_of(names: Mapping[str, int], value: Any) -> bool:
+    """Return whether a value is a known call with one of these names in it: hull = b2ComputeHull(points, 3)."""
+    inner = value.items if isinstance(value, Group) and value.name and notation(value.name) else ()
+    return any(isinstance(item, Name) and root(item.text) in names for item in inner)
 
 
 def _holds(places: Sequence[int], value: Any) -> bool:
