@@ -119,7 +119,7 @@ def from_shapely(geometries: Any, *, concave: str = "refuse") -> Polygons:
 
 
 def from_padded(corners: Any, counts: Any, radii: validation.Numbers) -> Shapes:
-    """Return a batch of circles and convex polygons that lie in arrays of one size, in scene units.
+    """Return a batch of circles and convex polygons from padded arrays, one row for each shape, in scene units.
 
     corners: (N, V, 2), of which shape i has the first counts[i]; what follows them is not read.  counts: (N,) integers,
     1 for a circle, whose only corner is its center.  radii: (N,), 0 for polygons.  Corners as in Polygons; what is

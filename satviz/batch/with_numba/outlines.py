@@ -94,7 +94,7 @@ def certified_rings(points: Array, start: Indices, accept_centers: bool = False)
 
 
 def _rings_of(x: Array, y: Array, kept: Indices) -> RaggedRings:
-    """Return outlines as RaggedRings: x and y cut off, in place, after the last corner."""
+    """Return outlines as RaggedRings, after shrinking x and y in place to the corners that were filled in."""
     for c in (x, y):
         c.resize(int(kept[-1]), refcheck=False)  # a copy would double the memory
     return RaggedRings(x, y, kept)
@@ -109,7 +109,7 @@ def certified_padded(corners: Array, counts: Indices, radii: Array) -> RaggedRin
 
 @compiled
 def _fill_padded(corners: Array, counts: Indices, radii: Array, x: Array, y: Array, kept: Indices) -> bool:
-    """Fill x and y with the corners of padded shapes, and `kept`, as `_fill_rings`; return False if one is in doubt."""
+    """Fill x, y and `kept` with padded shapes, as `_fill_rings` does; return False if one is not certified."""
     n, most, _ = corners.shape
     first, end = np.empty(n, np.intp), np.empty(n, np.intp)
     for i in range(n):
@@ -176,5 +176,5 @@ def _certified_orientation(dx: float, dy: float, ex: float, ey: float) -> int:
 
 @inlined
 def _leads_right(dx: float, dy: float) -> bool:
-    """Return whether an edge goes to the right, or straight up."""
+    """Return whether an edge vector points to the right, or straight up."""
     return (dx > 0) | ((dx == 0) & (dy > 0))
