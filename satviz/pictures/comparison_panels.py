@@ -38,7 +38,7 @@ from .default_panels import (
 )
 from .draw_steps import draw_mtv, draw_separating_line
 from .float_geometry import bounding_box, crossing_point, midpoint, point_along
-from .layout import NARROW_PAD_PT, Group, Layout, arrange
+from .layout import NARROW_PAD_PT, Layout, PanelContents, arrange
 from .letters import text_size, wrap_text
 from .sketch import RING_PT, Sketch
 from .solid_panels import solid_panel
@@ -209,7 +209,7 @@ def draw_support_points(trace: Trace, layout: Layout) -> Sketch:
     lines = f"GJK, one corner of B {MINUS} A: {count} vertices looked at;", rest
     text = "\n".join(wrap_text(line, wide - 2 * NARROW_PAD_PT) for line in lines)
     band = text_size(text)[1] + NARROW_PAD_PT  # below the picture, for words
-    around = Group([box(min(xs), min(ys), max(xs), max(ys))])
+    around = PanelContents([box(min(xs), min(ys), max(xs), max(ys))])
     layout = arrange([around], largest=(wide, high - band), least=(wide, high - band))[0]
     (x0, y0, x1, y1), (wide, high) = layout.limits, layout.size
     low = y0 - layout.units(band)
@@ -375,7 +375,7 @@ def draw_line_as_axis(trace: Trace, layout: Layout) -> Sketch:
     return sketch
 
 
-def needs_one_sided_tests(trace: Trace) -> Group:
+def needs_one_sided_tests(trace: Trace) -> PanelContents:
     """Return the claimed tests with both shapes, and space for two questions above the shapes.
 
     Among the labels of very many axes there is no space for them.
@@ -383,7 +383,7 @@ def needs_one_sided_tests(trace: Trace) -> Group:
     x0, y0, x1, y1 = bounding_box([trace.a, trace.b])
     shapes, tests, _ = needs_claimed_tests(trace)
     space = [box(x0, y1, x1, y1 + (y1 - y0) / 2)] if len(trace.tests) <= MAX_QUESTION_AXES else []
-    return Group([*shapes, *space], tests)
+    return PanelContents([*shapes, *space], tests)
 
 
 def draw_one_sided_tests(trace: Trace, layout: Layout) -> Sketch:
@@ -401,10 +401,10 @@ def draw_one_sided_tests(trace: Trace, layout: Layout) -> Sketch:
     return sketch
 
 
-def needs_push(trace: Trace) -> Group:
+def needs_push(trace: Trace) -> PanelContents:
     """Return both shapes, and B where the shortcut pushes it and where the MTV moves it."""
     moves = [move for move in (trace.push, trace.truth.known_mtv) if move and is_near(trace, move)]
-    return Group([trace.a, trace.b, *(translated(trace.b, move) for move in moves)])
+    return PanelContents([trace.a, trace.b, *(translated(trace.b, move) for move in moves)])
 
 
 def draw_push_alone(trace: Trace, layout: Layout) -> Sketch:
@@ -423,9 +423,11 @@ def draw_way_out(trace: Trace, layout: Layout) -> Sketch:
     return sketch
 
 
-def needs_fold(trace: Trace) -> Group:
+def needs_fold(trace: Trace) -> PanelContents:
     """Return what a frame of `draw_fold` must hold: both shapes, and the exact test of the last axis."""
-    return Group([trace.a, trace.b], list(axis_tests(trace.a, trace.b, [test.axis for test in trace.tests[-1:]])))
+    return PanelContents(
+        [trace.a, trace.b], list(axis_tests(trace.a, trace.b, [test.axis for test in trace.tests[-1:]]))
+    )
 
 
 def draw_fold(trace: Trace, layout: Layout) -> Sketch:
@@ -458,21 +460,21 @@ def draw_shapes(trace: Trace, layout: Layout) -> Sketch:
     return sketch
 
 
-def _shapes_and(trace: Trace, tests: Sequence[AxisTest] = ()) -> Group:
+def _shapes_and(trace: Trace, tests: Sequence[AxisTest] = ()) -> PanelContents:
     """Return both shapes, and tests whose axes are drawn."""
-    return Group([trace.a, trace.b], tests)
+    return PanelContents([trace.a, trace.b], tests)
 
 
-def needs_flight(trace: Trace) -> Group:
+def needs_flight(trace: Trace) -> PanelContents:
     """Return both shapes, A in the next frame, and the test that is shown."""
-    return Group([trace.a, translated(trace.a, MOVE), trace.b], [trace.ended_by or trace.tests[0]])
+    return PanelContents([trace.a, translated(trace.a, MOVE), trace.b], [trace.ended_by or trace.tests[0]])
 
 
-def needs_pieces(trace: Trace) -> Group:
+def needs_pieces(trace: Trace) -> PanelContents:
     """Return both shapes, B where each piece pushes it, and space for words above the shapes."""
     shapes = [trace.a, trace.b, *(translated(trace.b, pair.mtv) for pair in trace.pairs if pair.mtv)]
     x0, y0, x1, y1 = bounding_box(shapes)
-    return Group([*shapes, box(x0, y1, x1, y1 + (y1 - y0) / 4.5)])
+    return PanelContents([*shapes, box(x0, y1, x1, y1 + (y1 - y0) / 4.5)])
 
 
 PIECES = Panel(needs_pieces, draw_pieces_panel)

@@ -8,7 +8,7 @@ import numpy as np
 
 from ...engine.relate import ERROR_FACTOR_F64, MIN_ERROR_BOUND
 from ..array_types import Array, Complexes, Indices, Mask, Pairs
-from ..arrays import Columns, Group, Shapes
+from ..arrays import ComplexColumns, CornerColumns, Shapes
 from ..broad_rule import ALL_PAIRS, GRID, MAX_ALL_PAIRS, MAX_SWEEP_COMPARISONS, MAX_SWEEP_NUMPY, SWEEP
 from ..codes import APART, UNDECIDED
 from .indexed import relations
@@ -186,7 +186,7 @@ def _planes(z: Complexes) -> Array:
     return planes
 
 
-def _clearances_of_all(columns: Columns, every: AllPairs) -> tuple[Array, float]:
+def _clearances_of_all(columns: ComplexColumns, every: AllPairs) -> tuple[Array, float]:
     """Return (the gaps of all pairs, their error bound): each normal with each corner in one product."""
     closed, edges, radius = columns
     v, n = edges.shape
@@ -237,7 +237,7 @@ def _coin_clearances(distance: Array, radius_sum: Array) -> Array:
     return np.asarray((distance - radius_sum) / ((distance + radius_sum) * DISTANCE_ERROR + MIN_DISTANCE_ERROR))
 
 
-def _clearances(columns: Columns, i: Indices, j: Indices) -> Array:
+def _clearances(columns: ComplexColumns, i: Indices, j: Indices) -> Array:
     """Return the gap between shapes i[k] and j[k] in units of its error bound: certain above 1 and below -1."""
     closed, _, radius = columns
     if radius is None:
@@ -260,7 +260,7 @@ def _clearances(columns: Columns, i: Indices, j: Indices) -> Array:
     return clear
 
 
-def _round_clearances(columns: Columns, a: Indices, b: Indices, radius_sum: Array, is_coin: Mask) -> Array:
+def _round_clearances(columns: ComplexColumns, a: Indices, b: Indices, radius_sum: Array, is_coin: Mask) -> Array:
     """Return what `_clearances` does for circles a[k] and shapes b[k]; is_coin: is b[k] a circle too?
 
     The gap is the distance from the center to the outline minus the sum of radii, if the center is certainly outside;
@@ -278,7 +278,7 @@ def _round_clearances(columns: Columns, a: Indices, b: Indices, radius_sum: Arra
     return np.asarray(np.minimum((distance - radius_sum) / error, -inside))
 
 
-def _polygon_clearances(columns: Columns, i: Indices, j: Indices) -> Array:
+def _polygon_clearances(columns: ComplexColumns, i: Indices, j: Indices) -> Array:
     """Return what `_clearances` does for polygons."""
     corners, edges = _planes(columns.closed[:-1]), _planes(columns.edges)
     edge, reach = (np.abs(c).max(axis=(0, 1)) for c in (edges, corners))
@@ -305,7 +305,7 @@ def _gaps(corners: Array, edges: Array, i: Indices, j: Indices) -> Array:
     return np.asarray(np.maximum(gap[: len(i)], gap[len(i) :]))
 
 
-def _columns_of(shapes: Shapes) -> Columns | None:
+def _columns_of(shapes: Shapes) -> ComplexColumns | None:
     """Return the shapes as columns, or None for many shapes or corners."""
     runs = vars(shapes).get("runs")  # read once, since another thread may join them
     if runs is not None:
@@ -322,10 +322,10 @@ def _columns_of(shapes: Shapes) -> Columns | None:
     places = CLOSING.take(count, axis=1)[: _rows(most)] + start[:-1]
     closed = np.empty(places.shape, np.complex128)
     closed.real, closed.imag = x.take(places), y.take(places)
-    return Columns(closed, closed[1:] - closed[:-1], shapes.radius if shapes.radius.any() else None)
+    return ComplexColumns(closed, closed[1:] - closed[:-1], shapes.radius if shapes.radius.any() else None)
 
 
-def _columns_of_runs(runs: Sequence[Group]) -> Columns | None:
+def _columns_of_runs(runs: Sequence[CornerColumns]) -> ComplexColumns | None:
     """Return the shapes of groups as columns, group after group; None for many shapes or corners."""
     if len(runs) == 1 and (columns := runs[0].as_complex) is not None:
         return columns if len(runs[0]) > 1 else None
@@ -347,7 +347,7 @@ def _columns_of_runs(runs: Sequence[Group]) -> Columns | None:
             radius = np.zeros(n) if radius is None else radius
             radius[start:end] = run.block[2, 0] if run.as_complex is None else run.as_complex.radius
         start = end
-    return Columns(closed, closed[1:] - closed[:-1], radius)
+    return ComplexColumns(closed, closed[1:] - closed[:-1], radius)
 
 
 def _rows(most: int) -> int:

@@ -6,7 +6,7 @@ import numpy as np
 
 from ...engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
 from ..array_types import Array, Complexes, Indices, Mask
-from ..arrays import Columns, Group, Shapes
+from ..arrays import ComplexColumns, CornerColumns, Shapes
 from ..exact_signs import ERRBOUND_A
 from ..ragged import MAX_LANE_CORNERS
 
@@ -16,13 +16,15 @@ MAX_FEW = 64  # outlines that are checked in a few expressions, in the form in w
 MAX_PADDED_CORNERS = 1 << 15  # of padded arrays, which are checked all at once: few shapes
 
 
-def certified_group(vertices: Array) -> Group | None:
+def certified_group(vertices: Array) -> CornerColumns | None:
     """Return (N, V, 2) outlines as a group, counter-clockwise; None if one is not certified convex.
 
-    A turn counts only where a float64 error bound certifies its sign, which no NaN, infinity or underflow passes."""
+    The orientation at a corner counts only if a float64 error bound certifies its sign, which no NaN, infinity or
+    underflow passes.
+    """
     n, corners = vertices.shape[:2]
-    if 1 < n <= MAX_FEW and (few := _left_turning(vertices) or _left_turning(vertices[:, ::-1].copy())):
-        return Group(as_complex=few)
+    if 1 < n <= MAX_FEW and (few := _certified_columns(vertices) or _certified_columns(vertices[:, ::-1].copy())):
+        return CornerColumns(as_complex=few)
     columns = np.empty((2, corners, n))
     size = max(1, BLOCK_CORNERS // corners)
     with np.errstate(all="ignore"):
@@ -36,24 +38,24 @@ def certified_group(vertices: Array) -> Group | None:
                 part[:, :, right] = part[:, ::-1, right]
             if not (left | right).all():
                 return None
-    return Group(columns)
+    return CornerColumns(columns)
 
 
-def _left_turning(vertices: Array) -> Columns | None:
-    """Return (N, V, 2) outlines as columns; None if one is not certified to turn left everywhere and go round once."""
+def _certified_columns(vertices: Array) -> ComplexColumns | None:
+    """Return (N, V, 2) outlines as columns; None if one is not certified to be convex and counter-clockwise."""
     n, corners = vertices.shape[:2]
     closed = vertices.view(np.complex128).take(_closing_places(n, corners))
-    edges, left = _turns_left(closed)
+    edges, left = _certified_left(closed)
     if np.count_nonzero(left) < n * corners:
         return None
-    # with 3 or 4 turns of one sign there is no going round twice
-    if corners > 4 and np.count_nonzero(_turns_back(edges)) > 2 * n:
+    # with 3 or 4 corners of one orientation there is no going round twice
+    if corners > 4 and np.count_nonzero(_changes_along_x(edges)) > 2 * n:
         return None
-    return Columns(closed[:-1], edges[:-1], None)
+    return ComplexColumns(closed[:-1], edges[:-1], None)
 
 
-def _turns_left(closed: Complexes) -> tuple[Complexes, Mask]:
-    """Return (edges, is the turn at the end of each but the last certified to be a left one?).
+def _certified_left(closed: Complexes) -> tuple[Complexes, Mask]:
+    """Return (edges, are each and the next one certified to be counter-clockwise?).
 
     closed: (V + 2, n) corners, the first two again at the end.
     """
@@ -64,10 +66,10 @@ def _turns_left(closed: Complexes) -> tuple[Complexes, Mask]:
         return edges, turns.imag > np.abs(turns) * TURN_ERROR + MIN_SAFE_PRODUCT
 
 
-def _turns_back(edges: Complexes) -> Mask:
-    """Return whether x falls before and does not fall after the end of each edge but the last, or the other way round.
+def _changes_along_x(edges: Complexes) -> Mask:
+    """Return whether only one of each edge and the next one leads to smaller x.
 
-    An outline with left turns alone, each of less than half a turn, goes round once for every two of these.
+    An outline that is counter-clockwise at all corners goes round once for every two of these.
     """
     rises = edges.real >= 0
     return np.asarray(rises[1:] != rises[:-1])
@@ -79,7 +81,7 @@ def _closing_places(n: int, corners: int) -> Indices:
     return np.asarray(np.arange(corners + 2)[:, None] % corners + np.arange(0, n * corners, corners))
 
 
-def certified_circles(centers: Array, radii: Array) -> Group | None:
+def certified_circles(centers: Array, radii: Array) -> CornerColumns | None:
     """Return circles from (N, 2) centers and (N,) radii as a group; None if a number is not finite or not positive."""
     n = len(radii)
     if not (n and np.count_nonzero(np.isfinite(centers)) == 2 * n and radii[radii.argmin()] > 0):
@@ -88,11 +90,11 @@ def certified_circles(centers: Array, radii: Array) -> Group | None:
         return None
     if n <= MAX_FEW:
         closed = centers.view(np.complex128).T.copy()
-        return Group(as_complex=Columns(closed, closed[:0], radii.copy()))
+        return CornerColumns(as_complex=ComplexColumns(closed, closed[:0], radii.copy()))
     block = np.empty((3, 1, n))
     np.add(centers.T, 0.0, out=block[:2, 0])  # -0.0 becomes 0.0
     block[2, 0] = radii
-    return Group(block)
+    return CornerColumns(block)
 
 
 def certified_padded(corners: Array, counts: Indices, radii: Array) -> Shapes | None:
@@ -110,13 +112,13 @@ def certified_padded(corners: Array, counts: Indices, radii: Array) -> Shapes | 
     for order in row, -1 - row:
         # each outline goes on with its own first corners: what follows its last one is not read
         closed = corners.reshape(-1).view(np.complex128).take(order % counts + np.arange(0, n * most, most))
-        edges, left = _turns_left(closed)
+        edges, left = _certified_left(closed)
         if (
             np.count_nonzero(left) == most * polygons  # a circle has none
-            and np.count_nonzero(_turns_back(edges) & (row[:most] < counts)) == 2 * polygons
+            and np.count_nonzero(_changes_along_x(edges) & (row[:most] < counts)) == 2 * polygons
             and np.count_nonzero(np.isfinite(closed[0])) == n
         ):
-            columns = Columns(closed[:-1], edges[:-1], radii + 0.0 if circles else None)
+            columns = ComplexColumns(closed[:-1], edges[:-1], radii + 0.0 if circles else None)
             return Shapes(as_complex=(columns, counts.astype(np.int64)))
     return None
 
