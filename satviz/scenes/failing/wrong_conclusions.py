@@ -268,6 +268,7 @@ CASES = (
         true_value=zero,
         is_about_push=True,
         error_region=partial(region_of_pieces, split=tiles, error=squared_distance),
+        panels=Panels(actual="way out"),
     ),
     FailureCase(
         Shortcut("rounded-normals", "a rounded normal still points the right way", rounded_normals),

@@ -132,6 +132,7 @@ CASES = (
         true_value=depth,
         is_about_push=True,
         error_region=partial(region_of_depth, choose=edge_normals, measure=overlaps_in_raw_units),
+        panels=Panels("raw ways out", "true ways out"),
     ),
     FailureCase(
         Shortcut("lengths", "a landing place is a length, so it has no sign", needed, without_signs),
