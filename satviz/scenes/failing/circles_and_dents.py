@@ -12,7 +12,7 @@ from ...engine.shortcut import Shortcut
 from ...engine.trace import record
 from ..shape_tools import box
 from .claimed_value import push_length
-from .failure_case import FALSE_HIT, WRONG_NUMBER, FailureCase
+from .failure_case import FALSE_HIT, WRONG_NUMBER, FailureCase, Panels
 from .move_space import ErrorRegion, RegionOrReason, Window, hits_in_window, subtract, window_ring
 from .region_of_axes import TURNING
 from .region_of_pushes import region_of_pieces
@@ -88,5 +88,6 @@ CASES = (
         true_value=depth,
         is_about_push=True,
         error_region=partial(region_of_pieces, split=halves, error=excess_length),
+        panels=Panels(actual="way out"),
     ),
 )
