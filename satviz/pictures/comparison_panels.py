@@ -194,16 +194,23 @@ def draw_searches(trace: Trace, layout: Layout) -> Sketch:
     searches = MIN_SUPPORT_POINTS if trace.hit else 1
     draw_looks(sketch, searches)
     fewest = f"GJK searches {searches} times at least" if searches > 1 else "GJK searches once at least"
-    each = f"each time it looks at all {count} corners:"
-    sketch.note("looked-at", f"{fewest};\n{each} {searches} \u00d7 {count} = {searches * count}", "guide", first=3)
+    sketch.note(
+        "looked-at", f"{fewest};\neach time it looks at {_sum_of_looks(trace, searches, count)}", "guide", first=3
+    )
     return sketch
+
+
+def _sum_of_looks(trace: Trace, times: int, count: int) -> str:
+    """Return "all 8 corners: 3 \u00d7 8 = 24", with "points" where a shape is a circle."""
+    what = "corners" if trace.a.vertices and trace.b.vertices else "points"
+    return f"all {count} {what}: {times} \u00d7 {count} = {times * count}"
 
 
 def draw_looks(sketch: Sketch, times: int) -> None:
     """Write beside each corner how often it is looked at."""
     for role, name, shape in sketch.roles():
         middle = centroid(shape)
-        for i, v in enumerate(shape.core):
+        for i, v in enumerate(shape.vertices):  # a circle has none
             away = Vec(v.x - middle.x, v.y - middle.y)
             sketch.add("looked", "dot", role, v, owner=name, number=i)
             options: LabelOptions = {"owner": name, "number": i, "prefer": away, "optional": True, "near": True}
@@ -223,13 +230,11 @@ def draw_axes_of_sat(trace: Trace, layout: Layout) -> Sketch:
     sketch = draw_shapes(run, layout)
     for test, place in zip(tests, sketch.layout.places, strict=True):
         sketch.project(test, place, numbers=False)
-    count = len(trace.a.core) + len(trace.b.core)
     if tests and len(run.tests) == len(tests):
+        count = len(tests[0].a.points) + len(tests[0].b.points)  # a circle has two on each axis
         draw_looks(sketch, len(tests))
         axes = "1 axis" if len(tests) == 1 else f"{len(tests)} axes"
-        text = (
-            f"SAT measures on {axes};\non each all {count} corners: {len(tests)} \u00d7 {count} = {len(tests) * count}"
-        )
+        text = f"SAT measures on {axes};\non each {_sum_of_looks(trace, len(tests), count)}"
         sketch.note("tested", text, "guide", first=3)
     elif len(run.tests) > len(tests):
         sketch.note("tested", f"one of {len(run.tests)} axes that SAT looks at", "guide", first=7)
@@ -456,16 +461,15 @@ def _draw_way_out(
     sketch: Sketch, way: WayOut, role: str, pieces: tuple[tuple[str, str], ...], *, drawn: bool = False
 ) -> None:
     """Draw a way out as an arrow from the middle of B, unless it is `drawn` already, and the words at its tip."""
-    start = centroid(sketch.trace.b)
-    tip = point_along(start, way.move, 1.0)
-    if not is_near(sketch.trace, way.move):
-        return
-    axis = sketch.axis_id(way.test)
-    if not drawn:
+    start, near = centroid(sketch.trace.b), is_near(sketch.trace, way.move)
+    tip, axis = point_along(start, way.move, 1.0) if near else start, sketch.axis_id(way.test)
+    if near and not drawn:
         sketch.add("way-out", "arrow", role, start, tip, axis=axis)
     text = "".join(piece for piece, _ in pieces)
     prefer = Vec(0.0, -1.0) if drawn else way.move  # its push is named at its tip
-    sketch.label("way-out-name", text, pieces[0][1], tip, axis=axis, prefer=prefer, pieces=pieces, first=3)
+    sketch.label(
+        "way-out-name", text, pieces[0][1], tip, axis=axis, prefer=prefer, pieces=pieces, far=not near, first=3
+    )
 
 
 def needs_fold(trace: Trace) -> Group:
