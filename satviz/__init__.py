@@ -84,9 +84,11 @@ __all__ = [
     "testing",
 ]
 
-# Shapes, traces and scenes show and save themselves with these functions of higher layers.
+# Shapes, traces and scenes show, describe and save themselves with these functions of higher modules.
 hooks.provide(
     mime_bundle="satviz.render.notebook:bundle",
+    trace_sentence="satviz.engine.describe:verdict_sentence",
+    trace_table="satviz.engine.text_table:table",
     trace_to_json="satviz.scenes.tracefile:dump",
     trace_from_json="satviz.scenes.tracefile:load",
 )

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from . import safe_write
-from .checking.answers import HIT, RELATION, Rules, Truth, Unreadable, in_words, is_right, plain, read
+from .checking.answers import HIT, RELATION, Rules, Truth, UnreadableAnswer, in_words, is_right, plain, read
 from .checking.asking import form_named
 from .checking.forms import Form, pasteable
 from .engine.geometry import Relation
@@ -60,7 +60,7 @@ def assert_same_relation(
         truth = Truth(relate(a, b), None)
         try:
             answer = read(value, kind)
-        except Unreadable as error:
+        except UnreadableAnswer as error:
             raise _failure(a, b, f"pair {i}: the function {error}") from None
         if not is_right(answer, a, b, truth, Rules(kind, touching)):
             raise _failure(a, b, f"pair {i}: the function says {in_words(answer, kind)}")

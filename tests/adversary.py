@@ -199,11 +199,13 @@ def _triangles(numbers: Numbers) -> tuple[list, list]:
     return points[:3], points[3:]
 
 
-def _group(ring: Sequence) -> batch.arrays.Group:
+def _group(ring: Sequence) -> batch.arrays.CornerColumns:
     """Return a ring as a group of one, as the filters take it."""
     span = max(abs(p[k] - q[k]) for p, q in zip(ring, [*ring[1:], ring[0]], strict=True) for k in (0, 1))
     coordinate = max(abs(c) for v in ring for c in v)
-    return batch.arrays.Group(np.array([[[v[k]] for v in ring] for k in (0, 1)]), np.array([[span], [coordinate]]))
+    return batch.arrays.CornerColumns(
+        np.array([[[v[k]] for v in ring] for k in (0, 1)]), np.array([[span], [coordinate]])
+    )
 
 
 def _exact_clearance(p: Sequence, q: Sequence) -> Fraction:

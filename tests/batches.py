@@ -107,7 +107,7 @@ def beside_mirror(v, w):
 
 def tiles(edge, coordinate):
     """Return a group without real shapes that has these tile maxima."""
-    return arrays.Group(np.zeros((2, 3, 1)), np.array([edge, coordinate]))
+    return arrays.CornerColumns(np.zeros((2, 3, 1)), np.array([edge, coordinate]))
 
 
 TRIPLES = np.array([(3, 4, 5), (5, 12, 13), (8, 15, 17), (20, 21, 29), (-9, 40, 41)], float)

@@ -1,10 +1,29 @@
 """Fixtures that all tests share, and how many tests run at a time."""
 
+import gc
 import os
+import re
 from fcntl import LOCK_EX, flock
 
 import pytest
 from browser import axe, chromium, site_with_python
+
+gc.disable()  # while tests are collected: their objects live as long as the run
+
+
+def pytest_collection_finish():
+    """Search seldom for garbage, and never among the tests: it took a tenth of the run."""
+    gc.freeze()
+    gc.set_threshold(50_000, 20, 20)
+    gc.enable()
+
+
+def pytest_ignore_collect(collection_path, config):
+    """Leave out a file whose tests are all slow, unread, where the run leaves these out."""
+    if collection_path.suffix == ".py" and "not slow" in config.option.markexpr:
+        text = collection_path.read_text(encoding="utf-8")
+        return True if re.search(r"^pytestmark = \[?\s*pytest\.mark\.slow\b", text, re.MULTILINE) else None
+    return None
 
 
 @pytest.hookimpl(optionalhook=True)  # tests/mutants.py does without
@@ -14,22 +33,12 @@ def pytest_xdist_auto_num_workers(config):
     return 0 if some else min(os.cpu_count() or 1, 4)
 
 
-# The files that take longest, in the order in which processes take them: those that end a run are short.  Those that
-# compile most of numba's kernels stand apart, so that two processes seldom compile the same ones at the same time.
+# The files that take longest, in the order in which processes take them: those that end a run are short.  batch_few
+# compiles most of numba's kernels.  What needs the same ones comes later: two processes would both compile them.
 ORDER = ("browser_page", "browser_site", "browser", "embedding_recipes", "grading", "package", "study_sections")
-ORDER += (
-    "batch_few",
-    "site",
-    "check",
-    "comparison",
-    "batch_exact",
-    "trace",
-    "batch_narrow",
-    "widgets",
-    "browser_paste",
-)
-ORDER += ("convex_parts", "study_run", "study", "while_dragging", "never_wrong", "cli", "relate", "readme", "pictures")
-ORDER += ("handout", "failing", "page", "render", "advice", "batch_broad", "notebooks")
+ORDER += ("batch_few", "check", "comparison", "trace", "widgets", "pictures", "site", "batch_exact", "batch_narrow")
+ORDER += ("browser_paste", "convex_parts", "study_run", "study", "while_dragging", "never_wrong", "cli", "relate")
+ORDER += ("readme", "handout", "failing", "page", "render", "advice", "batch_broad", "notebooks")
 
 
 def pytest_collection_modifyitems(items):

@@ -1447,7 +1447,7 @@ const b = turf.polygon([[[5,0],[9,0],[9,4],[5,0]]]);""",
         """turf.circle([0, 0], 5, {steps: 64, units: 'kilometers'})
 turf.polygon([[[5,0],[9,0],[9,4],[5,0]]])""",
         ((5, 0, 9, 4),),
-        says="its center is in degrees and its radius is not",
+        says="is in degrees and its radius is not",
     ),
     Paste(
         "Box2D polygon radius",
@@ -1509,8 +1509,7 @@ Rect b(10, 0, 10, 10); /* 5, 5 */""",
         "units",
         """circle((0 mm, 0 mm), 5 mm)
 circle((9 mm, 0 mm), 5 mm)""",
-        (),
-        says="radius",
+        ((-5, -5, 5, 5), (4, -5, 14, 5)),
     ),
     Paste(
         "percent",
@@ -2659,7 +2658,7 @@ Env[5.0 : 15.0, 30.0 : 40.0]""",
         """L.circle([51.508, -0.11], {radius: 500}).addTo(map);
 L.circle([51.6, -0.11], { radius: 500 }).addTo(map);""",
         (),
-        says="its center is in degrees and its radius is not",
+        says="is in degrees and its radius is not",
     ),
     Paste(
         "a DOMRect with all its keys",
@@ -3055,7 +3054,7 @@ b.center_x = 9; b.center_y = 0; b.width = 10; b.height = 10""",
         """DrawRectanglePro((Rectangle){100, 100, 50, 20}, (Vector2){25, 10}, 45.0f, RED);
 DrawCircle(140, 100, 5.0f, RED);""",
         ((135, 95, 145, 105),),
-        says="DrawRectanglePro: satviz takes",
+        says="DrawRectanglePro is not read: satviz takes",
     ),
     Paste(
         "newRect of Solar2D",
@@ -3195,4 +3194,110 @@ M 5 5 h 10 v 10 z""",
         says="no shape",
     ),
     Paste("decimal commas in lines", "A: 0,5 1,5; 2,5 1,5; 2,5 3,5", (), says="no shape"),
+    # -- signs and words around points
+    Paste(
+        "points with semicolons on two lines", "(0,0); (4,0); (4,4)\n(1,1);(5,1);(5,5)", ((0, 0, 4, 4), (1, 1, 5, 5))
+    ),
+    Paste(
+        "points as XNA prints them",
+        "{X:1 Y:2}\n{X:3 Y:2}\n{X:3 Y:5}\n\n{X:2 Y:2}\n{X:4 Y:2}\n{X:4 Y:5}",
+        ((1, 2, 3, 5), (2, 2, 4, 5)),
+    ),
+    Paste(
+        "polygons in sentences",
+        "Polygon 1 has 3 points (0,0), (4,0), (4,4). The second polygon is at (1,1), (5,1), (5,5).\nUsing Tool 3.8.1"
+        " on Windows 11. They share 1 point.",
+        ((0, 0, 4, 4), (1, 1, 5, 5)),
+    ),
+    Paste(
+        "circles in a sentence", "2 circles at (0, 0), (4, 0), (0, 3)\n[0,0,4,0,4,4]", ((0, 0, 4, 4),), says="at 0, 0"
+    ),
+    Paste(
+        "metres",
+        "circle at (3 m, 4 m) radius 2 m\nCircle(x = 0 m, y = 4 m, r = 1 m)\nThey are 0.5 m apart.",
+        ((1, 2, 5, 6), (-1, 3, 1, 5)),
+    ),
+    Paste(
+        "two units", "Circle(0 m, 4 m, 2 m)\nCircle(0 cm, 4 cm, 2 cm)", ((-2, 2, 2, 6),), says="all of them in one unit"
+    ),
+    Paste(
+        "a log of Android",
+        "08-14 10:22:31.120 D/Collide: a=Rect(0, 0 - 4, 4) b=Rect(1, 1 - 5, 5)",
+        ((0, 0, 4, 4), (1, 1, 5, 5)),
+    ),
+    # -- numbers beside a list of corners
+    Paste(
+        "Chipmunk",
+        """cpVect verts[] = { cpv(0, 0), cpv(0, 4), cpv(4, 4) };
+cpShape *a = cpPolyShapeNew(body, 3, verts, cpvzero);
+cpShape *b = cpCircleShapeNew(body, 1, cpv(5, 0));""",
+        ((0, 0, 4, 4), (4, -1, 6, 1)),
+    ),
+    Paste(
+        "Box2D, third version",
+        """b2Vec2 points[3] = {{0, 0}, {4, 0}, {4, 4}};
+b2Hull hull = b2ComputeHull(points, 3);
+b2Polygon a = b2MakePolygon(&hull, 0.0f);
+b2Circle b = {{5, 0}, 1};""",
+        ((0, 0, 4, 4), (4, -1, 6, 1)),
+    ),
+    Paste(
+        "Box2D, third version, with a radius",
+        "b2Vec2 points[3] = {{0, 0}, {4, 0}, {4, 4}};\nb2Polygon a = b2MakePolygon(&hull, 0.5f);\n(9,9), (8,9), (8,8)",
+        ((0, 0, 4, 4), (8, 8, 9, 9)),
+        says="b2MakePolygon 0.5f",
+    ),
+    # -- whole files
+    Paste(
+        "DXF",
+        "".join(
+            f"  0\nLWPOLYLINE\n  8\nwalls\n 90\n3\n 10\n{x}.0\n 20\n0\n 42\n0.0\n 10\n4.0\n 20\n0\n 10\n4.0\n 20\n4\n"
+            for x in (0, 1)
+        ),
+        ((0, 0, 4, 4), (1, 0, 4, 4)),
+    ),
+    Paste(
+        "DXF with an arc",
+        "LWPOLYLINE\n 10\n0\n 20\n0\n 42\n0.5\n 10\n4\n 20\n4\n[0,0,4,0,4,4]",
+        ((0, 0, 4, 4),),
+        says="42",
+    ),
+    Paste(
+        "an image map",
+        """<area shape="rect" coords="0,0,4,4" href="a.htm">
+<area shape="circle" coords="5,1,2"><area shape="poly" coords="1,1,5,1,5,5">""",
+        ((0, 0, 4, 4), (3, -1, 7, 3), (1, 1, 5, 5)),
+    ),
+    Paste(
+        "COCO",
+        """[{"id": 1, "segmentation": [[0, 0, 4, 0, 4, 4]], "area": 8, "bbox": [0, 0, 4, 4]},
+{"id": 2, "segmentation": [[1, 1, 5, 1, 5, 5]], "area": 8, "bbox": [1, 1, 4, 4]}]""",
+        ((0, 0, 4, 4), (1, 1, 5, 5)),
+    ),
+    Paste(
+        "PostScript, and a sentence",
+        "newpath 0 0 moveto 4 0 lineto 4 4 lineto closepath stroke\nand a rectangle from (1, 1) to (5, 5)",
+        ((0, 0, 4, 4), (1, 1, 5, 5)),
+    ),
+    Paste(
+        "points as Unreal prints them",
+        "A: X=0.0 Y=0.0, X=4.0 Y=0.0, X=4.0 Y=4.0\nB: X=1.0 Y=1.0, X=5.0 Y=1.0, X=5.0 Y=5.0",
+        ((0, 0, 4, 4), (1, 1, 5, 5)),
+    ),
+    Paste(
+        "KML with heights",
+        "".join(f"<coordinates>{x},0,9 4,0,9 4,4,9 {x},0,9</coordinates>\n" for x in (0, 1)),
+        ((0, 0, 4, 4), (1, 0, 4, 4)),
+    ),
+    Paste("commas and spaces", "0,0 4 0,4\n[0,0,4,0,4,4]", ((0, 0, 4, 4),), says="which are x and y"),
+    Paste(
+        "fields of XML on one line",
+        "".join(f"<box><xmin>{x}</xmin><ymin>0</ymin><xmax>4</xmax><ymax>4</ymax></box>\n" for x in (0, 1)),
+        ((0, 0, 4, 4), (1, 0, 4, 4)),
+    ),
+    Paste(
+        "resolv",
+        "a := resolv.NewConvexPolygon(0, 0, []float64{0, 0, 4, 0, 4, 4})\nb := resolv.NewCircle(5, 0, 1)",
+        ((0, 0, 4, 4), (4, -1, 6, 1)),
+    ),
 )

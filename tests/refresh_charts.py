@@ -14,9 +14,9 @@ import sys
 from pathlib import Path
 
 from satviz.pictures import THEMES
+from satviz.render.chart import Chart, theme_suffix
 from satviz.study import bench_chart, frames_chart
 from satviz.study.bench import TimingRow
-from satviz.study.harness.chart import Chart, theme_suffix
 from satviz.study.harness.timings import format_ratio, interval_in_words, ratio_interval
 from satviz.study.methods import ENGINES
 from satviz.study.run import SECTIONS
@@ -91,14 +91,12 @@ def measured_sentences() -> list[str]:
               if key[3] in ENGINES and (shapely := (*key[:3], "shapely")) in times}  # fmt: skip
     assert all(ratio < 1 for (*_, engine), ratio in ratios.items() if engine == numba)
     _, _, corners, _ = most = max(ratios, key=ratios.__getitem__)
-    found.append(
-        "only the NumPy engine is slower than shapely for some work, at most "
-        f"{{{ratios[most]:.1f}}} times as slow, for polygons with {{{corners}}} corners."
-    )
+    found.append(f"it takes up to {{{ratios[most]:.1f}}} times as long, for polygons with {{{corners}}} corners.")
     frames = {(r.work, r.size, r.method): r.time for r in bench_rows("frames") if r.section == "frames"}
-    behind = [size for (work, size, method), time in frames.items() if method.endswith("STRtree")
-              and frames[work, size, numpy] > time]  # fmt: skip
-    found.append(f"STRtree only with the NumPy engine, in scenes of up to {{{max(behind):,}}} shapes.")
+    trees = [(key, time) for key, time in frames.items() if key[2].endswith("STRtree")]
+    assert all(frames[work, size, numba] < time for (work, size, _), time in trees)
+    behind = [size for (work, size, _), time in trees if frames[work, size, numpy] > time]
+    found.append(f"The NumPy engine is slower only in scenes of up to {{{max(behind):,}}} shapes.")
     short = {key[:2] for key in frames if key[2] == fastest(frames, key[:2]) and key[2] in frames_chart.SHORT_PROGRAMS}
     few = min(size for work, size, _ in frames if (work, size) not in short)
     last = max(size for _, size, _ in frames if size < few)

@@ -1324,8 +1324,6 @@ const circle = new Konva.Circle({ x: 140, y: 45, radius: 20, fill: 'red' });
 layer.add(rect1); layer.add(circle);
 console.log(Konva.Util.haveIntersection(rect1.getClientRect(), circle.getClientRect()));""",
         ((20, 20, 120, 70), (120, 25, 160, 65)),
-        as_="corner-size",
-        asks=True,
     ),
     Paste(
         "d3 polygon",

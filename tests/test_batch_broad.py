@@ -148,7 +148,7 @@ def test_boxes_with_too_many_candidates_are_split_until_similar_and_compared_onc
 
 
 @pytest.mark.parametrize(("x", "y"), [(1e9, 3), (-1e9, 3), (2, 1e9), (2, -1e9), (-1e9, -5), (0.25, 0.5), (-0.25, 0)])
-def test_cells_of_equal_boxes_are_as_small_as_cell_numbers_remain_distinct(x, y):
+def test_grid_cells_for_equal_boxes_are_the_smallest_with_distinct_cell_numbers(x, y):
     cells = []
     bounds = np.tile([x, y, x, y], (20, 1)).astype(float)
     assert list(broad_phase.candidate_blocks(bounds, engine_with_grid(lambda *given: cells.append(given[3:])))) == []

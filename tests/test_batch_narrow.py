@@ -562,7 +562,7 @@ def test_columns_of_three_and_four_corners_have_kernels_of_their_own():
         assert kernels.clearance_kernel(*key) is kernels._tile_kernel
 
 
-def test_circles_beside_up_to_eight_corners_have_kernels_of_their_own(monkeypatch):
+def test_circle_polygon_kernels_are_specialised_up_to_eight_corners(monkeypatch):
     kernels = kernels_of("filter")
     used = []
     monkeypatch.setattr(kernels, "_circle_unrolled", lambda n: used.append(n) or (lambda *_: None))

@@ -693,7 +693,7 @@ WRONG = {
 def options_of(name):
     found = getattr(batch, name)
     if name == "hits":
-        return set(narrow_phase.Options.__annotations__)
+        return set(narrow_phase.RelateOptions.__annotations__)
     return {key for key, it in inspect.signature(found).parameters.items() if it.kind is it.KEYWORD_ONLY}
 
 

@@ -74,15 +74,16 @@ def without_python(page):
     page.context.route("**/worker.js*", lambda route: route.fulfill(body="", content_type="text/javascript"))
 
 
-PLAYERS_ARE_THERE = "() => !document.querySelector('.player .still')"  # they are unpacked first
-
-
 OPEN_ALL = "for (const rest of document.querySelectorAll('.rest')) rest.open = true"  # where no script does
 
 
 def whole(page):
-    """Show all of a chapter, which waits for answers."""
+    """Show all of a chapter, which waits for answers, and its players, which are made when they are near."""
     page.get_by_role("button", name="Show the whole chapter").click()
+    for player in page.locator(".player:visible").all():
+        player.evaluate("player => player.scrollIntoView()")
+        player.locator(".still").wait_for(state="detached")
+    page.evaluate("scrollTo(0, 0)")
     return page
 
 
@@ -149,7 +150,6 @@ def test_no_page_is_wider_than_its_window_or_shuts_anyone_out(visit, url, built,
         page.goto(url + path)
         if page.locator(".waits").count():
             whole(page)
-        page.wait_for_function(PLAYERS_ARE_THERE)
         for width in (390, 1280) if desk else (1280, 390):
             page.set_viewport_size({"width": width, "height": 844})
             settled(page)
@@ -253,7 +253,7 @@ def test_an_answer_is_opened_with_the_keyboard_and_without_javascript(visit):
         assert page.get_by_text("Only one. The table").is_visible() == answer.locator("pre.out").is_visible() == open_
 
 
-def test_what_is_in_an_answer_comes_to_life_when_it_is_opened(visit):
+def test_a_widget_in_a_folded_answer_starts_when_the_answer_opens(visit):
     page = whole(visit("6-where-it-fails.html"))
     answer = page.locator("details.later", has=page.locator(".live"))
     assert not answer.locator(".live.ready").count()
@@ -469,6 +469,13 @@ def test_a_printed_chapter_asks_and_does_not_answer(visit, scripts):
     assert page.locator("img").count() > 40 and not page.locator("img[loading]").count()
 
 
+def test_no_page_of_a_handout_has_only_lines_to_write_on(browser):
+    page = browser.new_page()
+    page.set_content(sv.handout("1"))
+    assert len(re.findall(rb"/Type /Page\b", page.pdf(prefer_css_page_size=True))) == 4
+    page.close()
+
+
 def test_a_question_is_answered_by_choosing_and_the_answer_is_judged(visit):
     page = whole(visit("2-sat.html", live=False))
     question = page.locator("ul.judges", has_text="v2v3")
@@ -507,7 +514,6 @@ def test_nothing_gives_a_question_away_until_it_is_answered(visit, chapter, more
     page = visit("gallery.html", live=False, service_workers="block", **more)
     without_python(page)
     page.goto(page.url.replace("gallery.html", chapter.path))
-    page.wait_for_function(PLAYERS_ARE_THERE)
     asked = page.locator("ul.choices")
     unseen = "all => all.every((it) => !it.checkVisibility({ contentVisibilityAuto: true }))"
     for i in range(asked.count()):
@@ -811,7 +817,7 @@ def test_at_any_depth_a_page_asks_for_the_service_worker_of_its_site(browser, bu
     (tmp_path / "courses").mkdir()
     (tmp_path / "courses" / "sat").symlink_to(built)
     with served(tmp_path) as at:
-        frame = pages.Frame(chapters(), guides(), "1", True, False, f"{at}courses/sat/")
+        frame = pages.SiteInfo(chapters(), guides(), "1", True, False, f"{at}courses/sat/")
         (tmp_path / NOT_FOUND).write_bytes(pages.not_found_page(frame))
         for path in "nothing/at/all.html", "2-sat.html":
             context, asked = browser.new_context(), []
@@ -886,7 +892,7 @@ def test_a_frame_that_stays_low_shows_a_smaller_picture(framed):
 
 
 @pytest.mark.parametrize("theme", ["light", "dark"])
-def test_a_frame_is_light_or_dark_as_it_was_told_from_the_first_paint_on(framed, theme):
+def test_an_embedded_frame_has_the_chosen_theme_from_the_first_paint_on(framed, theme):
     other = {"light": "dark", "dark": "light"}[theme]
     page, frame = framed("circle-polygon", theme=theme, more={"color_scheme": other})
     paper = {"light": LIGHT, "dark": DARK}[theme].paper

@@ -1,5 +1,6 @@
 """Tests of certificates: they are checked with fractions alone, and one that nearly proves a relation is refused."""
 
+import re
 from fractions import Fraction
 from math import nextafter
 from random import Random
@@ -20,6 +21,22 @@ def frac(*values: float) -> tuple[Fraction, ...]:
 
 
 # -- separating lines ------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("large", [3, 999, 1001, 4000, 1e300])
+@pytest.mark.parametrize("offset", [0, -7 / 3, 4e307, 1.75e308])
+def test_the_equation_of_a_line_read_back_is_that_line(large, offset):
+    """Half of the offset is in lengths of the normal; as the sum of two coordinates it can be beyond float64."""
+    shape, offset = box(0, 0, 1, 1), Fraction(offset) * 2
+    for nx, ny in ((large, 1), (-1, large), (-large, 2), (-2, -large), (large, large), (-large, -large)):
+        line = SeparatingLine(shape, shape, frac(nx, ny), offset * Fraction(large))
+        text = line.equation.replace("\N{MINUS SIGN}", "-").replace(" ", "")
+        words = re.fullmatch(r"(-?)([\d.e-]*)x([+-])([\d.e-]*)y=(-?[\d.e-]+)", text)
+        x, y = (Fraction(words[k] + (words[k + 1] or "1")) for k in (1, 3))
+        assert max(abs(x), abs(y)) <= 1000 and Fraction(words[5]) < 10**308
+        unit = Fraction(nx) / x
+        for read, true in ((x, nx), (y, ny), (Fraction(words[5]), line.offset)):
+            assert abs(read * unit - Fraction(true)) <= abs(Fraction(true)) / 200
 
 
 @pytest.mark.parametrize(

@@ -246,7 +246,7 @@ def test_a_function_that_makes_copies_of_its_process_still_answers_once():
 
 
 @pytest.mark.skipif(not hasattr(os, "killpg"), reason="no groups of processes")
-def test_what_the_function_has_started_ends_with_its_process(tmp_path):
+def test_child_processes_of_a_checked_function_end_with_it(tmp_path):
     file = tmp_path / "pid"
 
     def starts(a, b):
@@ -370,7 +370,7 @@ def test_the_pairs_hold_all_that_they_promise(kind):
 def test_the_first_pairs_are_small_boxes():
     assert all(
         p.kind == "boxes" and max(p.a.max_coordinate, p.b.max_coordinate) <= 6
-        for p in whole_number_pairs(KINDS, 1)[:50]
+        for p in whole_number_pairs(tuple(KINDS), 1)[:50]
     )
 
 
@@ -538,7 +538,7 @@ def test_a_smaller_scene_is_of_a_kind_that_the_function_was_asked_about():
     assert kind_of(scene.a, scene.b) == "boxes"
 
 
-def test_a_function_that_knows_whole_numbers_only_is_told_so():
+def test_a_function_for_whole_numbers_only_gets_a_report_that_says_so():
     def whole(a, b):
         if any(not isinstance(x, int) for point in a for x in point):
             raise TypeError("whole numbers, please")
@@ -549,7 +549,7 @@ def test_a_function_that_knows_whole_numbers_only_is_told_so():
     assert "whole numbers, please" in found.line and sv.check(whole, whole_numbers=True).right
 
 
-def test_a_function_that_says_the_same_for_every_pair_is_told_so_and_given_no_mistake():
+def test_a_function_with_one_answer_for_every_pair_is_reported_so_without_a_mistake():
     for said, words in (True, "hit"), (False, "no hit"):
         found = sv.check(lambda a, b, said=said: said)
         assert found.finding == "wrong" and not found.behaves_like and f"It says {words} for every pair." in str(found)

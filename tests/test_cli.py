@@ -99,7 +99,7 @@ def test_draw_writes_one_step_or_some(tmp_path, capsys):
     assert sorted(path.name for path in (tmp_path / "end").iterdir()) == ["triangles-14.svg", "triangles-15.svg"]
 
 
-def test_a_page_a_link_and_a_frame_ask_what_they_are_told_to(tmp_path, capsys):
+def test_a_page_a_link_and_a_frame_ask_the_question_that_was_chosen(tmp_path, capsys):
     made = ["draw", "far-centers", "--predict", "--format", "html", "--out", str(tmp_path), "--format", "link"]
     assert main([*made, "--format", "embed", "--site", "https://example.org/s", "--theme", "dark"]) == 0
     page, captured = (tmp_path / "far-centers.html").read_text(), capsys.readouterr().out
@@ -109,6 +109,18 @@ def test_a_page_a_link_and_a_frame_ask_what_they_are_told_to(tmp_path, capsys):
     assert (
         "\n".join(frame) == sv.embed("far-centers", site="https://example.org/s", predict=True, theme="dark").rstrip()
     )
+
+
+def test_a_link_stands_for_its_scene(tmp_path, capsys):
+    """Of a scene dragged in the explorer there is only its address."""
+    mine = sv.Scene("mine", sv.Polygon([(0, 0), (4, 0), (0, 3)]), sv.Circle((5, 3), 1))
+    for scene in mine, sv.scene("triangles"):
+        assert main(["trace", sv.link(scene, site="https://example.org/s", free=30.0)]) == 0
+        assert capsys.readouterr().out.rstrip() == str(scene.record())
+    assert main(["trace", "https://example.org/s/scene.html#nosuch"]) == 2
+    assert "no scene is called 'nosuch'" in capsys.readouterr().err
+    assert main(["handout", sv.link(mine, site="https://example.org/s"), "--out", str(tmp_path)]) == 0
+    assert (tmp_path / "handout-mine.html").read_text() == sv.handout(mine)
 
 
 @pytest.mark.parametrize("text", ["3-", "-", "-3", "last-3"])
@@ -282,7 +294,7 @@ FULL = Path("/dev/full")
 
 @pytest.mark.skipif(not FULL.exists(), reason="only Linux has it")
 @pytest.mark.parametrize("args", ["trace aabb", "trace aabb --json", "scenes", "--help", "--version", "draw --help"])
-def test_output_that_cannot_be_written_is_told_in_one_line(args):
+def test_output_that_cannot_be_written_gives_a_one_line_error(args):
     with FULL.open("w") as full:
         command = [sys.executable, "-m", "satviz", *args.split()]
         done = subprocess.run(command, stdout=full, stderr=subprocess.PIPE, text=True)
@@ -319,7 +331,7 @@ def test_a_number_out_of_range_is_refused_in_one_line(args, capsys):
     assert f"argument {args[1]}" in err and "is not a whole number from" in err
 
 
-def test_too_little_memory_is_told_in_one_line(capsys, monkeypatch):
+def test_too_little_memory_gives_a_one_line_error(capsys, monkeypatch):
     def none(*_):
         raise MemoryError
 
@@ -366,7 +378,7 @@ def test_no_name_steers_the_terminal(tmp_path, capsys):
         assert captured.count("\n") == 1 and captured[:-1].isprintable() and "x1b" in captured, args
 
 
-def test_file_names_that_are_no_text_are_told(tmp_path):
+def test_file_names_that_are_not_utf8_are_printed(tmp_path):
     done = run("trace", os.fsdecode(os.fsencode(tmp_path) + b"/\xff.json"))
     assert done.returncode == 2 and "\\udcff.json: No such file" in done.stderr and done.stderr.count("\n") == 1
 
@@ -447,7 +459,9 @@ def vanishing(work):
         (["figures", "--only", "1", "--only", "2", "--out"], "satviz.render.files.encode_frames"),
         (["draw", "aabb", "--format", "svg", "--format", "html", "--out"], "satviz.render.files.encode_frames"),
         (["study", "--quick", "--out"], "satviz.study.harness.cells._load_result"),
-        (["bench", "--pairs", "10", "--rounds", "1"], "satviz.study.bench.time_in_turn"),
+        pytest.param(
+            ["bench", "--pairs", "10", "--rounds", "1"], "satviz.study.bench.time_in_turn", marks=pytest.mark.slow
+        ),  # compiles the study's kernels
         (["trace", "aabb"], "satviz.scenes.named.scene"),
         (["notebook", "--no-open"], "satviz.safe_write.write"),
     ],

@@ -16,7 +16,7 @@ from satviz.engine.number_format import ascii_minus
 from satviz.pictures import comparison, comparison_panels
 from satviz.pictures.float_geometry import clip_segment
 from satviz.pictures.label_placer import LabelPlacer, LabelRequest
-from satviz.pictures.layout import Group, Layout, arrange
+from satviz.pictures.layout import Layout, PanelContents, arrange
 from satviz.pictures.letters import text_size
 from satviz.pictures.marks import Picture
 from satviz.pictures.playback import NARROW_PANEL_SIZES_PT, narrow_playbacks
@@ -30,7 +30,7 @@ SHOWN = [case for case in FAILURE_CASES if case.how != REFUSED]
 each_refused = pytest.mark.parametrize(
     "case", [case for case in FAILURE_CASES if case.how == REFUSED], ids=lambda case: case.name
 )
-each_case = pytest.mark.parametrize("case", SHOWN, ids=lambda case: case.name)
+each_case = pytest.mark.parametrize("case", SHOWN, scope="module", ids=lambda case: case.name)
 
 
 def texts(drawn: Picture, prefix: str) -> dict[str, str]:
@@ -366,7 +366,7 @@ def test_the_line_of_a_distance_is_as_long_as_the_distance():
     for a in shapes:
         for b in others:
             trace = sv.record(a, b, axes=SHORTCUTS["gap-as-distance"])
-            sketch = comparison_panels.draw_distance(trace, arrange([Group([a, b])])[0])
+            sketch = comparison_panels.draw_distance(trace, arrange([PanelContents([a, b])])[0])
             (p, q) = next(m.points for m in sketch.marks if m.part == "distance")
             assert math.dist(p, q) == pytest.approx(true_value.distance(a, b))
 
@@ -374,7 +374,7 @@ def test_the_line_of_a_distance_is_as_long_as_the_distance():
 def test_a_fan_of_directions_stays_on_its_panel():
     for b in box(2.01, 0, 4, 1), box(2.01, -1, 2.2, 3), box(-0.1, 1.01, 30, 4), sv.Polygon([(1, 1.1), (3, 2), (2, 9)]):
         trace = sv.record(box(0, 0, 2, 1), b, axes=SHORTCUTS["only-one-axis"])
-        sketch = comparison_panels.draw_separating_directions(trace, arrange([Group([trace.a, b])])[0])
+        sketch = comparison_panels.draw_separating_directions(trace, arrange([PanelContents([trace.a, b])])[0])
         x0, y0, x1, y1 = sketch.layout.limits
         assert all(x0 <= p.x <= x1 and y0 <= p.y <= y1 for m in sketch.marks if m.part == "fan" for p in m.points)
 
@@ -468,7 +468,7 @@ def test_both_panels_hold_on_axes_of_any_size(name, size):
             assert wide < 3 or min(one.y1, other.y1) - max(one.y0, other.y0) < 4
 
 
-def test_axes_squeezed_to_nothing_are_drawn_on_all_the_same():
+def test_drawing_on_matplotlib_axes_of_zero_size_does_not_fail():
     ax = Figure(figsize=(3, 3)).add_axes((0.5, 0.5, 0.0, 0.0))
     for what in "lengths", "triangles":
         assert sv.draw(what, ax=ax)
@@ -616,7 +616,7 @@ def test_a_ring_at_a_crossing_lies_on_an_edge_of_both_shapes():
     a = sv.Polygon([(0, 0), (7, 1), (2, 5)])
     for k in range(12):
         b = sv.Polygon([(3 + k / 4, -1), (8, 3 - k / 6), (1, 4)])
-        sketch = comparison_panels.draw_edges(sv.record(a, b), arrange([Group([a, b])])[0])
+        sketch = comparison_panels.draw_edges(sv.record(a, b), arrange([PanelContents([a, b])])[0])
         rings = [m.points[0] for m in sketch.marks if m.part == "crossing"]
         assert rings
         for p in rings:

@@ -754,7 +754,7 @@ def test_splitting_grows_almost_as_the_outline(kind, monkeypatch):
         done = getattr(owner, name)
         monkeypatch.setattr(owner, name, lambda *args: work_done.update({name: work(*args)}) or done(*args))
 
-    for name in "orient_det", "_turn_at":
+    for name in "orient_det", "_orientation_at":
         counted(convex_parts, name, lambda *_: 1)
     for module in sweep, triangulation, polygon_validation:
         counted(module, "orient", lambda *_: 1)

@@ -77,7 +77,7 @@ def saved(folder, site):
     (folder / "scene-to-embed.html").write_text(sv.embed("triangles", site=site), encoding="utf-8")
 
 
-def test_a_plain_page(browser, site, tmp_path):
+def test_an_embedded_scene_can_be_dragged_in_a_plain_page(browser, site, tmp_path):
     saved(tmp_path, site)
     text = (tmp_path / "scene-to-embed.html").read_text()
     (tmp_path / "page.html").write_text(f"<!doctype html><h1>My page</h1>{text}<p>More.</p>", encoding="utf-8")
@@ -136,6 +136,15 @@ def nodes(node):
     yield node
     for child in node.get("children", []):
         yield from nodes(child)
+
+
+def test_pandoc_which_quarto_uses(browser, site, tmp_path):
+    python = environment(tmp_path, "pypandoc_binary")
+    (tmp_path / "page.md").write_text(f"# A page\n\n{recipe('Quarto', 'markdown', site)}", encoding="utf-8")
+    convert = "import pypandoc; pypandoc.convert_file('page.md', 'html', outputfile='page.html', extra_args=['-s'])"
+    code, said = run(python, "-c", convert, cwd=tmp_path)
+    assert code == 0, said
+    is_dragged(browser, tmp_path, "page.html", grows=False)
 
 
 def test_quarto(browser, site, tmp_path):

@@ -61,7 +61,7 @@ def test_a_scene_is_asked_without_its_results(name):
     whole = (trace.truth if trace.shortcut else trace).without_early_exit()
     rows = [row for row in table_rows(whole) if "reason" not in row][:12]
     asked, solved = sv.handout(name), sv.handout(name, solutions=True)
-    cells = re.findall(r"<td>(.*?)</td>", asked)
+    cells = re.findall(r"<td>(.*?)</td>", asked.partition("<tbody>")[2])
     assert len(cells) == 7 * len(rows) and not any("".join(cells[7 * i + 3 : 7 * i + 7]) for i in range(len(rows)))
     for row in rows:
         assert row["outcome"] not in words(asked).replace(row["axis"], "") and row["outcome"] in words(solved)
@@ -78,7 +78,8 @@ def test_the_solution_of_a_shortcut_of_ones_own_is_its_true_run():
 @pytest.mark.parametrize("name", ["aabb-rotated", "concave-outline"])
 def test_no_title_tells_that_the_axes_cannot_show_the_gap(name):
     assert sv.scene(name).record().false_hit
-    assert sv.scene(name).title not in words(sv.handout(name)) and "Do they collide?" in words(sv.handout(name))
+    asked = words(sv.handout(name))
+    assert sv.scene(name).title not in asked and "Do they collide?" in asked
 
 
 @pytest.mark.parametrize("what", ["1", "3"])

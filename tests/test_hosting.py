@@ -39,7 +39,7 @@ def pages(files):
 @pytest.fixture(scope="module")
 def unknown():
     """What all pages share of a site whose address is not known."""
-    return pages_of_site.Frame(chapters.chapters(), guides.guides(), "v1", False, False)
+    return pages_of_site.SiteInfo(chapters.chapters(), guides.guides(), "v1", False, False)
 
 
 def meta(page, key):

@@ -387,7 +387,7 @@ SMALL = [box(-0.5, 0.25, 0.5, 2), sv.Polygon([(0, 0.5), (1, 1), (0, 2)]), sv.Cir
 
 
 @pytest.mark.parametrize("b", [*(scaled(b, -600) for b in SMALL), scaled(sv.Circle((0, 1), 1.5), 499)], ids=range(4))
-def test_an_outline_with_a_tooth_that_underflows_at_the_size_of_the_outline_has_an_mtv(b):
+def test_an_outline_with_a_spike_far_below_its_size_has_an_mtv(b):
     huge, tiny = 2.0**500, 2.0**-600
     a = sv.Polygon([(-huge, -huge), (huge, -huge), (huge, 0), (tiny, 0), (0, tiny), (-tiny, 0), (-huge, 0)])
     for first, second in (a, b), (b, a):

@@ -109,7 +109,7 @@ def test_a_number_that_float64_cannot_hold_has_a_reason(text):
         ("1.2.3", "not a number"),
         ("5abc", "not a number"),
         ("0xFF", "hexadecimal"),
-        ("1e400", "beyond float64"),
+        ("1e400", "for float64"),
         ("0.5.sin()", "not evaluated"),
         ("0.04-", "not evaluated"),
         ("', 3'000", "not a number"),
@@ -137,10 +137,11 @@ def test_a_duplicate_key_and_a_second_value_are_refused():
             sv.paste(text)
 
 
-def test_a_number_beside_a_key_or_a_list_is_refused_or_told():
+def test_a_number_beside_a_key_or_a_list_is_refused_or_asked_about():
     with pytest.raises(sv.InvalidScene):
         sv.paste('[{"x":1,5"y":2},{"x":4,"y":2},{"x":0,"y":9}]')
-    assert any("left out" in str(f) for f in sv.paste("Polygon([0,0, 1,0, 0,1], 5) circle((9, 9), 1)").findings)
+    assert sv.paste("Polygon([0,0, 1,0, 0,1], 5) circle((9, 9), 1)").open
+    assert not sv.paste("Polygon([0,0, 1,0, 0,1], 0) circle((9, 9), 1)").open
 
 
 def test_a_corner_without_numbers_is_refused_but_a_position_may_be_empty():
@@ -625,13 +626,13 @@ def test_what_comes_in_is_shown_as_text():
         assert "onclick" not in pasted.test(language)
 
 
-def test_a_cut_off_text_is_told():
+def test_a_text_that_is_cut_off_gives_a_finding():
     assert any("never closed" in str(f) for f in sv.paste(f"{SQUARE} [(0,0),(1,0),(0,1)").findings)
 
 
 # -- a fuzz of the reader
 
-ALPHABET = "()[]{},;:=.-+*/ \n'\"`0123456789eExXfnaN_#<>!&|\\\u2212\u0663"
+ALPHABET = "()[]{},;:=.-+*/ \n'\"`0123456789eExXfnaN_#<>!&|\\\u2212\u0663\u00b2"
 NUMERAL = re.compile(r"(?:[0-9][0-9_]*(?:'[0-9]{3})*\.?[0-9_]*|\.[0-9][0-9_]*)(?:[eEdD][+-]?[0-9]{1,4})?")
 
 
@@ -722,8 +723,9 @@ def test_four_thousand_mutated_texts():
 
 
 @pytest.mark.full
-def test_two_hundred_thousand_mutated_texts():
-    fuzz(200_000, seed=5)
+@pytest.mark.parametrize("piece", range(200))
+def test_two_hundred_thousand_mutated_texts(piece):
+    fuzz(1000, seed=10_000 + piece)  # a piece of its own, so that a run can go on where it ended
 
 
 # -- sending it on

@@ -51,13 +51,13 @@ def evaluated(formula, arithmetic, numbers):
 
 @pytest.mark.parametrize("form", FORMATS.values(), ids=FORMATS)
 @pytest.mark.parametrize("name", ["polygons", "circles", "circle_ranges"])
-def test_arrays_and_fractions_agree_on_what_rounds_nothing(name, form):
+def test_arrays_and_fractions_agree_which_formulas_are_exact(name, form):
     rng, formula = Random(1), getattr(rounding, name)
     rows = [coordinates(rng, 14) for _ in range(250)]
     triples = rng.choices([(0, 0, 1, 3, 4, 2), (5, 1, 7, 17, 6, 1), (2, 0, 1, 2, 9, 3)], k=60)
     rows += [[c + far for c in row[:2]] + [row[2]] + [c + far for c in row[3:5]] + [row[5]] + [0.0] * 8
              for row in triples for far in [float(rng.choice((0, 1000, 2**23, 2**26, 2**50)))]]  # fmt: skip
-    one_by_one = [evaluated(formula, rounding.Exact(form), list(map(Fraction, row))) for row in rows]
+    one_by_one = [evaluated(formula, rounding.ExactArithmetic(form), list(map(Fraction, row))) for row in rows]
     with np.errstate(all="ignore"):
         many = evaluated(formula, Errors(form, len(rows)), list(np.array(rows).T))
     assert many.tolist() == one_by_one
@@ -195,7 +195,7 @@ def test_small_touching_shapes_far_out_need_no_exact_filter(far, kind):
 def test_a_grid_far_out_says_how_long_its_edges_may_be():
     rings = np.array(CORNER_ON_EDGE, float) + 2.0**30
     recommendation = sv.advise(batch.Polygons(rings))
-    assert (recommendation.scope.kind, recommendation.scope.unit) == ("on a grid", 0)
+    assert (recommendation.scope.kind, recommendation.scope.unit) == ("multiples of a unit", 0)
     assert recommendation.scope.bound * recommendation.scope.span * 4 == 2.0**53
     assert "and edges up to 1,048,576 wide and high" in str(recommendation) and recommendation.check()
     rng, most, span = np.random.default_rng(5), int(recommendation.scope.bound), int(recommendation.scope.span)
@@ -285,7 +285,7 @@ def test_certified_relations_of_circles_are_found_by_ranges_too(kind, dtype):
     assert wrong  # where nothing is claimed, they do err
 
 
-def test_circles_whose_radius_is_only_rounded_are_not_relied_on_by_what_widens_it():
+def test_a_recommendation_does_not_count_a_bounding_circle_with_a_rounded_radius_as_certain():
     u = 2.0**-54
     a = sv.Polygon([(0, 0), (3, 0), (3, 4), (0, 4)])
     b = sv.Polygon([(-u, 0), (u / 2, -u), (u / 2, u)])
@@ -299,7 +299,7 @@ def test_shapes_outside_all_pairs_do_not_count_for_the_grid():
     shapes = batch.Polygons(np.stack([tall, tall + 3, tall + 100.1]))
     recommendation = sv.advise(shapes)
     assert recommendation.summary.settled == 2
-    assert recommendation.scope.kind != "on a grid"
+    assert recommendation.scope.kind != "multiples of a unit"
     assert "2 convex polygons" in str(recommendation)
     assert "in these pairs" in str(recommendation) and recommendation.check()
 

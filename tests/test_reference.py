@@ -21,7 +21,7 @@ def pages():
         return {name: data.decode() for name, data in reference()}
 
 
-def test_every_public_name_is_told(pages):
+def test_every_public_name_has_a_reference_page(pages):
     for page, names in (
         ("satviz.html", set(sv.__all__) - {"__version__", "axes", "batch", "testing"}),
         ("satviz/batch.html", sv.batch.__all__),

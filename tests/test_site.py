@@ -72,6 +72,11 @@ def test_what_may_scroll_can_be_scrolled_with_the_keyboard(pages):
             assert 'tabindex="0"' in tag, f"{path}: {tag}"
 
 
+def test_no_table_has_a_header_without_words(pages):
+    for path, page in [*pages.items(), ("notebook", sv.scene("triangles").record()._repr_mimebundle_())]:
+        assert not re.search(r"<th\b[^>]*></th>", str(page)), path
+
+
 def without_code(page):
     """The page without the code that it shows."""
     return re.sub(r"<pre\b.*?</pre>", "", page, flags=re.DOTALL)
@@ -401,7 +406,7 @@ def test_the_gallery_has_every_scene(files, pages):
     assert openable == {s.name for s in SCENES} | {row.name for row in FAILURE_CASES if row.how != REFUSED}
 
 
-def test_no_letter_is_replaced(files):
+def test_no_page_contains_the_replacement_character(files):
     """A no-break space between a number and its unit is a letter, too."""
     texts = {path: data for path, data in files.items() if path.endswith((".html", ".svg"))}
     assert [path for path, data in texts.items() if "\ufffd" in data.decode()] == []
@@ -439,7 +444,10 @@ def test_without_npm_the_site_is_made_and_one_line_says_so(monkeypatch, tmp_path
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     monkeypatch.setattr(runtime, "which", lambda name: None)
     found, lacks = site()
-    assert lacks == ["npm is not installed: the site is whole, but its scenes stay still"]
+    assert lacks == [
+        "npm is not installed: install it, or give a folder that holds Pyodide. "
+        "Without it the site is whole, but its scenes stay still"
+    ]
     assert next(found)[0] == "site.js"
 
 
@@ -894,6 +902,19 @@ def test_no_picture_of_a_card_is_wider_than_a_telephones_page():
     assert max(picture.size[0] for picture in drawn) <= 362
 
 
+def test_a_chapters_picture_is_drawn_for_a_telephone_too(pages):
+    """Scrolled sideways it would show one of its two shapes."""
+    for chapter in chapters.chapters():
+        code = ["".join(cell["source"]) for cell in chapter.cells if cell["cell_type"] == "code"]
+        drawn = sum(code.splitlines()[-1].startswith(("sv.picture(", "sv.gap_curve(")) for code in code)
+        places = re.findall(r'<figure><div class="wide">(.*?)</figure>', pages[chapter.path], re.DOTALL)
+        assert len(places) == drawn, chapter.path
+        for place in places:
+            _, narrow = (float(width) for width in re.findall(r'<svg[^>]* width="([\d.]+)pt"', place))
+            assert narrow <= 362, chapter.path
+    assert "<figure><div" in pages["1-aabb.html"]
+
+
 # -- the glossary
 
 
@@ -959,6 +980,7 @@ def test_the_reference_is_a_part_of_the_site(files, pages):
     assert 'href="reference/satviz.html"' in pages["index.html"] and "reference/satviz/batch.html" in files
 
 
+@pytest.mark.slow
 def test_without_pdoc_the_site_has_no_reference_and_one_line_says_so(monkeypatch):
     monkeypatch.setitem(sys.modules, "pdoc", None)
     monkeypatch.setattr(build.pages, "scene_pictures", tuple)  # which take longest and are the same

@@ -95,13 +95,13 @@ def test_a_bench_on_a_busy_machine_says_so():
     assert busy_warning(calm + torn[:1]) == "" and "the machine was busy" in busy_warning(calm[:4] + torn[:4])
 
 
-def test_growth_is_the_exponent_of_the_last_sizes():
+def test_the_growth_exponent_is_estimated_from_the_largest_sizes():
     assert growth_exponent({10: 1.0, 100: 900.0, 1000: 90_000.0, 10_000: 9e6}) == pytest.approx(2)
 
 
 @pytest.mark.parametrize("work", CORNER_WORKLOADS)
 @pytest.mark.parametrize("v", [3, 4, 7, 24])
-def test_pairs_made_to_lie_so_do(work, v):
+def test_pairs_made_for_a_relation_have_that_relation(work, v):
     make, relation = CORNER_WORKLOADS[work]
     for a, b in zip(*make(np.random.default_rng(4), 20, v)):
         assert truth.relation(Polygon(a), Polygon(b)) == relation
@@ -119,6 +119,19 @@ def test_peers_in_numba_are_right_where_nothing_is_near(work):
         assert np.array_equal(out > 0, right)
 
 
+@pytest.mark.parametrize("corners", [4, 12])
+def test_plain_sat_counts_touching_as_a_hit_for_any_number_of_corners(corners):
+    """Two polygons in whole numbers touch along an edge; their y coordinates are those of a parabola, mirrored."""
+    half = [(k, k * k) for k in range(corners // 2)]
+    top = half[-1][1] * 2 + 1
+    ring = np.array(half + [(x, top - y) for x, y in reversed(half)], float)[:, ::-1]
+    ring = ring if Polygon(ring).is_convex else ring[:, ::-1]
+    x, y = ring.T[:, :, None]
+    out = np.empty(1, np.int8)
+    numba_rivals.plain_sat(corners, corners)(x, y, x.copy(), y + (y.max() - y.min()), out)
+    assert out[0] > 0
+
+
 def scene_of(work, n, seed):
     rng = np.random.default_rng(seed)
     return moving_scene(rng, MOVING_SHAPES[work](rng, n))
@@ -132,7 +145,7 @@ def as_set(pairs):
 @pytest.mark.parametrize("seed", [1, 2, 3])
 @pytest.mark.parametrize("n", [1, 10, 150, 1000])
 @pytest.mark.parametrize("work", MOVING_SHAPES)
-def test_rivals_that_round_in_float64_agree_with_satviz_on_ordinary_scenes(work, n, seed):
+def test_other_methods_in_float64_agree_with_satviz_on_ordinary_scenes(work, n, seed):
     scene = scene_of(work, n, seed)
     methods = scene_methods(scene)
     assert {"satviz numpy", "satviz numba", "brute force", "sort and sweep", "short sweep", "STRtree"} < set(methods)

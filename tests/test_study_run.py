@@ -20,10 +20,11 @@ from refresh_charts import charts as guide_charts
 from satviz import Polygon
 from satviz.cli import main
 from satviz.pictures import THEMES
+from satviz.render.chart import Chart, add_axes, theme_suffix
 from satviz.study import bench_chart, frames_chart, run, truth
 from satviz.study.bench import CHECKED_BY, TimingRow
 from satviz.study.harness.cells import Cell, Failure, Settings, run_cells
-from satviz.study.harness.chart import Chart, add_axes, theme_suffix, wilson_interval
+from satviz.study.harness.chart import wilson_interval
 from satviz.study.methods import ENGINES, answers_by_method
 from satviz.study.run import SECTIONS, study
 from satviz.study.sections import axis_order, speed_against_accuracy
@@ -41,7 +42,7 @@ def small(count):
             Cell(f"gap-{k}", axis_order.count_tested_axes, (2, 4 + k, settings)) for k in range(count)
         ],
         rows=lambda found: {"gaps": rows(found)},
-        CHARTS={"gaps": lambda rows, settings: Chart("gaps", "Gaps", (300, 200), blank, rows, "Only its numbers.")},
+        CHARTS={"gaps": lambda rows, settings: Chart("gaps", "Gaps", (), 180, blank, rows, "Only its numbers.")},
     )
 
 
@@ -129,7 +130,7 @@ def test_what_is_no_executor_is_refused_before_anything_is_written(tmp_path):
     assert not (tmp_path / "new").exists()
 
 
-def test_when_a_worker_dies_the_cells_left_to_it_have_failed_and_what_is_timed_is_done(tmp_path):
+def test_a_dead_worker_fails_its_pending_cells_but_timed_cells_still_run(tmp_path):
     cells = [Cell(f"dead-{i}", die, (1,)) for i in range(20)]
     cells.append(Cell("good", count, (str(tmp_path / "log"), 1), timed=True))
     with ProcessPoolExecutor(2) as executor:
@@ -299,7 +300,7 @@ def test_what_answers_were_checked_by_is_never_added_up():
     assert len(re.findall(r"\d of \d", prose)) == len(CHECKED_BY)
 
 
-def test_every_place_where_satviz_is_slower_than_shapely_is_told():
+def test_every_workload_where_satviz_is_slower_than_shapely_is_named():
     rows = [of_bench("shapely"), of_bench("satviz numpy", 0.5)]
     assert "At no work of this run was satviz slower" in bench_chart.bench_chart(rows, "").reading
     for n in 1000, 100_000, 10_000_000:

@@ -304,7 +304,7 @@ def test_a_chooser_that_claims_to_be_one_of_ours_is_checked():
     assert not sv.record(box(0, 0, 1, 1), box(5, 5, 6, 6), axes=Sly()).choice.complete
 
 
-def test_a_long_choice_is_checked_once_for_each_of_its_axes_and_bounded(monkeypatch):
+def test_repeated_axes_of_a_choice_are_validated_once_and_their_number_is_limited(monkeypatch):
     a, b = box(0, 0, 1, 1), sv.Polygon([(2, 0), (3, 0), (3, 1)])
     checked, real, needed = [], axes._parallel_key, axes.needed(a, b)
     monkeypatch.setattr(axes, "_parallel_key", lambda axis, *shapes: checked.append(axis) or real(axis, *shapes))
@@ -903,7 +903,7 @@ def test_the_extremes_of_a_circle_have_the_tolerance_of_its_landings(name):
 
 
 @pytest.mark.parametrize("name", [None, "one-overlap", "lengths"])
-def test_the_stored_sign_of_a_small_gap_must_be_exact_for_every_way_to_measure(name):
+def test_the_stored_sign_of_a_small_gap_must_be_exact_for_every_shortcut(name):
     shortcut = SHORTCUTS[name] if name else axes.world
     small = 2.0**-42
     for true in small, 0.0, -small:

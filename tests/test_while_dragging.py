@@ -86,10 +86,11 @@ def anywhere(seed):
     return model.answer(pose | rng.choice(WAYS))
 
 
-def test_on_one_screen_one_thing_has_one_number():
-    """In 200 poses: the axis is the same in table, picture and number line; a length has the same digits everywhere."""
+@pytest.mark.parametrize("poses_asked", [80, pytest.param(200, marks=pytest.mark.slow)])
+def test_on_one_screen_one_thing_has_one_number(poses_asked):
+    """The axis is the same in table, picture and number line; a length has the same digits everywhere."""
     spoken_of = 0
-    for seed in range(200):
+    for seed in range(poses_asked):
         state = anywhere(seed)
         if state["kind"] == "refused" or "line" not in state:
             continue
@@ -111,7 +112,7 @@ def test_on_one_screen_one_thing_has_one_number():
         tested = sum("reason" not in row for row in state["rows"])
         needed = re.search(r"(\w+) axes are needed here", state["enough"])
         assert not needed or NUMBER_WORDS.index(needed[1]) == tested, (seed, state["enough"])
-    assert spoken_of > 80
+    assert spoken_of > 0.4 * poses_asked
 
 
 @pytest.mark.parametrize("name", one_in(3, STEADY))

@@ -286,7 +286,7 @@ def test_a_scene_without_a_shortcut_has_no_views():
 
 
 @pytest.mark.slow
-def test_every_failing_scene_can_be_explored_dragged_and_seen_in_truth():
+def test_every_failing_scene_can_be_explored_dragged_and_shown_with_the_exact_answer():
     for name in explorer().failing:
         widget = sv.explore(name)
         widget.sent = []
@@ -511,7 +511,7 @@ def test_a_narrow_place_gets_a_narrow_picture_and_not_smaller_letters(name):
         assert [said[key]["size"][0] <= wanted for key in ("picture", "curve", "difference")] == [True] * 3
         assert said["picture"]["size"][0] == wanted
         assert min(look["size"] for look in said["picture"]["looks"] if look["kind"] == "label") >= 11
-    assert pose(widget, width="wide")["why"] == "the width must be a number"
+    assert pose(widget, width="wide")["why"] == "the width must be a finite number, not 'wide'"
 
 
 def test_corners_are_named_where_the_table_names_them():

@@ -16,27 +16,27 @@ from ..batch.arrays import Shapes, check_shapes
 from ..batch.broad_phase import broad_phase_of, candidate_blocks, sort_pairs
 from ..batch.codes import APART
 from ..batch.engines import engine_of
-from ..batch.ragged import Rings
+from ..batch.ragged import RaggedRings
 from ..engine.geometry import InvalidScene
 from ..engine.shapes import Circle, Shape
 from .candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, AnyShape, Model, SplitPolygon, convex_parts
 from .certified_bounds import SAT_ROUNDINGS, certify
-from .classify import PartGrids, classify
+from .classify import PartUnits, classify
 from .limits import refuse_too_many_boxes, refuse_too_many_fractions, refuse_too_many_tests
 from .margins import signed_relative_margins
 from .models import bounding_circles, compare_boxes, is_circle, shared_directions
-from .pairs import Array, Indices, Pairs, indexed, max_coordinates, paired, part_shape, tests_per_pair
+from .pairs import Array, Indices, PartPairs, indexed, max_coordinates, paired, part_shape, tests_per_pair
 from .records import (
     CIRCLES,
     CONCAVE_POLYGONS,
     CONVEX_POLYGONS,
     UPRIGHT_BOXES,
     BroadPhaseResult,
+    CommonUnit,
     GivenPairs,
-    Grid,
+    IndexPair,
     InputSummary,
     ModelResult,
-    Pair,
     candidates_of,
 )
 from .rounding import FLOAT64, FORMATS
@@ -73,7 +73,7 @@ def recommend_batch(
         lambda: [_shape_of(shapes, i) for shapes, some in used for i in some.tolist()],
         lambda: both,
         lambda: _moved_bound(both, signed),
-        lambda: _grid(both),
+        lambda: _common_unit(both),
         work[1] + _count_work(a, near.ia, a, near.ib)[1],
         broad_phase,
     )
@@ -107,21 +107,21 @@ def _count_work(a: Shapes, ia: Indices, b: Shapes, ib: Indices) -> tuple[int, in
     return int((parts[0].astype(float) * parts[1]).sum()), int(tests_per_pair(a, ia, b, ib).sum())
 
 
-def _out_of_range(both: Pairs) -> int:
+def _out_of_range(both: PartPairs) -> int:
     """Return how many pairs of convex parts have coordinates so large or small that only integers are safe."""
     with np.errstate(over="ignore"):
         most = np.maximum(_part_max_coordinates(both.a)[both.pa], _part_max_coordinates(both.b)[both.pb])
     return int(np.count_nonzero(~((most > 2.0**-450) & (most < 2.0**450))))
 
 
-def _count_apart_by_boxes(a: Shapes, many: int, engine: str | None) -> tuple[BroadPhaseResult, Pairs]:
-    """Return (what the boxes settle, the settled pairs that circles alone might not certify as apart).
+def _count_apart_by_boxes(a: Shapes, many: int, engine: str | None) -> tuple[BroadPhaseResult, PartPairs]:
+    """Return (BroadPhaseResult, the pairs apart by their boxes that circles alone might not certify as apart).
 
     With M the larger max_coordinate (radius included) of two circles, u the unit roundoff, d their distance and R the
     sum of the radii, the circles are certified apart where d - R is 72 u M or more: the bound of `certify_circles` for
     ranges, and more than its bound for squares, 12 u (d + R) + 5 sqrt(2) u M with d + R at most 4.9 M.  So boxes of the
     circles that are 100 u M wider on each side (u of float32 where that is a candidate) meet for every pair that is
-    not certified.  `many` is the number of settled pairs.
+    not certified.  `many` is the number of pairs that are apart by their boxes.
     """
     only_circles = bool(is_circle(a).all())
     forms = FORMATS if only_circles else {BOUNDING_CIRCLES: FLOAT64}
@@ -144,21 +144,24 @@ def _count_apart_by_boxes(a: Shapes, many: int, engine: str | None) -> tuple[Bro
     return BroadPhaseResult(many, len(near.ia), frozenset(exact | trusted.keys()), only_circles), near
 
 
-def _moved_bound(both: Pairs, signed: Array) -> float:
-    """Return the power of two up to which these convex polygons may be moved as a whole, else 0."""
+def _moved_bound(both: PartPairs, signed: Array) -> float:
+    """Return the power of two up to which these convex polygons may be moved as a whole; 0 if they exceed it already.
+
+    `signed`: the signed relative margin of each pair of parts.
+    """
     most = np.maximum(_part_max_coordinates(both.a)[both.pa], _part_max_coordinates(both.b)[both.pb])
     # arrays compute the relative margin to one part in fifty
     return power_of_two_bound(float((np.abs(signed) * 0.9 * most).min()) / (SAT_ROUNDINGS + 1), float(most.max()))
 
 
-def _grid(both: Pairs) -> Grid | None:
-    """Return the coarsest grid of all numbers in the pairs; None if its unit is too extreme for float64."""
-    found = [PartGrids(*(c[p] for c in PartGrids.of(s.parts))) for s, p in ((both.a, both.pa), (both.b, both.pb))]
+def _common_unit(both: PartPairs) -> CommonUnit | None:
+    """Return the CommonUnit of all numbers in the pairs; None if the unit is too large or too small for float64."""
+    found = [PartUnits(*(c[p] for c in PartUnits.of(s.parts))) for s, p in ((both.a, both.pa), (both.b, both.pb))]
     unit = min(float(g.unit.min()) for g in found)
     most, span = (max(float(c.max()) for c in both) for both in zip(*(g[1:] for g in found), strict=True))
     if not (-1000 < unit < 1000 and most * 2.0**-unit < 2.0**53):
         return None
-    return Grid(int(unit), int(most * 2.0**-unit), int(span * 2.0**-unit))
+    return CommonUnit(int(unit), int(most * 2.0**-unit), int(span * 2.0**-unit))
 
 
 def shape_as_batch(shape: Shape) -> Shapes:
@@ -169,17 +172,20 @@ def shape_as_batch(shape: Shape) -> Shapes:
     start = np.cumsum([0, *map(len, cores)])
     x, y = np.concatenate(cores).T.copy()
     owner = np.zeros(len(cores), np.int64) if len(cores) > 1 else None
-    return Shapes(rings=Rings(x, y, start), owner=owner)
+    return Shapes(rings=RaggedRings(x, y, start), owner=owner)
 
 
-def repeated_pair(a: Shape, b: Shape, copies: int = 4096) -> Pairs:
+def repeated_pair(a: Shape, b: Shape, copies: int = 4096) -> PartPairs:
     """Return many copies of one pair, so that one call can be timed."""
     nothing = np.zeros(copies, np.intp)
     return paired(shape_as_batch(a), nothing, shape_as_batch(b), nothing)
 
 
-def _models(pairs: Pairs, kinds: Collection[str], given: GivenPairs) -> tuple[Model, ...]:
-    """Return the candidate models for these pairs, from their axes, directions and kinds of shapes."""
+def _models(pairs: PartPairs, kinds: Collection[str], given: GivenPairs) -> tuple[Model, ...]:
+    """Return the candidate models for these pairs; `kinds`: the kinds of their shapes, in words as `kind_of` has them.
+
+    The number of axes and the directions of a k-DOP are computed from the shapes.
+    """
     edges = [np.where(s.parts.count == 1, 0, s.parts.count) for s in (pairs.a, pairs.b)]
     each = edges[0][pairs.pa] + edges[1][pairs.pb]
     each += (edges[0][pairs.pa] == 0) | (edges[1][pairs.pb] == 0)
@@ -190,9 +196,12 @@ def _models(pairs: Pairs, kinds: Collection[str], given: GivenPairs) -> tuple[Mo
 
 
 def _evaluate_model(
-    model: Model, both: Pairs, exact: NDArray[np.int8], near: Pairs, given: GivenPairs, engine: str | None
+    model: Model, both: PartPairs, exact: NDArray[np.int8], near: PartPairs, given: GivenPairs, engine: str | None
 ) -> ModelResult:
-    """Return how a model does on the pairs `both`, and on `near` if no test of the boxes comes before it."""
+    """Return the ModelResult of a model on the pairs `both`, and on `near` if no test of the boxes comes before it.
+
+    exact: (n,) the exact relations of `both`; near: pairs that are apart by their boxes.
+    """
     found = _classify(model, both, exact, given, 0, engine)
     if not (model.after_boxes or model.kind == AABB):
         apart = np.zeros(len(near.ia), np.int8)
@@ -208,9 +217,12 @@ def _evaluate_model(
 
 
 def _classify(
-    model: Model, pairs: Pairs, exact: NDArray[np.int8], given: GivenPairs, first: int, engine: str | None
+    model: Model, pairs: PartPairs, exact: NDArray[np.int8], given: GivenPairs, first: int, engine: str | None
 ) -> NDArray[np.int8]:
-    """Return the relations that the model certainly finds, -1 where uncertain; pairs are numbered from `first`."""
+    """Return the relation that the model certainly finds for each pair, -1 where it is uncertain.
+
+    Pair k of `pairs` is number `first` + k of `given`; exact: (n,) their exact relations.
+    """
     found = classify(model, pairs, exact, engine=engine)
     if model.kind not in FORMATS:  # SAT has used fractions already, part by part
         uncertain = np.flatnonzero(found < 0)
@@ -242,14 +254,14 @@ def _kinds(sides: Sequence[tuple[Shapes, Indices]]) -> dict[str, int]:
     return found
 
 
-def _corners(given: Pairs) -> Pair:
+def _corners(given: PartPairs) -> IndexPair:
     """Return (fewest, most) corners of the polygonal convex parts in the pairs; (0, 0) if all are circles."""
     counts = np.concatenate([given.a.count[given.pa], given.b.count[given.pb]])
     counts = counts[counts > 1]
     return (int(counts.min()), int(counts.max())) if counts.size else (0, 0)
 
 
-def _size_ratio(given: Pairs) -> float:
+def _size_ratio(given: PartPairs) -> float:
     """Return the largest shape's size divided by the smallest one's, at most the largest float; 1 without pairs.
 
     The size is the longer side of the bounding box.

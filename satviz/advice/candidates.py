@@ -9,15 +9,14 @@ A model is *certified* for a pair where no order of its operations, fused or not
 from collections.abc import Collection, Iterable, Sequence
 from itertools import chain, pairwise
 from math import copysign, frexp, inf, ldexp
-from typing import NamedTuple, TypeVar
+from typing import NamedTuple
 
 from ..engine.convex_parts import parts
-from ..engine.geometry import Vec
+from ..engine.geometry import Vec, cyclic_pairs
 from ..engine.predicates import IntPoint, to_int_points
 from ..engine.shapes import Polygon, Shape
 from .rounding import FORMATS
 
-T = TypeVar("T")
 BOUNDING_CIRCLES, AABB, K_DOP, EXACT_FILTER = "bounding circles", "AABB", "shared directions", "filtered exact"
 MAX_DIRECTIONS = 8
 PARALLEL_ANGLE = 2.0**-20  # radians: closer normals count as one direction, which is then certified or refused
@@ -66,11 +65,6 @@ AnyShape = Shape | SplitPolygon
 def convex_parts(shape: AnyShape) -> Sequence[Shape]:
     """Return the convex parts of a shape: the shape itself if it is convex."""
     return shape.convex_parts if isinstance(shape, SplitPolygon) else parts(shape)
-
-
-def cyclic_pairs(ring: Sequence[T]) -> Iterable[tuple[T, T]]:
-    """Return the pairs of neighbouring corners of a closed outline, first (last corner, first corner)."""
-    return pairwise([ring[-1], *ring])
 
 
 class Model(NamedTuple):
@@ -144,10 +138,6 @@ def shared_directions(shapes: Iterable[AnyShape]) -> tuple[Vec, ...]:
 
 def count_axes(a: AnyShape, b: AnyShape) -> int:
     """Return how many axes SAT tests: for two convex parts each edge, and one more if a circle is among them."""
-    return sum(_count_convex_axes(p, q) for p in convex_parts(a) for q in convex_parts(b))
-
-
-def _count_convex_axes(a: Shape, b: Shape) -> int:
-    """Return how many axes SAT tests for two convex shapes: each edge, and one more with a circle."""
-    edges = sum(0 if s.core_is_point else len(s.core) for s in (a, b))
-    return edges + (a.core_is_point or b.core_is_point)
+    pairs = [(p, q) for p in convex_parts(a) for q in convex_parts(b)]
+    edges = sum(len(s.core) for pair in pairs for s in pair if not s.core_is_point)
+    return edges + sum(p.core_is_point or q.core_is_point for p, q in pairs)

@@ -17,23 +17,21 @@ from fractions import Fraction
 from itertools import chain
 from math import inf, isfinite, nextafter, sqrt
 
-from ..engine.geometry import Relation, Vec
+from ..engine.geometry import APART, OVERLAPPING, Relation, Vec, cyclic_pairs, relation_of_gap
 from ..engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT, sign, to_common_unit, to_integers
 from ..engine.relate import relate, relate_integers
 from ..engine.shapes import Shape
 from . import rounding
-from .candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, AnyShape, Model, convex_parts, cyclic_pairs
+from .candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, AnyShape, Model, convex_parts
 from .relative_margin import edge_clearances, edge_distances
-from .rounding import FLOAT64, FORMATS, Exact, Format, is_representable
-
-APART, TOUCHING, OVERLAPPING = Relation
+from .rounding import FLOAT64, FORMATS, ExactArithmetic, FloatFormat, is_representable
 
 # Error bounds in roundings, each rounded up from its derivation:
-# A turn in SAT is nx*x + ny*y less the same for the edge's own corner.  The normal carries one rounding (u D) and each
-# product one more: 2u D M each, 4u D M both; their sum rounds by 2u D M.  That is 6u D M for the corner, as much for
-# the edge's own, and 4u D M for the difference: below 17u D M (as derived in satviz/engine/relate.py).
+# An orientation in SAT is nx*x + ny*y less the same for the edge's own corner.  The normal carries one rounding (u D)
+# and each product one more: 2u D M each, 4u D M both; their sum rounds by 2u D M.  That is 6u D M for the corner, as
+# much for the edge's own, and 4u D M for the difference: below 17u D M (as derived in satviz/engine/relate.py).
 SAT_ROUNDINGS = 32
-# A turn about a center carries below 12 roundings of its size.
+# An orientation about a center carries below 12 roundings of its size.
 TURN_ROUNDINGS = 32
 # A squared distance carries below 45 roundings of the largest difference squared.
 DISTANCE_ROUNDINGS = 128
@@ -71,18 +69,13 @@ def certify(model: Model, a: AnyShape, b: AnyShape) -> Relation | None:
     return certify_sat(a, b, FORMATS[model.kind])
 
 
-def relation_of_sign(gap: int) -> Relation:
-    """Return the relation for a gap: APART if positive, OVERLAPPING if negative, TOUCHING at 0."""
-    return APART if gap > 0 else OVERLAPPING if gap < 0 else TOUCHING
-
-
 # -- bounding boxes
 
 
 def certify_boxes(a: AnyShape, b: AnyShape) -> Relation | None:
     """Return the relation that bounding boxes certainly give; None where a circle's rounded sides can decide it."""
     outer, inner = (_compare_boxes(*(_bounding_box(s, outwards) for s in (a, b))) for outwards in (inf, -inf))
-    return relation_of_sign(outer) if outer == inner else None
+    return relation_of_gap(outer) if outer == inner else None
 
 
 def _compare_boxes(a: tuple[float, ...], b: tuple[float, ...]) -> int:
@@ -129,7 +122,7 @@ def certify_bounding_circles(a: AnyShape, b: AnyShape) -> Relation | None:
     return wide if wide is bare else None
 
 
-def certify_circles(a: Disc, b: Disc, form: Format) -> Relation | None:
+def certify_circles(a: Disc, b: Disc, form: FloatFormat) -> Relation | None:
     """Return the relation certainly found for two circles, by squares as well as by ranges; None if uncertain.
 
     Rounded coordinates move a difference by 2d, so the squared distance by 4d (|dx| + |dy|) + 8dd.
@@ -148,13 +141,13 @@ def certify_circles(a: Disc, b: Disc, form: Format) -> Relation | None:
     radii = ar + br
     beyond = distance > (radii + range_error) ** 2
     if by_squares and (beyond or (radii > range_error and distance < (radii - range_error) ** 2)):
-        return relation_of_sign(gap)
+        return relation_of_gap(gap)
     for formula in (rounding.circle_ranges,) if by_squares else (rounding.circle_ranges, rounding.circles):
-        arithmetic = Exact(form)
+        arithmetic = ExactArithmetic(form)
         formula(arithmetic, *([arithmetic.held(Fraction(c)) for c in disc] for disc in (a, b)))
         if not arithmetic.exact:
             return None
-    return relation_of_sign(gap)
+    return relation_of_gap(gap)
 
 
 # -- ranges on fixed directions
@@ -177,12 +170,12 @@ def certify_directions(a: AnyShape, b: AnyShape, directions: Sequence[Vec]) -> R
         if certain and gap > 0:
             return APART
         found.append(sign(gap) if certain else None)
-    return None if None in found else relation_of_sign(max(gap for gap in found if gap is not None))
+    return None if None in found else relation_of_gap(max(gap for gap in found if gap is not None))
 
 
 def _projects_exactly(corners: Iterable[Vec], direction: Vec) -> bool:
     """Return whether projecting the corners on the direction rounds nothing."""
-    arithmetic = Exact(FLOAT64)
+    arithmetic = ExactArithmetic(FLOAT64)
     normal = Fraction(direction[0]), Fraction(direction[1])
     for x, y in corners:
         rounding.landing(arithmetic, normal, (Fraction(x), Fraction(y)))
@@ -192,7 +185,7 @@ def _projects_exactly(corners: Iterable[Vec], direction: Vec) -> bool:
 # -- SAT
 
 
-def certify_sat(a: AnyShape, b: AnyShape, form: Format) -> Relation | None:
+def certify_sat(a: AnyShape, b: AnyShape, form: FloatFormat) -> Relation | None:
     """Return the relation that SAT in this float format certainly finds on all convex parts, or None."""
     found = [certify_convex_sat(p, q, form) for p in convex_parts(a) for q in convex_parts(b)]
     if OVERLAPPING in found:
@@ -200,7 +193,7 @@ def certify_sat(a: AnyShape, b: AnyShape, form: Format) -> Relation | None:
     return None if None in found else max(r for r in found if r is not None)
 
 
-def certify_convex_sat(a: Shape, b: Shape, form: Format) -> Relation | None:
+def certify_convex_sat(a: Shape, b: Shape, form: FloatFormat) -> Relation | None:
     """Return the relation that SAT in floats of `form` must find on two convex shapes; None if not certain."""
     if a.core_is_point and b.core_is_point:
         return certify_circles((*a.core[0], a.radius), (*b.core[0], b.radius), form)
@@ -212,19 +205,20 @@ def certify_convex_sat(a: Shape, b: Shape, form: Format) -> Relation | None:
     return found
 
 
-def _polygons_round_nothing(a: Shape, b: Shape, form: Format) -> bool:
+def _polygons_round_nothing(a: Shape, b: Shape, form: FloatFormat) -> bool:
     """Return whether the format holds every number that SAT can compute of two convex polygons."""
-    arithmetic = Exact(form)
+    arithmetic = ExactArithmetic(form)
     p, q = ([(arithmetic.held(Fraction(x)), arithmetic.held(Fraction(y))) for x, y in s.core] for s in (a, b))
     return all(arithmetic.exact for _ in rounding.polygons(arithmetic, p, q))
 
 
-def _certify_polygons(a: Shape, b: Shape, form: Format) -> Relation | None:
+def _certify_polygons(a: Shape, b: Shape, form: FloatFormat) -> Relation | None:
     """Return the relation that SAT certainly finds on two convex polygons, by error bounds per edge, or None.
 
     Where no coordinate is rounded (d = 0), the result is certain if the relative margin is beyond SAT_ROUNDINGS.
     Otherwise d is the largest rounding error of a coordinate, D the largest component of the normal and E that of a
-    difference of corners.  Each component changes by at most 2d, so the turn changes by at most 4d (D + E) + 8dd.
+    difference of corners.  Each component changes by at most 2d, so the orientation changes by at most 4d (D + E) +
+    8dd.
     """
     numbers = [c for v in (*a.core, *b.core) for c in v]
     p, q, *_ = to_common_unit(a, b)
@@ -247,10 +241,10 @@ def _certify_polygons(a: Shape, b: Shape, form: Format) -> Relation | None:
     return OVERLAPPING if overlapping else None
 
 
-def _certify_circle_polygon(circle: Shape, polygon: Shape, form: Format) -> Relation | None:
+def _certify_circle_polygon(circle: Shape, polygon: Shape, form: FloatFormat) -> Relation | None:
     """Return the relation SAT certainly finds on circle and polygon, by distances and ranges, or None.
 
-    With F the largest difference of a corner and the center: rounded coordinates move a turn about an edge with
+    With F the largest difference of a corner and the center: rounded coordinates move an orientation about an edge with
     components dx, dy by 2d (|dx| + |dy|) + 4dF + 8dd, and the distance by 3d, so its square by 9dF + 9dd.
     """
     numbers = (*circle.core[0], circle.radius, *chain.from_iterable(polygon.core))
@@ -264,12 +258,12 @@ def _certify_circle_polygon(circle: Shape, polygon: Shape, form: Format) -> Rela
         return None
     widest = max(max(abs(x - center[0]), abs(y - center[1])) for x, y in ring)
     inside, outside, distances = True, False, []
-    for (dx, dy), turn, (s, q) in edge_distances(center, ring):
+    for (dx, dy), orientation, (s, q) in edge_distances(center, ring):
         length = abs(dx) + abs(dy)
         error_bound = TURN_ROUNDINGS * (widest + 2 * moved) * (length + 4 * moved) / (1 << form.bits)
         error_bound += 2 * moved * length + 4 * moved * widest + 8 * moved**2
-        inside = inside and turn > error_bound
-        outside = outside or -turn > error_bound
+        inside = inside and orientation > error_bound
+        outside = outside or -orientation > error_bound
         distances.append(Fraction(s * s, q))
     nearest = min(distances)  # squared, of all edges: none is left out
     error_bound = (DISTANCE_ROUNDINGS * (widest + 2 * moved) ** 2 + 8 * r * r) / (1 << form.bits)
@@ -283,8 +277,11 @@ def _certify_circle_polygon(circle: Shape, polygon: Shape, form: Format) -> Rela
     return APART if outside and nearest > max(r * r + error_bound, (r + range_error) ** 2) else None
 
 
-def _coordinate_error(coordinates: Iterable[int], numbers: Iterable[float], form: Format) -> Fraction:
-    """Return the most by which the format rounds a coordinate, in units of the integers; 0 if none is rounded."""
+def _coordinate_error(coordinates: Iterable[int], numbers: Iterable[float], form: FloatFormat) -> Fraction:
+    """Return an upper bound of the rounding error of any coordinate in this format; 0 if none is rounded.
+
+    `numbers`: the coordinates as floats; `coordinates`: the same as integers, whose unit the result has.
+    """
     if form is FLOAT64 or all(is_representable(Fraction(c), form) for c in numbers):
         return Fraction(0)
     return Fraction(max(map(abs, coordinates)), 1 << form.bits)

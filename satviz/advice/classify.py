@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import batch
-from ..batch.arrays import Group, Shapes
+from ..batch.arrays import CornerColumns, Shapes
 from ..batch.codes import APART, OVERLAPPING, UNDECIDED
 from ..batch.exact_signs import two_sum
 from ..engine.predicates import UNIT_ROUNDOFF
@@ -28,14 +28,14 @@ from .models import (
     is_circle,
     relations_of_gaps,
 )
-from .pairs import Array, Indices, Pairs, Relations, max_coordinates, pair_columns, part_shape
-from .rounding import FLOAT64, FORMATS, Format
+from .pairs import Array, Indices, PartPairs, Relations, max_coordinates, pair_columns, part_shape
+from .rounding import FLOAT64, FORMATS, FloatFormat
 from .rounding_numpy import Errors
 
 SQUARE_ERROR = 1 + 2.0**-40  # widens a square computed in float64, with a relative error of a few u
 
 
-def classify(model: Model, pairs: Pairs, exact: Relations, *, engine: str | None = None) -> Relations:
+def classify(model: Model, pairs: PartPairs, exact: Relations, *, engine: str | None = None) -> Relations:
     """Return for each pair the relation that the model certainly finds; UNDECIDED where rounding can decide.
 
     `exact` are the exact relations, which a model finds where it rounds nothing; `engine` as in `batch.relate`, which
@@ -60,10 +60,10 @@ def classify(model: Model, pairs: Pairs, exact: Relations, *, engine: str | None
         if a.owner is not None or b.owner is not None:
             relations = batch.relate(a.parts, b.parts, np.stack([pairs.pa, pairs.pb], axis=1), engine=engine)
         found = np.empty(len(pairs.pa), np.int8)
-        grids_a, grids_b = (PartGrids.of(s.parts) for s in (a, b))
+        grids_a, grids_b = (PartUnits.of(s.parts) for s in (a, b))
         for mine, p, q in pair_columns(a.parts, pairs.pa, b.parts, pairs.pb):
             found[mine] = _classify_parts(p, q, form)
-            on_grid = fits_grid(grids_a, pairs.pa[mine], grids_b, pairs.pb[mine], form)
+            on_grid = fits_unit(grids_a, pairs.pa[mine], grids_b, pairs.pb[mine], form)
             if p.r is None and q.r is None:
                 found[mine] = np.where(on_grid, relations[mine], found[mine])
             undecided = np.flatnonzero(found[mine] == UNDECIDED)
@@ -73,8 +73,8 @@ def classify(model: Model, pairs: Pairs, exact: Relations, *, engine: str | None
         return pairs.whole(_decide_by_fractions(pairs, found, form))
 
 
-def _decide_by_fractions(pairs: Pairs, found: Relations, form: Format) -> Relations:
-    """Return `found` with UNDECIDED parts certified by fractions, up to the first that stays undecided."""
+def _decide_by_fractions(pairs: PartPairs, found: Relations, form: FloatFormat) -> Relations:
+    """Certify UNDECIDED entries of `found` by fractions, in place, up to the first that stays undecided; return it."""
     undecided = np.flatnonzero((found == UNDECIDED) & (pairs.whole(found)[pairs.of] == UNDECIDED))
     for many, k in enumerate(undecided.tolist()):
         refuse_too_many_fractions(many, len(undecided))
@@ -87,7 +87,7 @@ def _decide_by_fractions(pairs: Pairs, found: Relations, form: Format) -> Relati
     return found
 
 
-def _classify_parts(p: Group, q: Group, form: Format) -> Relations:
+def _classify_parts(p: CornerColumns, q: CornerColumns, form: FloatFormat) -> Relations:
     """Return the relations of pairs of convex parts (columns p, q) that SAT certainly finds, else UNDECIDED."""
     if p.r is not None and q.r is not None:
         return _classify_circles(_number_rows(p), _number_rows(q), form)
@@ -96,7 +96,7 @@ def _classify_parts(p: Group, q: Group, form: Format) -> Relations:
     return _classify_polygons(p, q, form)
 
 
-def _rounds_nothing(p: Group, q: Group, form: Format) -> NDArray[np.bool_]:
+def _rounds_nothing(p: CornerColumns, q: CornerColumns, form: FloatFormat) -> NDArray[np.bool_]:
     """Return a mask of the polygon pairs for which the format holds every number that SAT can compute."""
     errors = Errors(form, p.x.shape[1])
     for g in (p, q):
@@ -107,10 +107,11 @@ def _rounds_nothing(p: Group, q: Group, form: Format) -> NDArray[np.bool_]:
     return errors.exact
 
 
-class PartGrids(NamedTuple):
-    """Hold the grid of each convex part: all its numbers are multiples of 2**unit, the largest such power.
+class PartUnits(NamedTuple):
+    """Hold for each convex part the unit of its numbers, their largest one, and its longest edge component.
 
-    `most`: the largest absolute number; `span`: the largest component of an edge, 0 for a circle.
+    `unit`: the exponent of the largest power of two that divides all numbers of the part, (P,); `most`: the largest
+    absolute number; `span`: the largest component of an edge, 0 for a circle; both in scene units.
     """
 
     unit: Array
@@ -118,8 +119,8 @@ class PartGrids(NamedTuple):
     span: Array
 
     @classmethod
-    def of(cls, parts: Shapes) -> "PartGrids":
-        """Return the grids of these convex parts."""
+    def of(cls, parts: Shapes) -> "PartUnits":
+        """Return the PartUnits of a batch of convex parts, computed from its coordinates and radii."""
         found = cls(*np.empty((3, len(parts.count))))
         for v, g in parts.groups.items():
             mine = parts.count == v
@@ -133,11 +134,11 @@ class PartGrids(NamedTuple):
         return found
 
 
-def fits_grid(a: PartGrids, ia: Indices, b: PartGrids, ib: Indices, form: Format) -> NDArray[np.bool_]:
-    """Return a mask of the polygon pairs on a grid so coarse that SAT in this format rounds nothing.
+def fits_unit(a: PartUnits, ia: Indices, b: PartUnits, ib: Indices, form: FloatFormat) -> NDArray[np.bool_]:
+    """Return a mask of the polygon pairs whose common unit is so large that SAT in this format rounds nothing.
 
     The bound of `scope.py`: 4 S M <= 2**bits, with S the largest edge component and M the largest coordinate, both in
-    units of the grid.
+    multiples of the unit.  Pair k has part ia[k] of `a` and part ib[k] of `b`.
     """
     unit = np.minimum(a.unit[ia], b.unit[ib])
     most, span = (np.maximum(c[ia], d[ib]) for c, d in ((a.most, b.most), (a.span, b.span)))
@@ -164,7 +165,7 @@ def _boxes(shapes: Shapes, outwards: float) -> Array:
     return found
 
 
-def _classify_circles(a: Array, b: Array, form: Format) -> Relations:
+def _classify_circles(a: Array, b: Array, form: FloatFormat) -> Relations:
     """Return the relations of circles (x, y, radius) that squares of distances and ranges both certainly find."""
     dx, dy, total = a[:, 0] - b[:, 0], a[:, 1] - b[:, 1], a[:, 2] + b[:, 2]
     distance, square = dx * dx + dy * dy, total * total
@@ -175,7 +176,8 @@ def _classify_circles(a: Array, b: Array, form: Format) -> Relations:
     error_bound = (12.001 * 2.0**-form.bits + 2.0**-49) * (distance + square)
     error_bound += 5.001 * moved * (np.abs(dx) + np.abs(dy)) + 9.001 * moved * moved
     error_bound[~(known & (size > form.least * 1.001) & (most < form.most))] = np.inf
-    found = _relations_beyond(distance - square, error_bound)
+    gap = distance - square
+    found = np.where(gap > error_bound, APART, np.where(gap < -error_bound, OVERLAPPING, UNDECIDED))
     max_coordinate = np.maximum(*(np.abs(c[:, :2]).max(axis=1) for c in (a, b))) + np.maximum(a[:, 2], b[:, 2])
     range_error = RANGE_ROUNDINGS * (2.0**-form.bits + 2.0**-53) * 1.001 * max_coordinate
     near = np.abs(np.sqrt(distance) - total) <= range_error  # where ranges can be wrong
@@ -184,33 +186,26 @@ def _classify_circles(a: Array, b: Array, form: Format) -> Relations:
         errors = Errors(form, int(np.count_nonzero(where)))
         formula(errors, *([errors.held(c) for c in disc[where].T] for disc in (a, b)))
         exact[where] &= errors.exact
-    return np.where(exact & known, np.where(undecided, relations_of_gaps(distance - square), found), UNDECIDED).astype(
-        np.int8
-    )
+    return np.where(exact & known, np.where(undecided, relations_of_gaps(gap), found), UNDECIDED).astype(np.int8)
 
 
-def _number_rows(g: Group) -> Array:
+def _number_rows(g: CornerColumns) -> Array:
     """Return (n, k): one row per shape, with its coordinates and, for a circle, its radius."""
     return np.concatenate([g.x, g.y] if g.r is None else [g.x, g.y, g.r[None]]).T
 
 
-def _rows_fit_format(form: Format, rows: Array) -> NDArray[np.bool_]:
+def _rows_fit_format(form: FloatFormat, rows: Array) -> NDArray[np.bool_]:
     """Return which rows hold only numbers of the format."""
     found: NDArray[np.bool_] = (form is FLOAT64) | (rows.astype(DTYPES[form.name]) == rows).all(axis=1)
     return found
 
 
-def _relations_beyond(gap: Array, error_bound: Array) -> Relations:
-    """Return APART above the error bound, OVERLAPPING below its negative, else UNDECIDED."""
-    return np.where(gap > error_bound, APART, np.where(gap < -error_bound, OVERLAPPING, UNDECIDED)).astype(np.int8)
-
-
-def _classify_ranges(model: Model, pairs: Pairs) -> Relations:
+def _classify_ranges(model: Model, pairs: PartPairs) -> Relations:
     """Return the relations that ranges on the directions of a k-DOP certainly give, else UNDECIDED."""
     a, b, ia, ib = pairs.a, pairs.b, pairs.ia, pairs.ib
     p, q = direction_ranges(a, model.directions)[ia], direction_ranges(b, model.directions)[ib]
     gap = np.maximum(p[:, :, 0] - q[:, :, 1], q[:, :, 0] - p[:, :, 1])
-    most = np.maximum(_max_coordinates(a)[ia], _max_coordinates(b)[ib])
+    most = np.maximum(np.abs(a.bounds).max(axis=1)[ia], np.abs(b.bounds).max(axis=1)[ib])
     error_bound = most * (2.0**-53 * 32)
     error_bound[~((most > FLOAT64.least) & (most < FLOAT64.most))] = np.inf
     rounds_nothing = _projects_exactly(a, model)[ia] & _projects_exactly(b, model)[ib]
@@ -232,13 +227,7 @@ def _projects_exactly(shapes: Shapes, model: Model) -> NDArray[np.bool_]:
     return found
 
 
-def _max_coordinates(shapes: Shapes) -> Array:
-    """Return the largest absolute coordinate of each shape's bounding box."""
-    most: Array = np.abs(shapes.bounds).max(axis=1)
-    return most
-
-
-def _classify_polygons(p: Group, q: Group, form: Format) -> Relations:
+def _classify_polygons(p: CornerColumns, q: CornerColumns, form: FloatFormat) -> Relations:
     """Return the relations SAT certainly finds for polygons, else UNDECIDED; adds 32 u D M for rounding here."""
     most = np.maximum(max_coordinates(p), max_coordinates(q))
     wide = np.maximum(
@@ -262,7 +251,7 @@ def _classify_polygons(p: Group, q: Group, form: Format) -> Relations:
     return np.where(good & apart, APART, np.where(over, OVERLAPPING, UNDECIDED)).astype(np.int8)
 
 
-def _classify_circle_polygons(circle: Group, ring: Group, form: Format) -> Relations:
+def _classify_circle_polygons(circle: CornerColumns, ring: CornerColumns, form: FloatFormat) -> Relations:
     """Return what the test in floats of `form` must answer for circles against convex polygons, or UNDECIDED."""
     assert circle.r is not None
     far = np.maximum(*(np.abs(c - d).max(axis=0) for c, d in ((ring.x, circle.x), (ring.y, circle.y))))
@@ -273,13 +262,13 @@ def _classify_circle_polygons(circle: Group, ring: Group, form: Format) -> Relat
     unit = (2.0**-form.bits + UNIT_ROUNDOFF) * 1.001  # roundings of the model, and of float64 here
     inside, outside = good.copy(), np.zeros(len(far), bool)
     nearest = np.full(len(far), np.inf)
-    for dx, dy, turn, distance in edge_distances(circle, ring):
+    for dx, dy, orientation, distance in edge_distances(circle, ring):
         good &= np.maximum(np.abs(dx), np.abs(dy)) > (form.least + 2 * moved) * 1.001
         long = np.abs(dx) + np.abs(dy)
         size = TURN_ROUNDINGS * unit * (far + 2 * moved) * (long + 4 * moved)
         size += 1.001 * moved * (2 * long + 4 * far + 8 * moved)
-        inside &= turn > size
-        outside |= turn < -size
+        inside &= orientation > size
+        outside |= orientation < -size
         np.minimum(nearest, distance, out=nearest)
     square = circle.r * circle.r
     error_bound = unit * (DISTANCE_ROUNDINGS * (far + 2 * moved) ** 2 + 8 * square) + 9.001 * moved * (far + moved)

@@ -185,8 +185,8 @@ def circle_polygon_gap(cx: float, cy: float, r: float, x: Array, y: Array, first
     for e in range(first, last):
         qx, qy = x[e], y[e]
         dx, dy, ax, ay = qx - px, qy - py, px - cx, py - cy
-        turn = ax * dy - ay * dx
-        inside = inside and turn > 0
+        orientation = ax * dy - ay * dx
+        inside = inside and orientation > 0
         along, square = -(ax * dx + ay * dy), dx * dx + dy * dy
         if along <= 0:
             distance = ax * ax + ay * ay
@@ -194,7 +194,7 @@ def circle_polygon_gap(cx: float, cy: float, r: float, x: Array, y: Array, first
             bx, by = qx - cx, qy - cy
             distance = bx * bx + by * by
         else:
-            distance = turn / square * turn
+            distance = orientation / square * orientation
         nearest = min(nearest, distance)
         px, py = qx, qy
     return -1.0 if inside else nearest - r * r

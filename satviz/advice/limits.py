@@ -18,7 +18,10 @@ TESTS_TIMED = 400_000
 
 
 def refuse_too_many_tests(pairs: int, tests: int) -> None:
-    """Raise InvalidScene for too many pairs of convex parts, or too many tests of an edge against a corner."""
+    """Raise InvalidScene for too many pairs of convex parts, or too many tests of an edge against a corner.
+
+    pairs, tests: the numbers of both.
+    """
     for many, most, what in (
         (pairs, MAX_PAIRS, "pairs of convex parts"),
         (tests, MAX_TESTS, "tests of an edge against a corner"),

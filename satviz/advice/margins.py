@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import batch
-from ..batch.arrays import Group, Shapes
+from ..batch.arrays import CornerColumns, Shapes
 from ..batch.codes import TOUCHING
 from ..batch.exact_signs import sum_with_error, two_sum
 from ..engine.predicates import UNIT_ROUNDOFF
@@ -19,26 +19,22 @@ from .limits import refuse_too_many_fractions
 from .pairs import Array, indexed, max_coordinates, pair_columns, part_pairs, part_shape
 from .relative_margin import signed_relative_margin
 
-# |error| < 17 u D M of a turn (D the span, M max_coordinate), < 40 u M of a distance: 40 / 2**11 is one part in fifty.
+# |error| < 17 u D M of an orientation (D the span, M max_coordinate), < 40 u M of a distance: 40 / 2**11 is one part
+# in fifty.
 MIN_ROUGH_MARGIN = 2.0**11
 MIN_ERROR_BOUNDS = 100.0  # gap / error bound: the margin is then good to one part in a hundred
 MIN_LENGTH = 2.0**-900  # in units of max_coordinate: products of shorter lengths lose bits
 
-Measure = Callable[[Group, Group], Array]
-
-
-def relative_margins(a: Shapes, b: Shapes, pairs: ArrayLike | None = None) -> Array:
-    """Return each pair's gap or overlap in roundings (K,), right to one part in fifty; 0 only if touching.
-
-    a, b: batch shapes paired row by row, or by the (K, 2) indices `pairs`, as in `batch.relate`.
-    """
-    return np.abs(signed_relative_margins(a, b, pairs))
+Measure = Callable[[CornerColumns, CornerColumns], Array]
 
 
 def signed_relative_margins(
     a: Shapes, b: Shapes, pairs: ArrayLike | None = None, *, engine: str | None = None
 ) -> Array:
-    """Return the (K,) relative margins, negative where the pair overlaps; `engine` as in `batch.relate`."""
+    """Return each pair's gap, or minus its overlap, in roundings (K,), right to one part in fifty; 0 only if touching.
+
+    a, b: batch shapes paired row by row, or by the (K, 2) indices `pairs`; `engine` as in `batch.relate`.
+    """
     ia, ib = indexed(a, b, pairs)
     pa, pb, of = part_pairs(a, ia, b, ib)
     a, b = a.parts, b.parts
@@ -61,33 +57,40 @@ def signed_relative_margins(
     return found
 
 
-def edge_clearances(own: Group, other: Group) -> Iterator[tuple[Array, Array]]:
-    """Yield per edge of `own`: least orientation determinant of the other's corners, larger side of the edge."""
+def edge_clearances(own: CornerColumns, other: CornerColumns) -> Iterator[tuple[Array, Array]]:
+    """Yield for each edge of `own` (least orientation determinant of the other's corners, larger edge component).
+
+    Both are (n,) arrays, one value for each pair of columns.
+    """
     for e in range(len(own.x)):
         x, y = own.x[e - 1], own.y[e - 1]
         nx, ny = own.y[e] - y, x - own.x[e]
         yield (nx * (other.x - x) + ny * (other.y - y)).min(axis=0), np.maximum(np.abs(nx), np.abs(ny))
 
 
-def edge_distances(circle: Group, ring: Group) -> Iterator[tuple[NDArray[Any], ...]]:
-    """Yield (dx, dy, turn, squared distance from the center) for each edge of the polygons, in their float format.
+def edge_distances(circle: CornerColumns, ring: CornerColumns) -> Iterator[tuple[NDArray[Any], ...]]:
+    """Yield (dx, dy, orientation, squared distance from the center) for each edge, in the float format of `ring`.
 
-    (dx, dy) is the edge; the turn is positive where the center is on its inner side.
+    Each is an (n,) array.  (dx, dy) is the edge; the orientation determinant is positive where the center is on its
+    inner side.
     """
     x, y = ring.x - circle.x, ring.y - circle.y
     for e in range(len(x)):
         dx, dy = ring.x[e] - ring.x[e - 1], ring.y[e] - ring.y[e - 1]
-        turn = x[e - 1] * dy - y[e - 1] * dx
+        orientation = x[e - 1] * dy - y[e - 1] * dx
         along, square = -(x[e - 1] * dx + y[e - 1] * dy), dx * dx + dy * dy
         ends = np.where(along <= 0, x[e - 1] ** 2 + y[e - 1] ** 2, x[e] ** 2 + y[e] ** 2)
-        yield dx, dy, turn, np.where((along > 0) & (along < square), turn / square * turn, ends)
+        yield dx, dy, orientation, np.where((along > 0) & (along < square), orientation / square * orientation, ends)
 
 
-def _margins_of_columns(a: Group, b: Group, polygon_gap: Measure, circle_gap: Measure) -> Array:
-    """Return the signed relative margins of columns; the measures serve two polygons and two circles."""
+def _margins_of_columns(a: CornerColumns, b: CornerColumns, polygon_gap: Measure, circle_gap: Measure) -> Array:
+    """Return the (n,) signed relative margins of columns k of `a` with columns k of `b`.
+
+    `polygon_gap`: the measure of two polygons; `circle_gap`: that of two circles.
+    """
     with np.errstate(all="ignore"):
         # scale all numbers below 1/2: then no difference of coordinates and no center plus radius overflows
-        power = -1 - np.frexp(np.maximum(max_coordinates(_halved(a)), max_coordinates(_halved(b))))[1]
+        power = -1 - np.frexp(np.maximum(*(max_coordinates(CornerColumns(g.block / 2)) for g in (a, b))))[1]
         a, b = (_scaled(g, power) for g in (a, b))
         unit = UNIT_ROUNDOFF * np.maximum(max_coordinates(a), max_coordinates(b))
         if a.r is not None and b.r is not None:
@@ -99,22 +102,17 @@ def _margins_of_columns(a: Group, b: Group, polygon_gap: Measure, circle_gap: Me
         return np.asarray(gap / unit)
 
 
-def _halved(g: Group) -> Group:
-    """Return the shapes at half size."""
-    return Group(g.block / 2)
-
-
-def _scaled(g: Group, power: NDArray[np.intp]) -> Group:
+def _scaled(g: CornerColumns, power: NDArray[np.intp]) -> CornerColumns:
     """Return the group with each shape multiplied by its 2**power."""
-    return Group(np.ldexp(g.block, power))
+    return CornerColumns(np.ldexp(g.block, power))
 
 
-def _polygon_gap(a: Group, b: Group) -> Array:
+def _polygon_gap(a: CornerColumns, b: CornerColumns) -> Array:
     """Return for each pair of polygons the largest clearance / span of any edge of either."""
     return np.maximum(_most_clearance(a, b), _most_clearance(b, a))
 
 
-def _most_clearance(own: Group, other: Group) -> Array:
+def _most_clearance(own: CornerColumns, other: CornerColumns) -> Array:
     """Return for each pair the largest clearance / span of an edge of `own`; NaN if an edge is too short."""
     best = np.full(own.x.shape[1], -np.inf)
     for clearance, span in edge_clearances(own, other):
@@ -123,14 +121,14 @@ def _most_clearance(own: Group, other: Group) -> Array:
     return best
 
 
-def _circle_gap(a: Group, b: Group) -> Array:
+def _circle_gap(a: CornerColumns, b: CornerColumns) -> Array:
     """Return for each pair of circles the distance of the centers less both radii, in plain floats."""
     assert a.r is not None and b.r is not None
     gap: Array = np.hypot(a.x[0] - b.x[0], a.y[0] - b.y[0]) - (a.r + b.r)
     return gap
 
 
-def _polygon_gap_by_errors(a: Group, b: Group) -> Array:
+def _polygon_gap_by_errors(a: CornerColumns, b: CornerColumns) -> Array:
     """Return the gaps of polygons within one part in a hundred, else NaN, by floats with their errors."""
     best, error_bound = np.full(a.x.shape[1], -np.inf), np.zeros(a.x.shape[1])
     for own, other in (a, b), (b, a):
@@ -139,15 +137,15 @@ def _polygon_gap_by_errors(a: Group, b: Group) -> Array:
             x, y = own.x[e - 1], own.y[e - 1]
             sides = two_sum(own.y[e], -y), two_sum(x, -own.x[e]), two_sum(other.x, -x), two_sum(other.y, -y)
             (nx, enx), (ny, eny), (dx, edx), (dy, edy) = ([np.broadcast_to(c, shape).ravel() for c in s] for s in sides)
-            turn, off, _ = sum_with_error([(nx, dx), (ny, dy)], (nx * edx + enx * dx) + (ny * edy + eny * dy))
+            orientation, off, _ = sum_with_error([(nx, dx), (ny, dy)], (nx * edx + enx * dx) + (ny * edy + eny * dy))
             span = np.maximum(np.abs(nx), np.abs(ny))[: shape[1]]
             span[span < MIN_LENGTH] = np.nan
-            np.maximum(best, turn.reshape(shape).min(axis=0) / span, out=best)
+            np.maximum(best, orientation.reshape(shape).min(axis=0) / span, out=best)
             np.maximum(error_bound, off.reshape(shape).max(axis=0) / span, out=error_bound)
     return np.where(np.abs(best) > np.maximum(MIN_ERROR_BOUNDS * error_bound, MIN_LENGTH), best, np.nan)
 
 
-def _circle_gap_by_errors(a: Group, b: Group) -> Array:
+def _circle_gap_by_errors(a: CornerColumns, b: CornerColumns) -> Array:
     """Return the gaps of circles within one part in a hundred, else NaN, by a difference of squares."""
     assert a.r is not None and b.r is not None
     (dx, ex), (dy, ey), (r, er) = two_sum(a.x[0], -b.x[0]), two_sum(a.y[0], -b.y[0]), two_sum(a.r, b.r)
@@ -156,7 +154,7 @@ def _circle_gap_by_errors(a: Group, b: Group) -> Array:
     return np.where((np.abs(square) > MIN_ERROR_BOUNDS * off) & (np.abs(gap) > MIN_LENGTH), gap, np.nan)
 
 
-def _circle_polygon_gap(circle: Group, ring: Group) -> Array:
+def _circle_polygon_gap(circle: CornerColumns, ring: CornerColumns) -> Array:
     """Return the distance (inside: minus the depth) of each center from its polygon, less the radius.
 
     NaN where rounding may decide whether the center is inside.

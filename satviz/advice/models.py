@@ -1,7 +1,6 @@
 """The models for many pairs: `prepare` sets up the data of a model for a batch, `evaluate` returns its relations."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from functools import cache
 from importlib.util import find_spec
 from typing import Any
@@ -10,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import batch
-from ..batch.arrays import Group, Shapes
+from ..batch.arrays import CornerColumns, Shapes
 from ..batch.codes import TOUCHING
 from ..batch.with_numpy.filter import clearance
 from ..engine.geometry import Vec
@@ -18,25 +17,11 @@ from ..engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
 from .candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, MAX_DIRECTIONS, PARALLEL_ANGLE, Model
 from .certified_bounds import WIDENING
 from .margins import edge_distances
-from .pairs import Array, Indices, Pairs, Relations, pair_columns, slice_if_adjacent
+from .pairs import Array, ConvertedParts, PartPairs, Relations, pair_columns, slice_if_adjacent
 from .rounding import FORMATS
 
 PAIRS_PER_BLOCK = 16384  # pairs whose columns fit the cache
 DTYPES: dict[str, Any] = {"float32": np.float32, "float64": np.float64}
-
-
-@dataclass(frozen=True)
-class ConvertedParts:
-    """Hold all convex parts of a batch in one float format, both one after another and in columns."""
-
-    x: NDArray[Any]
-    y: NDArray[Any]
-    r: NDArray[Any]
-    start: Indices
-    bounds: NDArray[Any]
-    count: NDArray[np.int64]
-    slot: Indices
-    groups: dict[int, Group]
 
 
 def prepare(model: Model, shapes: Shapes) -> Any:
@@ -52,7 +37,7 @@ def prepare(model: Model, shapes: Shapes) -> Any:
         return direction_ranges(shapes, model.directions)
     dtype = DTYPES[model.kind]
     with np.errstate(over="ignore"):
-        groups = {v: Group(g.block.astype(dtype)) for v, g in shapes.groups.items()}
+        groups = {v: CornerColumns(g.block.astype(dtype)) for v, g in shapes.groups.items()}
         x, y, r = (c.astype(dtype) for c in (*shapes.rings[:2], part_radii(shapes)))
         bounds = shapes.parts.bounds.astype(dtype)  # rounding keeps order: boxes apart after it were apart before
         return ConvertedParts(x, y, r, shapes.rings.start, bounds, shapes.count, shapes.slot, groups)
@@ -158,7 +143,7 @@ def numba_kernels() -> Any:
     return kernels
 
 
-def evaluate(model: Model, pairs: Pairs, a: Any, b: Any, *, engine: str | None = None) -> Relations:
+def evaluate(model: Model, pairs: PartPairs, a: Any, b: Any, *, engine: str | None = None) -> Relations:
     """Return the relation that the model finds for each pair; a and b are what `prepare` returned for each side."""
     ia, ib = pairs.ia, pairs.ib
     if model.kind == EXACT_FILTER:
@@ -224,7 +209,7 @@ def compare_ranges(a: Array, b: Array) -> Relations:
     return relations_of(apart, over)
 
 
-def sat(pairs: Pairs, a: ConvertedParts, b: ConvertedParts, kernels: Any) -> Relations:
+def sat(pairs: PartPairs, a: ConvertedParts, b: ConvertedParts, kernels: Any) -> Relations:
     """Return the relations of the pairs by SAT in the float format of `a` and `b`; `kernels` None means NumPy."""
     found = np.empty(len(pairs.pa), np.int8)
     if kernels is not None:
@@ -236,7 +221,7 @@ def sat(pairs: Pairs, a: ConvertedParts, b: ConvertedParts, kernels: Any) -> Rel
     return pairs.whole(found)
 
 
-def sat_gaps(p: Group, q: Group) -> NDArray[Any]:
+def sat_gaps(p: CornerColumns, q: CornerColumns) -> NDArray[Any]:
     """Return for each pair of columns a number with the sign that SAT finds for the gap."""
     if p.r is not None and q.r is not None:
         return _squared_gap((p.x[0], p.y[0], p.r), (q.x[0], q.y[0], q.r))
@@ -247,12 +232,12 @@ def sat_gaps(p: Group, q: Group) -> NDArray[Any]:
     return found
 
 
-def circle_polygon_gap(circle: Group, ring: Group) -> NDArray[Any]:
+def circle_polygon_gap(circle: CornerColumns, ring: CornerColumns) -> NDArray[Any]:
     """Return the squared distance of each center from the boundary less r squared; -1 if it is inside."""
     assert circle.r is not None
     inside = np.ones(ring.x.shape[1], bool)
     nearest = np.full(ring.x.shape[1], np.inf, ring.x.dtype)
-    for _, _, turn, distance in edge_distances(circle, ring):
-        inside &= turn > 0
+    for _, _, orientation, distance in edge_distances(circle, ring):
+        inside &= orientation > 0
         np.minimum(nearest, distance, out=nearest)
     return np.where(inside, -1, nearest - circle.r * circle.r)

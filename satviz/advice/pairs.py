@@ -1,15 +1,16 @@
 """Pairs of shapes of two batches, the pairs of their convex parts, and blocks of these pairs in columns.
 
-Columns hold shapes with equally many corners: x and y are (corners, n) arrays, one column per shape (`Group`).
+Columns hold shapes with equally many corners: x and y are (corners, n) arrays, one column per shape (`CornerColumns`).
 """
 
 from collections.abc import Iterator
-from typing import NamedTuple, Protocol
+from dataclasses import dataclass
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..batch.arrays import Group, Shapes
+from ..batch.arrays import CornerColumns, Shapes
 from ..batch.codes import UNDECIDED
 from ..batch.narrow_phase import check_pairs
 from ..engine.shapes import Circle, Polygon, Shape
@@ -20,8 +21,12 @@ Relations = NDArray[np.int8]
 MAX_CORNERS_AT_ONCE = 1 << 18  # corners times pairs
 
 
-class Pairs(NamedTuple):
-    """Hold pairs of shapes (ia, ib) of two batches, all pairs (pa, pb) of their parts, and `of`: the pair of each."""
+class PartPairs(NamedTuple):
+    """Hold pairs of shapes of two batches, and all pairs of their convex parts.
+
+    ia, ib: (n,) pair k is a[ia[k]] with b[ib[k]]; pa, pb: (m,) indices of the convex parts of each pair of parts;
+    of: (m,) the number k of the pair of shapes to which each pair of parts belongs.
+    """
 
     a: Shapes
     b: Shapes
@@ -32,9 +37,10 @@ class Pairs(NamedTuple):
     of: Indices
 
     def whole(self, of_parts: Relations) -> Relations:
-        """Return the relation of each pair of shapes: the largest one of the pairs of their convex parts.
+        """Return the (n,) relations of the pairs of shapes: the largest one of their pairs of convex parts.
 
-        UNDECIDED for a part makes the pair UNDECIDED, unless another part overlaps.
+        of_parts: (m,) relations of the pairs of parts.  UNDECIDED for a part makes the pair UNDECIDED, unless another
+        part overlaps.
         """
         if self.a.owner is None and self.b.owner is None:
             return of_parts
@@ -44,25 +50,23 @@ class Pairs(NamedTuple):
         return np.array([0, 1, UNDECIDED, 2], np.int8)[most]
 
 
-def paired(a: Shapes, ia: Indices, b: Shapes, ib: Indices) -> Pairs:
-    """Return the Pairs record of a[ia[k]] with b[ib[k]], which includes all pairs of their convex parts."""
-    return Pairs(a, b, ia, ib, *part_pairs(a, ia, b, ib))
+def paired(a: Shapes, ia: Indices, b: Shapes, ib: Indices) -> PartPairs:
+    """Return the PartPairs record of a[ia[k]] with b[ib[k]], which includes all pairs of their convex parts."""
+    return PartPairs(a, b, ia, ib, *part_pairs(a, ia, b, ib))
 
 
-class HasColumns(Protocol):
-    """Describe convex parts in columns by number of corners: a batch, or its copy in another float format."""
+@dataclass(frozen=True)
+class ConvertedParts:
+    """Hold all convex parts of a batch in one float format, both one after another and in columns."""
 
-    @property
-    def count(self) -> NDArray[np.int64]:
-        """Return the number of corners of each part, (N,)."""
-
-    @property
-    def slot(self) -> Indices:
-        """Return the column of each part in its group, (N,)."""
-
-    @property
-    def groups(self) -> dict[int, Group]:
-        """Return the groups by number of corners."""
+    x: NDArray[Any]
+    y: NDArray[Any]
+    r: NDArray[Any]
+    start: Indices
+    bounds: NDArray[Any]
+    count: NDArray[np.int64]
+    slot: Indices
+    groups: dict[int, CornerColumns]
 
 
 def indexed(a: Shapes, b: Shapes, pairs: ArrayLike | None) -> tuple[Indices, Indices]:
@@ -101,8 +105,8 @@ def part_shape(shapes: Shapes, part: int) -> Shape:
 
 
 def pair_columns(
-    a: HasColumns, pa: Indices, b: HasColumns, pb: Indices, most: int = 1 << 62
-) -> Iterator[tuple[Indices, Group, Group]]:
+    a: Shapes | ConvertedParts, pa: Indices, b: Shapes | ConvertedParts, pb: Indices, most: int = 1 << 62
+) -> Iterator[tuple[Indices, CornerColumns, CornerColumns]]:
     """Yield (indices of pairs, group for a, group for b) for blocks of pairs with equal numbers of corners.
 
     `most` is the largest number of pairs in a block.
@@ -124,7 +128,7 @@ def slice_if_adjacent(slots: Indices) -> Indices | slice:
     return slice(first, last + 1) if adjacent else slots
 
 
-def max_coordinates(group: Group) -> Array:
+def max_coordinates(group: CornerColumns) -> Array:
     """Return the largest absolute coordinate of each column, plus the radius of circles."""
     most: Array = np.maximum(np.abs(group.x).max(axis=0), np.abs(group.y).max(axis=0))
     return most if group.r is None else most + group.r

@@ -14,19 +14,20 @@ from .candidates import AABB, EXACT_FILTER, AnyShape, Model, candidates
 if TYPE_CHECKING:
     from ..batch.broad_phase import BroadPhase
 
-Pair = tuple[int, int]
-UPRIGHT_BOXES, CIRCLES, CONVEX_POLYGONS, CONCAVE_POLYGONS = (
-    "upright boxes",
-    "circles",
-    "convex polygons",
-    "concave polygons",
-)
+IndexPair = tuple[int, int]
+SINGULAR = {
+    "upright boxes": "upright box",
+    "circles": "circle",
+    "convex polygons": "convex polygon",
+    "concave polygons": "concave polygon",
+}
+UPRIGHT_BOXES, CIRCLES, CONVEX_POLYGONS, CONCAVE_POLYGONS = SINGULAR  # the kinds of shapes
 
 
-class Grid(NamedTuple):
-    """Describe the coarsest grid of some numbers: multiples of 2**unit, the largest being `most` times 2**unit.
+class CommonUnit(NamedTuple):
+    """Describe the largest power of two, 2**unit, that divides all coordinates and radii of some shapes.
 
-    `span`: the largest component of an edge, in multiples of 2**unit.
+    `most`: the largest absolute number, and `span`: the largest component of an edge, both in multiples of 2**unit.
     """
 
     unit: int
@@ -54,17 +55,17 @@ class GivenPairs(NamedTuple):
     `shapes_of(k)` and `indices(k)` return the two shapes and the two indices of pair k, `unique_shapes()` each
     shape once, `batches()` the pairs as batches to be timed.  Pairs from number `pairs` on are those counted in
     `broad_phase.near`.  `moved_bound()` returns the largest coordinate up to which the pairs may be moved as a whole
-    with SAT in float64 still proven, 0 if they exceed it already; `grid()` the grid of all numbers; `tests` counts the
-    tests of an edge against a corner.
+    with SAT in float64 still proven, 0 if they exceed it already; `common_unit()` the largest power of two that
+    divides all numbers; `tests` counts the tests of an edge against a corner.
     """
 
     pairs: int
     shapes_of: Callable[[int], tuple[AnyShape, AnyShape]]
-    indices: Callable[[int], Pair]
+    indices: Callable[[int], IndexPair]
     unique_shapes: Callable[[], Sequence[AnyShape]]
     batches: Callable[[], Any]
     moved_bound: Callable[[], float]
-    grid: Callable[[], Grid | None]
+    common_unit: Callable[[], CommonUnit | None]
     tests: int
     broad_phase: BroadPhaseResult | None = None
 
@@ -79,18 +80,19 @@ class InputSummary(NamedTuple):
 
     `kinds`: how many shapes of each kind; `corners`: the fewest and the most of a convex part; `size_ratio`: the width
     of the largest shape over that of the smallest; `relations`: pairs apart, touching and overlapping; `settled`:
-    further pairs that are apart by their boxes; `relative_margin`: the smallest one, which pair `at` has; `search`:
+    further pairs that are apart by their boxes; `relative_margin`: the smallest one, which the pair with the indices
+    `at` has; `search`:
     the broad phase that suffices where all pairs of one batch are given, else None.
     """
 
     kinds: dict[str, int]
-    corners: Pair
+    corners: IndexPair
     size_ratio: float
     pairs: int
     relations: tuple[int, int, int]
     settled: int
     relative_margin: float
-    at: Pair
+    at: IndexPair
     search: "BroadPhase | None" = None
 
 
@@ -104,7 +106,7 @@ class ModelResult(NamedTuple):
     model: Model
     wrong: int
     uncertain: int
-    first: Pair | None
+    first: IndexPair | None
     proven_for_hits: bool
 
     @property

@@ -1,28 +1,30 @@
 """The relative margin of a pair: how hard it is for floats, counted in roundings.
 
-    relative margin = |the turn that decides| / (u * span * max_coordinate)
+    relative margin = |the orientation that decides| / (u * span * max_coordinate)
 
-The *turn* of a corner about an edge is the orientation determinant (orient2d) of the edge and the corner; u = 2**-53 is
-the unit roundoff of float64.  The margin has no unit and does not change when the pair is scaled by a power of two.
+The *orientation* of a corner about an edge is the orientation determinant (orient2d) of the edge and the corner; u =
+2**-53 is the unit roundoff of float64.  The margin has no unit and does not change when the pair is scaled by a power
+of two.
 
-Polygons: an edge's *clearance* is the least turn of the other shape's corners about it, positive where all of them lie
-beyond the edge.  It is divided by the edge's *span* (its larger component) and by the largest absolute coordinate of
-both shapes.  The edge with the largest quotient decides.  Where that is positive the shapes are apart; where it is
-negative every edge is refuted by at least as much, so they overlap.  The margin is 0 for touching pairs, and only for
-them.  Circles: the gap takes the place of clearance / span (with the center inside: minus the depth), and a circle's
-largest coordinate is that of its center plus the radius.  Concave polygons: the pair of convex parts with the least
-signed margin decides.
+Polygons: an edge's *clearance* is the least orientation of the other shape's corners about it, positive where all of
+them lie beyond the edge.  It is divided by the edge's *span* (its larger component) and by the largest absolute
+coordinate of both shapes.  The edge with the largest quotient decides.  Where that is positive the shapes are apart;
+where it is negative every edge is refuted by at least as much, so they overlap.  The margin is 0 for touching pairs,
+and only for them.  Circles: the gap takes the place of clearance / span (with the center inside: minus the depth), and
+a circle's largest coordinate is that of its center plus the radius.  Concave polygons: the pair of convex parts with
+the least signed margin decides.
 
 A sum of products of rounded differences is off by some u * span * max_coordinate.  So plain floats can be trusted where
 the margin is above their number of roundings; `certified_bounds.py` says how many.  That holds while the floats can
-hold the shapes and the products of their coordinates.  Where products leave the range of the floats, or where the grid
-of float32 is coarser than a shape, an answer can be wrong at any margin.
+hold the shapes and the products of their coordinates.  Where products leave the range of the floats, or where the
+steps of float32 are larger than a shape, an answer can be wrong at any margin.
 """
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
 from ..engine.convex_parts import parts
+from ..engine.geometry import cyclic_pairs
 from ..engine.predicates import IntPoint, root_difference, to_common_unit
 from ..engine.shapes import Shape, require_shape
 
@@ -32,7 +34,8 @@ IN_FLOAT32 = 2.0**-29  # a margin times this is counted in roundings of float32
 def relative_margin(a: Shape, b: Shape) -> float:
     """Return the relative margin of two shapes: 0 or more, and 0 only for touching.
 
-    Right to the last place of the result; exact in its sign.  TypeError for anything but Polygon and Circle.
+    It is the orientation determinant that decides, divided by u * span * max_coordinate: the distance from touching
+    counted in roundings (see the module).  Correctly rounded.  TypeError for anything but Polygon and Circle.
     """
     return abs(signed_relative_margin(a, b))
 
@@ -66,32 +69,27 @@ def _max_coordinate(shape: Shape, k: int) -> int:
 
 
 def edge_clearances(ring: Sequence[IntPoint], points: Sequence[IntPoint]) -> Iterator[tuple[int, int]]:
-    """Yield (least orientation determinant of the points, larger side) of each edge; the first ends at ring[0]."""
-    px, py = ring[-1]
-    for qx, qy in ring:
+    """Yield (least orientation determinant of the points, larger side) of each edge; the first begins at ring[0]."""
+    for (px, py), (qx, qy) in cyclic_pairs(ring):
         nx, ny = qy - py, px - qx
         yield min(nx * x + ny * y for x, y in points) - nx * px - ny * py, max(abs(nx), abs(ny))
-        px, py = qx, qy
 
 
 def edge_distances(
     center: IntPoint, ring: Sequence[IntPoint]
 ) -> Iterator[tuple[tuple[int, int], int, tuple[int, int]]]:
-    """Yield (direction, turn, (s, q)) for each edge of a ring.
+    """Yield (direction, orientation, (s, q)) for each edge of a ring.
 
-    turn: the cross product of the edge's start, seen from the center, and its direction; positive where the center
-    lies on the inner side.  s / sqrt(q): the exact distance of the center from the edge as a segment.
+    orientation: the cross product of the edge's start, seen from the center, and its direction; positive where the
+    center lies on the inner side.  s / sqrt(q): the exact distance of the center from the edge as a segment.
     """
-    cx, cy = center
-    px, py = ring[-1][0] - cx, ring[-1][1] - cy
-    for qx, qy in ring:
-        qx, qy = qx - cx, qy - cy
+    seen = [(x - center[0], y - center[1]) for x, y in ring]
+    for (px, py), (qx, qy) in cyclic_pairs(seen):
         dx, dy = qx - px, qy - py
-        turn, along, square = px * dy - py * dx, -(px * dx + py * dy), dx * dx + dy * dy
+        orientation, along, square = px * dy - py * dx, -(px * dx + py * dy), dx * dx + dy * dy
         x, y = (px, py) if along <= 0 else (qx, qy)
         away = x * x + y * y
-        yield (dx, dy), turn, (abs(turn), square) if 0 < along < square else (away, away or 1)
-        px, py = qx, qy
+        yield (dx, dy), orientation, (abs(orientation), square) if 0 < along < square else (away, away or 1)
 
 
 def _gap_from_center(center: IntPoint, r: int, ring: Sequence[IntPoint], shift: int) -> float:
@@ -100,9 +98,9 @@ def _gap_from_center(center: IntPoint, r: int, ring: Sequence[IntPoint], shift: 
     Outside, the nearest edge decides; inside, minus the depth of the center is less the radius.
     """
     inner, outer = [], []
-    for (dx, dy), turn, (s, q) in edge_distances(center, ring):
-        if turn > 0:
-            inner.append(root_difference(-turn, r, dx * dx + dy * dy, shift))
+    for (dx, dy), orientation, (s, q) in edge_distances(center, ring):
+        if orientation > 0:
+            inner.append(root_difference(-orientation, r, dx * dx + dy * dy, shift))
         else:
             outer.append(root_difference(s, r, q, shift))
     return min(outer) if outer else max(inner)

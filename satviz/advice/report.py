@@ -10,32 +10,15 @@ from typing import TYPE_CHECKING
 
 from .candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, Model
 from .limits import SECONDS_TIMED
-from .records import (
-    CIRCLES,
-    CONCAVE_POLYGONS,
-    CONVEX_POLYGONS,
-    UPRIGHT_BOXES,
-    InputSummary,
-    ModelResult,
-    anywhere,
-    best,
-    for_hits,
-)
+from .records import CONCAVE_POLYGONS, SINGULAR, UPRIGHT_BOXES, InputSummary, ModelResult, anywhere, best, for_hits
 from .relative_margin import IN_FLOAT32
 from .rounding import FLOAT32, FLOAT64, FORMATS
-from .scope import ANYWHERE, GRID, MOVED, Scope
+from .scope import ANYWHERE, MOVED, MULTIPLES, Scope
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from .costs import Cost
-
-SINGULAR = {
-    UPRIGHT_BOXES: "upright box",
-    CIRCLES: "circle",
-    CONVEX_POLYGONS: "convex polygon",
-    CONCAVE_POLYGONS: "concave polygon",
-}
 
 
 def text(summary: InputSummary, results: "Sequence[ModelResult]", scope: Scope) -> str:
@@ -69,7 +52,7 @@ def reason(model: Model, summary: InputSummary, scope: Scope) -> str:
         return "no two boxes meet, so there is nothing left to test"
     if model.kind == AABB and scope.kind == ANYWHERE:
         return "upright boxes are their bounding boxes, and comparisons round nothing"
-    if scope.kind == GRID:
+    if scope.kind == MULTIPLES:
         return f"all coordinates are {_multiples(scope.unit)}, and {model.kind} rounds nothing of that size"
     return {
         AABB: "the bounding boxes give the same answers as the shapes, and comparing numbers rounds nothing",
@@ -91,7 +74,7 @@ def validity_sentence(scope: Scope, summary: InputSummary) -> str:
         if set(summary.kinds) == {UPRIGHT_BOXES}:
             return "anywhere: upright boxes need y and x only, whatever their coordinates"
         return "anywhere: it is exact for all coordinates"
-    if scope.kind == GRID:
+    if scope.kind == MULTIPLES:
         text = f"any convex polygons with {_multiples(scope.unit)}, up to {_size(scope.bound)}"
         return f"{text}, and edges up to {_size(scope.span)} wide and high" if scope.span else text
     if scope.kind == MOVED:
@@ -157,7 +140,7 @@ def shapes(summary: InputSummary) -> str:
     kinds = ", ".join(f"{n:,} {SINGULAR[kind] if n == 1 else kind}" for kind, n in summary.kinds.items())
     low, high = summary.corners
     corners = f", {low} corners" if low == high else f", {low} to {high} corners"
-    corners += " in a convex part" if "concave polygons" in summary.kinds else ""
+    corners += " in a convex part" if CONCAVE_POLYGONS in summary.kinds else ""
     more = "more than " if summary.size_ratio == float_info.max else ""
     sizes = f", the largest {more}{summary.size_ratio:,.3g} times the smallest" if summary.size_ratio > 1.005 else ""
     return f"{kinds or 'none'}{corners if high else ''}{sizes}"
@@ -170,7 +153,7 @@ def _all(summary: InputSummary) -> str:
 
 
 def _search(summary: InputSummary) -> list[str]:
-    """Return the line (in a list) on the broad phase that suffices; [] unless all pairs of one batch are given."""
+    """Return a list with the line on the broad phase that suffices; [] unless all pairs of one batch are given."""
     if summary.search is None or summary.pairs + summary.settled == 1:
         return []
     name, compared = summary.search
@@ -183,7 +166,7 @@ def _search(summary: InputSummary) -> list[str]:
 
 
 def _first(model: Model, summary: InputSummary) -> list[str]:
-    """Return the line (in a list) on the test of bounding boxes before the model; [] if there is none."""
+    """Return a list with the line on the test of bounding boxes before the model; [] if there is no such test."""
     if not model.after_boxes:
         return []
     sentence = (
@@ -224,7 +207,7 @@ def _fails(result: ModelResult, summary: InputSummary) -> str:
 
 
 def _adds(result: ModelResult, summary: InputSummary, results: "Sequence[ModelResult]") -> str:
-    """Return what a model larger than the recommended one adds, or why it fails too."""
+    """Return a text on a model larger than the recommended one: what it is also right for, or why it fails too."""
     if not result.proven:
         return _fails(result, summary)
     adds = "also right, but not needed here"

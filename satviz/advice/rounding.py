@@ -2,9 +2,9 @@
 
 Each formula below computes every number that a model can compute on the way: every partial sum, in every order of the
 terms, with differences of coordinates taken first or last, and every product.  It runs on one of two kinds of
-arithmetic: `Exact` below has exact values as fractions, for one pair; `rounding_numpy.Errors` has arrays of floats and
-the error of each operation, for many pairs.  Both record in `exact` whether the format *holds* (can represent) every
-number computed.
+arithmetic: `ExactArithmetic` below has exact values as fractions, for one pair; `rounding_numpy.Errors` has arrays of
+floats and the error of each operation, for many pairs.  Both record in `exact` whether the format *holds* (can
+represent) every number computed.
 
 The last sum before a sign is taken need not be held: rounding keeps the sign of a sum.
 """
@@ -19,12 +19,12 @@ N = TypeVar("N")
 Point = tuple[N, N]
 
 
-class Format(NamedTuple):
+class FloatFormat(NamedTuple):
     """Describe a binary float format of `bits` significant bits.
 
     It holds n * 2**e for |n| < 2**bits from the lowest bit 2**lowest up to below 2**highest.  `least` and `most` bound
     the coordinates and spans for which bounds on rounding errors are trusted: between them no product of up to four
-    differences underflows or overflows in any order (the squared turn over a squared length is one).
+    differences underflows or overflows in any order (the squared orientation over a squared length is one).
     """
 
     name: str
@@ -35,8 +35,8 @@ class Format(NamedTuple):
     most: float
 
 
-FLOAT32 = Format("float32", 24, -149, 128, 2.0**-30, 2.0**30)
-FLOAT64 = Format("float64", 53, -1074, 1024, 2.0**-250, 2.0**250)
+FLOAT32 = FloatFormat("float32", 24, -149, 128, 2.0**-30, 2.0**30)
+FLOAT64 = FloatFormat("float64", 53, -1074, 1024, 2.0**-250, 2.0**250)
 FORMATS = {f.name: f for f in (FLOAT32, FLOAT64)}
 
 
@@ -59,10 +59,10 @@ class Arithmetic(Protocol[N]):
         """Return the corners as operands of these methods: one by one, or as arrays that hold all corners at once."""
 
 
-class Exact:
+class ExactArithmetic:
     """Compute with fractions, for one pair; `exact` turns False once the format does not hold a number."""
 
-    def __init__(self, form: Format) -> None:
+    def __init__(self, form: FloatFormat) -> None:
         self.form = form
         self.exact = True
 
@@ -98,7 +98,7 @@ class Exact:
         return ring
 
 
-def is_representable(value: Fraction, form: Format) -> bool:
+def is_representable(value: Fraction, form: FloatFormat) -> bool:
     """Return whether the float format can represent the value exactly."""
     n, d = value.as_integer_ratio()
     if not n:

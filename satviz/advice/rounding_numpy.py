@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..batch.exact_signs import two_product, two_sum
-from .rounding import FLOAT32, Format, Point
+from .rounding import FLOAT32, FloatFormat, Point
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -18,11 +18,11 @@ Flags = NDArray[np.bool_]
 class Errors:
     """Compute with float64 arrays, (n,) or (corners, n), for n pairs; `exact` is False where a number is not held.
 
-    It finds what `rounding.Exact` finds, pair by pair.  A number that float64 does not hold is not held by float32
-    either.  Values of pairs that are not exact are meaningless.
+    It finds what `rounding.ExactArithmetic` finds, pair by pair.  A number that float64 does not hold is not held by
+    float32 either.  Values of pairs that are not exact are meaningless.
     """
 
-    def __init__(self, form: Format, pairs: int) -> None:
+    def __init__(self, form: FloatFormat, pairs: int) -> None:
         self.form = form
         self.exact: Flags = np.ones(pairs, bool)
 

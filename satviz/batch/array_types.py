@@ -11,6 +11,6 @@ Indices = NDArray[np.intp]
 Mask = NDArray[np.bool_]
 
 Pairs = NDArray[np.intp]  # (K, 2) indices of two shapes each
-Cell = Sequence[float]  # width and height of a cell
-# (bounds, indices of boxes, indices of others or None, cell, most candidates) -> blocks of the pairs that meet
-Grid = Callable[[Array, Indices, Indices | None, Cell, float], Iterator[Pairs] | None]
+CellSize = Sequence[float]  # width and height of a cell
+# (bounds (N, 4), indices of boxes, indices of others or None, cell, most candidates) -> blocks of the pairs that meet
+GridKernel = Callable[[Array, Indices, Indices | None, CellSize, float], Iterator[Pairs] | None]

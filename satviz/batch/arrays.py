@@ -11,15 +11,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..engine.polygon_validation import refuse_masked
-from .ragged import Rings
+from .ragged import RaggedRings
 
 TILE_SHAPES = 128  # columns that share error bounds; their corners stay in the first-level cache
 
 Selection = SupportsIndex | slice | Sequence[int] | NDArray[np.integer[Any] | np.bool_]  # one, a range, indices, a mask
 
 
-class Group:
-    """Hold shapes with the same number of corners: one row per corner, one column per shape.
+class CornerColumns:
+    """Hold shapes with the same number V of corners: one row per corner, one column per shape.
 
     block: (2, V, n) x and y of the corners in scene units, counter-clockwise, no repeats, none straight on; of circles
     (3, 1, n) x and y of the centers, and the radii.  Contiguous, since NumPy else copies all of it for each selection.
@@ -72,11 +72,11 @@ class Group:
         """Return whether all shapes are boxes with their sides along x and y."""
         return len(self.x) == 4 and bool(upright_box_mask(self.x, self.y).all())
 
-    def columns(self, where: slice | NDArray[np.integer[Any] | np.bool_]) -> "Group":
+    def columns(self, where: slice | NDArray[np.integer[Any] | np.bool_]) -> "CornerColumns":
         """Return the group of the shapes chosen by a slice, an index array or a mask, in contiguous rows."""
         if isinstance(where, slice):
-            return Group(self.block[:, :, where])
-        return Group(self.block.take(np.flatnonzero(where) if where.dtype == bool else where, axis=2))
+            return CornerColumns(self.block[:, :, where])
+        return CornerColumns(self.block.take(np.flatnonzero(where) if where.dtype == bool else where, axis=2))
 
 
 class TileMaxima(NamedTuple):
@@ -115,15 +115,15 @@ class Shapes:
     """
 
     owner: NDArray[np.int64] | None = None
-    runs: Sequence[Group]
+    runs: Sequence[CornerColumns]
 
     def __init__(
         self,
         *,
-        rings: Rings | None = None,
+        rings: RaggedRings | None = None,
         radius: NDArray[np.float64] | None = None,
         owner: NDArray[np.int64] | None = None,
-        runs: Sequence[Group] | None = None,
+        runs: Sequence[CornerColumns] | None = None,
     ) -> None:
         if runs is not None:
             self.runs = runs
@@ -145,7 +145,7 @@ class Shapes:
         runs = vars(self).get("runs")  # read once, since another thread may join them
         return len(self.rings.start) - 1 if runs is None else sum(map(len, runs))
 
-    def _only_run(self) -> Group | None:
+    def _only_run(self) -> CornerColumns | None:
         """Return the group that the batch was made of; None if it was made of several or of rings."""
         runs = vars(self).get("runs", ())
         return runs[0] if len(runs) == 1 else None
@@ -165,11 +165,11 @@ class Shapes:
         return np.diff(self.rings.start).astype(np.int64, copy=False)
 
     @cached_property
-    def rings(self) -> Rings:
+    def rings(self) -> RaggedRings:
         """Return the corners of all parts, one outline after another."""
         if (run := self._only_run()) is None:
             return self._joined()[0]
-        return Rings(run.x.ravel("F"), run.y.ravel("F"), np.arange(0, run.x.size + 1, len(run.x)))
+        return RaggedRings(run.x.ravel("F"), run.y.ravel("F"), np.arange(0, run.x.size + 1, len(run.x)))
 
     @cached_property
     def radius(self) -> NDArray[np.float64]:
@@ -178,7 +178,7 @@ class Shapes:
             return self._joined()[1]
         return np.zeros(len(run)) if run.r is None else run.r
 
-    def _joined(self) -> tuple[Rings, NDArray[np.float64]]:
+    def _joined(self) -> tuple[RaggedRings, NDArray[np.float64]]:
         """Return (rings, radius) of several runs, one after another, and keep these in the place of the runs."""
         if (runs := vars(self).get("runs")) is not None:
             count = np.repeat([len(run.x) for run in runs], list(map(len, runs)))
@@ -186,12 +186,12 @@ class Shapes:
             np.cumsum(count, out=start[1:])
             x, y = (np.concatenate([run.block[k].ravel("F") for run in runs]) for k in (0, 1))
             radius = np.concatenate([np.zeros(len(run)) if run.r is None else run.r for run in runs])
-            vars(self).update(rings=Rings(x, y, start), radius=radius)
+            vars(self).update(rings=RaggedRings(x, y, start), radius=radius)
             vars(self).pop("runs", None)  # another thread may have been first
         return self.rings, self.radius
 
     @cached_property
-    def groups(self) -> dict[int, Group]:
+    def groups(self) -> dict[int, CornerColumns]:
         """Return the parts grouped by their number of corners, in ascending order."""
         if (run := self._only_run()) is not None:
             return {len(run.x): run}
@@ -208,7 +208,7 @@ class Shapes:
             block[0], block[1] = rows
             if v == 1:
                 block[2] = self.radius[mine]
-            found[v] = Group(block)
+            found[v] = CornerColumns(block)
         return found
 
     @cached_property
@@ -221,7 +221,7 @@ class Shapes:
         return slot
 
     @cached_property
-    def uniform(self) -> Group | None:
+    def uniform(self) -> CornerColumns | None:
         """Return the only group if all shapes are convex and have the same number of corners, else None."""
         if (run := self._only_run()) is not None:
             return run if len(run) else None
@@ -271,7 +271,7 @@ class Shapes:
         return Shapes(rings=self.rings, radius=self.radius)
 
     def __getitem__(self, where: Selection) -> "Shapes":
-        """Some of the shapes by slice, index array or mask; one by its index is a batch of one.
+        """Return some of the shapes, chosen by a slice, an index array or a mask; one index gives a batch of one.
 
         Shapes count, not parts.  IndexError for what is out of range, ValueError for masked indices.
         """
@@ -316,7 +316,7 @@ def upright_box_mask(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[
     return (level[0] & level[1]) | (level[2] & level[3])
 
 
-def _bounding_boxes(group: Group) -> NDArray[np.float64]:
+def _bounding_boxes(group: CornerColumns) -> NDArray[np.float64]:
     """Return the bounding boxes of a group's shapes, (N, 4)."""
     x, y = group.x, group.y
     box = np.stack([x.min(axis=0), y.min(axis=0), x.max(axis=0), y.max(axis=0)], axis=1)

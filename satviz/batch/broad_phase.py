@@ -1,4 +1,4 @@
-"""The broad phase: which boxes meet, by comparing all pairs, by sorting and sweeping, or by uniform grids.
+"""The broad phase: which bounding boxes meet, by comparing all pairs, by sort and sweep, or by uniform grids.
 
 Which of the three is chosen depends on the number of boxes and on a count of comparisons, never on a time, so the
 same boxes always take the same way.  All three find the same pairs.
@@ -56,7 +56,7 @@ def broad_phase_of(shapes: Shapes, *, engine: str | None = None) -> BroadPhase:
 def candidate_pairs(bounds: validation.Points, *, engine: str | None = None) -> Pairs:
     """Return the (K, 2) indices i < j, in order, of the boxes that share a point; `bounds` is (N, 4).
 
-    `engine`: as in `relate`.  InvalidShape for boxes that are not finite or turned inside out.
+    `engine`: as in `relate`.  InvalidShape for boxes that are not finite or whose minimum is above their maximum.
     """
     kernels = engine_of(engine)
     return sort_pairs(list(candidate_blocks(validation.boxes(bounds), kernels)))
@@ -145,8 +145,12 @@ def _pairs_of_outliers(bounds: NDArray[np.float64], outliers: Indices) -> Iterat
         yield np.stack([np.minimum(i, j), np.maximum(i, j)], axis=1)
 
 
-def _cell_size_if_even(low: NDArray[np.float64], which: Pairs) -> float:
-    """Return the cell length on one axis that gives n cells to n boxes as evenly spread as their middle half."""
+def _cell_size_if_even(low: NDArray[np.float64], which: Indices) -> float:
+    """Return the length of cells along one axis for boxes that are spread evenly: about one box for each cell.
+
+    low: (N,) lower sides of all boxes on the axis; which: the boxes to spread.  The spread is that of their middle
+    half.
+    """
     some = np.sort(low[which[:: -(-len(which) // SAMPLE_BOXES)]])
     first, last = float(some[len(some) // 4]) / 2, float(some[-1 - len(some) // 4]) / 2
     return min(last - first, sys.float_info.max / 8) * (4 / sqrt(len(which)))
@@ -159,10 +163,14 @@ def _sizes(bounds: NDArray[np.float64], which: Indices, d: int) -> NDArray[np.fl
     return np.asarray(np.clip(size, np.finfo(float).tiny, np.finfo(float).max))
 
 
-def _split_by_size(bounds: NDArray[np.float64], one: Pairs, other: Pairs | None) -> list[tuple[Pairs, Pairs | None]]:
-    """Return the pairs of sets left to compare after a split by size, None for within one; [] if all are alike.
+def _split_by_size(
+    bounds: NDArray[np.float64], one: Indices, other: Indices | None
+) -> list[tuple[Indices, Indices | None]]:
+    """Split the set of boxes with the more different sizes in two; return the pairs of sets left to compare.
 
-    They are split half way (by ratio) between the smallest and the largest.
+    one, other: the indices of two sets of boxes to compare with each other; None for `other` stands for the pairs
+    within `one`, also in the result.  The split is at the geometric mean of the smallest and the largest size.  The
+    list is empty where all sizes are alike.
     """
     spreads = []
     for d in (0, 1):

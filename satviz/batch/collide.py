@@ -1,4 +1,4 @@
-"""Which of many shapes collide: broad phase, then exact narrow phase; for a whole set or for a file in strips."""
+"""Find the colliding pairs of many shapes: broad phase, then exact narrow phase; for a set, or a file in strips."""
 
 from collections.abc import Callable, Iterator
 from concurrent.futures import Executor
@@ -73,8 +73,8 @@ def stream_colliding_pairs(
     reads and holds only the shapes that reach into it.  A pair is
     given once, by the strip where the later of the two begins.  Memory: a few
     hundred bytes a shape of one strip (shapes that all begin at one x are in one), and some
-    25 bytes a shape of the file for the x ranges.  Options are checked at the call, shapes as the
-    strips are asked for: InvalidShape as in Polygons, before the first strip for a value that is not a number,
+    25 bytes a shape of the file for the x ranges.  Options are checked at the call, shapes when a
+    strip is requested: InvalidShape as in Polygons, before the first strip for a value that is not a number,
     else of the first strip that holds one at fault.
     """
     if getattr(vertices, "ndim", 0) != 3:

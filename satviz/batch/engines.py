@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 from ..optional_imports import extra_needed
 from . import validation
-from .array_types import Grid
+from .array_types import GridKernel
 from .ragged import MAX_LANE_CORNERS
 
 Kernel = Callable[..., None]
@@ -20,10 +20,11 @@ MAX_NUMPY_CORNERS = 1 << 24  # NumPy checks these in less time than numba takes 
 class Engine(NamedTuple):
     """Hold the kernels of one engine (NumPy or numba); each fills `out`, with UNDECIDED where floats cannot tell.
 
-    The first four take columns of two groups, from one column on, and `exact_columns` decides the columns that they
-    leave undecided; `indexed` takes pairs from anywhere in two batches; `candidate_pairs` (of few) and `grid` find
-    boxes that meet, `colliding_pairs` does the whole way for few shapes; `certified_group`, `certified_circles`,
-    `certified_rings` and `certified_padded` check shapes; `flatten` makes the Flat of a batch.
+    `polygons`, `boxes`, `circles` and `circle_polygons` relate column k of one CornerColumns with column k of another;
+    `exact_columns` decides the columns that they leave undecided; `indexed` relates pairs from anywhere in two batches.
+    `candidate_pairs` (of few boxes) and `grid` are the broad phase; `colliding_pairs` goes from few shapes to all
+    their collisions.  `certified_group`, `certified_circles`, `certified_rings` and `certified_padded` validate shapes;
+    `flatten` makes the Flat of a batch.
     """
 
     block: int  # columns at a time
@@ -32,7 +33,7 @@ class Engine(NamedTuple):
     circles: Kernel
     circle_polygons: Kernel
     indexed: Kernel
-    grid: Grid
+    grid: GridKernel
     candidate_pairs: Callable[..., Any]
     colliding_pairs: Callable[..., Any]
     certified_group: Callable[..., Any]

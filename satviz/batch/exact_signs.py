@@ -53,18 +53,19 @@ def orient(px: Array, py: Array, qx: Array, qy: Array, rx: Array, ry: Array) -> 
 def _orient_adaptive(px: Array, py: Array, qx: Array, qy: Array, rx: Array, ry: Array) -> Signs:
     """Return the exact orientations of p, q, r: by products with their rounding errors, else by exact sums.
 
-    A difference is a + ea with ea at most u a (u = 2**-53), and the same for b, c and d; with S = |ab| + |cd| the turn
-    is ab - cd, whose rounded products differ by so little here that their difference is exact, and the errors of both
-    (u S in all), and a eb + ea b - c ed - ec d (2u S).  Left out are ea eb and ec ed, at most uu S; adding up what is
-    of the size u S rounds by 10 uu S at most, and the last sum by a share of itself.  Granted are 32 uu S.
+    A difference is a + ea with ea at most u a (u = 2**-53), and the same for b, c and d; with S = |ab| + |cd|, the
+    orientation determinant is ab - cd, whose rounded products differ by so little here that their difference is exact,
+    and the errors of both (u S in all), and a eb + ea b - c ed - ec d (2u S).  Left out are ea eb and ec ed, at most uu
+    S; adding up what is of the size u S rounds by 10 uu S at most, and the last sum by a share of itself.  Granted are
+    32 uu S.
     """
     with np.errstate(all="ignore"):
         (a, ea), (b, eb), (c, ec), (d, ed) = (two_sum(u, -v) for u, v in ((qx, px), (ry, py), (qy, py), (rx, px)))
         terms, size = _expand_products([(a, b), (-c, d)])
-        turn = terms[0] + terms[1]
-        turn += (a * eb + ea * b) - (c * ed + ec * d)
-        turn += terms[2] + terms[3]
-        found = certified_sign(turn, ERRBOUND_C * size)
+        orientation = terms[0] + terms[1]
+        orientation += (a * eb + ea * b) - (c * ed + ec * d)
+        orientation += terms[2] + terms[3]
+        found = certified_sign(orientation, ERRBOUND_C * size)
     plain = (ea == 0) & (eb == 0) & (ec == 0) & (ed == 0)
     for mask, pairs in (
         (plain, [(a, b), (-c, d)]),
@@ -98,17 +99,17 @@ def sign_of_products(pairs: Products) -> Signs:
     return found
 
 
-def sum_with_error(pairs: Products, more: Array) -> tuple[Array, Array, Array]:
-    """Return (float sum of up to three products and `more`, its error bound, floats that sum exactly to the products).
+def sum_with_error(pairs: Products, remainder: Array) -> tuple[Array, Array, Array]:
+    """Return (float sum of up to three products and `remainder`, its error bound, floats that sum to the products).
 
-    With products of size R in all, u = 2**-53 and `more` at most 3uR: the errors of the products
+    With products of size R in all, u = 2**-53 and `remainder` at most 3uR: the errors of the products
     and of their sums are 3uR in all, and adding all this up rounds five times, by 30uuR.
-    The bound is 256uuR, so it also covers an error of 226uuR in `more` itself.
+    The bound is 256uuR, so it also covers an error of 226uuR in `remainder` itself.
     """
     terms, size = _expand_products(pairs)
     _vec_sum(terms[len(pairs) :])
     rest = terms[:-1].sum(axis=0)
-    rest += more
+    rest += remainder
     rest += terms[-1]
     size *= ERRBOUND_B
     return rest, size, terms

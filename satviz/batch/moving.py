@@ -15,11 +15,11 @@ from .engines import engine_for_checks
 from .ragged import MAX_LANE_CORNERS
 
 
-class Frame:
-    """Hold what stays the same while a batch moves, and the memory of the coordinates before the present ones.
+class MotionState:
+    """Hold what stays the same while a batch moves: numbers of corners, radii, and the outlines before the first move.
 
-    start: (N + 1,) where each shape's corners begin, as the batch held them at its first move; radius: (N,), 0 for
-    polygons; corners: their number if all shapes have the same; outlines: (M, 2) coordinates that `place` turns.
+    start: (N + 1,) where each shape's corners begin; radius: (N,), 0 for polygons; corners: the number of corners if
+    all shapes have the same number, else 0; outlines: (M, 2) coordinates from which `place` computes each new place.
     """
 
     def __init__(self, shapes: Shapes) -> None:
@@ -43,85 +43,85 @@ def move(shapes: Shapes, corners: validation.Points) -> Shapes:
     fault, and the batch stays as it was; likewise for another number of corners and for parts of concave polygons.
     No other thread may use the batch meanwhile.
     """
-    frame = _frame_of(check_shapes(shapes, "shapes"))
-    _set_corners(shapes, frame, corners)
+    state = _state_of(check_shapes(shapes, "shapes"))
+    _set_corners(shapes, state, corners)
     return shapes
 
 
 def place(shapes: Shapes, offsets: validation.Points, angles: Any = 0.0) -> Shapes:
-    """Turn each shape about (0, 0), then move it, and return the batch; it starts from its first outlines each time.
+    """Rotate each shape about (0, 0), then move it, and return the batch; it starts from its first outlines each time.
 
     offsets: (N, 2) in scene units; angles: (N,) in radians, or one for all, counter-clockwise.  The first outlines are
     those that the batch was made with.  The new coordinates are floats, rounded, and are checked as in `move`: a corner
     that is nearly straight can become straight or concave.  InvalidShape as in `move`.
     """
-    frame = _frame_of(check_shapes(shapes, "shapes"))
-    n = len(frame.start) - 1
+    state = _state_of(check_shapes(shapes, "shapes"))
+    n = len(state.start) - 1
     offsets = validation.points(offsets, "offsets", lambda i: f"offset {i}")
     angles = validation.numbers(angles, "angles", "angle", lambda i: f"angle {i}")
     if len(offsets) != n or angles.shape not in ((), (1,), (n,)):
         raise InvalidShape(f"there are {len(offsets)} offsets and {angles.size} angles for {n} shapes")
-    many = np.diff(frame.start)
+    many = np.diff(state.start)
     cos, sin = (np.repeat(np.broadcast_to(f(angles), (n,)), many) for f in (np.cos, np.sin))
-    x, y = frame.outlines.T
+    x, y = state.outlines.T
     corners = np.repeat(offsets, many, axis=0)
     with np.errstate(all="ignore"):
         corners[:, 0] += cos * x - sin * y
         corners[:, 1] += sin * x + cos * y
     try:
-        _set_corners(shapes, frame, corners)
+        _set_corners(shapes, state, corners)
     except InvalidShape as error:
         raise InvalidShape(f"{error} (the coordinates of the new place are rounded to floats)") from None
     return shapes
 
 
-def _frame_of(shapes: Shapes) -> Frame:
-    """Return the Frame of a batch, made at its first move."""
-    frame = vars(shapes).get("_frame")
-    return frame if isinstance(frame, Frame) else Frame(shapes)
+def _state_of(shapes: Shapes) -> MotionState:
+    """Return the MotionState of a batch, made at its first move."""
+    state = vars(shapes).get("_motion")
+    return state if isinstance(state, MotionState) else MotionState(shapes)
 
 
-def _set_corners(shapes: Shapes, frame: Frame, corners: Any) -> None:
+def _set_corners(shapes: Shapes, state: MotionState, corners: Any) -> None:
     """Check the coordinates and make them those of the batch; its old arrays are not changed, only replaced."""
-    made = _certified(frame, corners) or _checked(frame, corners)
+    made = _certified(state, corners) or _checked(state, corners)
     vars(shapes).clear()
-    vars(shapes).update(vars(made), _frame=frame)
+    vars(shapes).update(vars(made), _motion=state)
 
 
-def _certified(frame: Frame, corners: Any) -> Shapes | None:
-    """Return a batch of the frame's shapes with these coordinates; None if they need slower checks."""
+def _certified(state: MotionState, corners: Any) -> Shapes | None:
+    """Return a new batch with these coordinates if floats certify them as valid; None if they need slower checks."""
     if type(corners) is not np.ndarray or corners.dtype != np.float64 or not corners.flags.carray:
         return None
     warn_if_flushed()
-    kernels, n = engine_for_checks(int(frame.start[-1])), len(frame.start) - 1
-    forms = (n, frame.corners, 2), (n * frame.corners, 2)
-    if 3 <= frame.corners <= MAX_LANE_CORNERS and corners.shape in forms:
+    kernels, n = engine_for_checks(int(state.start[-1])), len(state.start) - 1
+    forms = (n, state.corners, 2), (n * state.corners, 2)
+    if 3 <= state.corners <= MAX_LANE_CORNERS and corners.shape in forms:
         group = kernels.certified_group(corners.reshape(forms[0]))
         return None if group is None else Shapes(runs=[group])
-    if kernels.certified_rings is None or corners.shape != (frame.start[-1], 2):
+    if kernels.certified_rings is None or corners.shape != (state.start[-1], 2):
         return None
-    rings, doubtful = kernels.certified_rings(corners, frame.start, True)
-    return None if doubtful.size else Shapes(rings=rings, radius=frame.radius)
+    rings, doubtful = kernels.certified_rings(corners, state.start, True)
+    return None if doubtful.size else Shapes(rings=rings, radius=state.radius)
 
 
-def _checked(frame: Frame, corners: Any) -> Shapes:
-    """Return a batch of the frame's shapes with these coordinates; InvalidShape names the first one at fault."""
+def _checked(state: MotionState, corners: Any) -> Shapes:
+    """Return a new batch with these coordinates after exact checks; InvalidShape names the first shape at fault."""
     refuse_masked(corners, "corners")
-    total = int(frame.start[-1])
+    total = int(state.start[-1])
     if not isinstance(corners, np.ndarray):
         corners = _array_of_outlines(corners)
     if isinstance(corners, np.ndarray) and corners.ndim == 3:
-        if corners.shape[0] != len(frame.start) - 1 or corners.shape[2] != 2:
-            raise InvalidShape(f"corners has the shape {corners.shape}: expected {_form(frame)}")
-        if corners.shape[1] != frame.corners and not frame.radius.any():
-            return _same_topology(frame, number_polygons(corners, None, None))
+        if corners.shape[0] != len(state.start) - 1 or corners.shape[2] != 2:
+            raise InvalidShape(f"corners has the shape {corners.shape}: expected {_form(state)}")
+        if corners.shape[1] != state.corners and not state.radius.any():
+            return _same_topology(state, number_polygons(corners, None, None))
         corners = corners.reshape(-1, 2)
 
-    name = corner_name(frame.start, frame.radius)
+    name = corner_name(state.start, state.radius)
     points = validation.points(corners, "corners", lambda k: name(k) if k < total else f"corner {k}")
     if len(points) != total:
-        raise InvalidShape(f"corners holds {len(points)} points: expected {_form(frame)}")
-    return build_mixed(points, frame.start, frame.radius, None)
+        raise InvalidShape(f"corners holds {len(points)} points: expected {_form(state)}")
+    return build_mixed(points, state.start, state.radius, None)
 
 
 def _array_of_outlines(corners: Any) -> Any:
@@ -134,17 +134,20 @@ def _array_of_outlines(corners: Any) -> Any:
     return corners if array is None or array.ndim != 3 or array.dtype.kind not in "fiu" else array
 
 
-def _same_topology(frame: Frame, made: Shapes) -> Shapes:
-    """Return the polygons made of an array in which outlines repeat corners; InvalidShape for another topology."""
-    own = np.diff(frame.start)
+def _same_topology(state: MotionState, made: Shapes) -> Shapes:
+    """Return `made`; InvalidShape unless each polygon in it has as many distinct corners as before the move."""
+    own = np.diff(state.start)
     if (other := np.flatnonzero(made.count != own)).size:
         i = other[0]
-        raise InvalidShape(f"polygon {i} has {made.count[i]} corners with these coordinates: it had {own[i]}")
+        raise InvalidShape(
+            f"polygon {i} has {made.count[i]} corners with these coordinates, but had {own[i]}: make a new batch of "
+            "these shapes, or give coordinates in which no corner repeats or lies on a straight edge"
+        )
     return made
 
 
-def _form(frame: Frame) -> str:
-    """Return which array of corners this batch takes, in words."""
-    n, total = len(frame.start) - 1, int(frame.start[-1])
+def _form(state: MotionState) -> str:
+    """Return in words which shapes of array `move` takes for this batch, for error messages."""
+    n, total = len(state.start) - 1, int(state.start[-1])
     whole = f"({total}, 2), all corners one after another"
-    return f"({n}, {frame.corners}, 2) or {whole}" if frame.corners else whole
+    return f"({n}, {state.corners}, 2) or {whole}" if state.corners else whole

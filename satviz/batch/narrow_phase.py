@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..engine.polygon_validation import refuse_masked
 from .array_types import Indices
-from .arrays import Group, Shapes, check_shapes
+from .arrays import CornerColumns, Shapes, check_shapes
 from .chunks import CHUNK_PAIRS, Call, check_executor, check_progress, check_size, in_chunks
 from .codes import APART, UNDECIDED
 from .engines import Engine, engine_of
@@ -19,8 +19,8 @@ from .with_numpy import exact
 Relations = NDArray[np.int8]
 
 
-class Options(TypedDict, total=False):
-    """Name the keyword arguments of `relate`, which `hits` passes on."""
+class RelateOptions(TypedDict, total=False):
+    """Declare the keyword arguments of `relate` to type checkers, since `hits` passes them on."""
 
     engine: str | None
     executor: Executor | None
@@ -73,7 +73,7 @@ def relate(
     return parts[0] if len(parts) == 1 else np.concatenate([np.empty(0, np.int8), *parts])
 
 
-def hits(a: Shapes, b: Shapes, pairs: ArrayLike | None = None, **options: Unpack[Options]) -> NDArray[np.bool_]:
+def hits(a: Shapes, b: Shapes, pairs: ArrayLike | None = None, **options: Unpack[RelateOptions]) -> NDArray[np.bool_]:
     """Return which pairs share a point (touching counts), as bool; the arguments are those of `relate`."""
     hit: NDArray[np.bool_] = relate(a, b, pairs, **options) != APART
     return hit
@@ -179,8 +179,8 @@ def _relate_parts(a: Shapes, ia: Indices, b: Shapes, ib: Indices, engine: str | 
 BLOCK_PART_PAIRS = 1 << 18  # pairs of parts at a time: what bounds the memory
 
 
-def _evaluate_block(kernels: Engine, a: Group, b: Group, first: int, out: Relations) -> None:
-    """Fill `out` with the relations of columns of two groups from `first` on; UNDECIDED if floats cannot tell."""
+def _evaluate_block(kernels: Engine, a: CornerColumns, b: CornerColumns, first: int, out: Relations) -> None:
+    """Fill `out` with the relation of column k of `a` and of `b`, from `first` on; UNDECIDED if not certain."""
     with np.errstate(all="ignore"):
         if a.upright and b.upright:
             kernels.boxes(a, b, first, out)

@@ -1,11 +1,11 @@
-"""What a function under test returned, and whether that is right."""
+"""Answers of a function under test: how a returned value is read, and whether it is right."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import hypot, isfinite
 from typing import Any, NamedTuple
 
-from ..engine.geometry import Relation, Vec
+from ..engine.geometry import APART, OVERLAPPING, TOUCHING, Relation, Vec
 from ..engine.polygon_validation import short_repr
 from ..engine.relate import relate
 from ..engine.shapes import Shape
@@ -26,18 +26,17 @@ TOUCHING_AS = "hit", "miss", "either"
 MAX_TEXT, MAX_PARTS, MAX_NUMBER = 1000, 20, 1e300  # letters, parts and size of an answer that is evaluated
 MAX_SHOWN = 200  # letters of an answer that cannot be read
 NUMBER_TOLERANCE = 1e-9  # of the scene's size: lengths are rounded, so they are compared to nine digits
-APART, TOUCHING, OVERLAPPING = Relation
 WORDS = {str(relation): relation for relation in Relation}
 
 Answer = Any  # a bool, a Relation, a float, a Vec, None, or (bool, Vec or None), by the kind
 
 
-class Unreadable(ValueError):
-    """Raised for an answer that is not of the kind; the message says what it was and what was expected."""
+class UnreadableAnswer(ValueError):
+    """Raised for a returned value that is no answer of the expected kind; the message says what was expected."""
 
 
 class Rules(NamedTuple):
-    """What counts as right.
+    """The rules by which an answer counts as right.
 
     `returns`: the kind of answer; `touching`: what a verdict must say of shapes that touch; `tolerance`: verdicts
     are not judged where the gap or the depth is at most this, in scene units; `moves`: "B" or "A", the shape that
@@ -58,7 +57,10 @@ class Truth(NamedTuple):
 
 
 def truth_of(a: Shape, b: Shape, kind: str) -> Truth:
-    """Return the truth by the exact engine; the MTV is left out (None) where the kind does not need it."""
+    """Return the Truth about two shapes by the exact engine; its MTV is None for kinds of answers without a move.
+
+    `kind`: a kind of answer, one of the constants above.
+    """
     if kind in (HIT, RELATION):
         return Truth(relate(a, b), None)
     trace = record(a, b)
@@ -113,7 +115,7 @@ def _parts(raw: Any) -> Sequence[Any] | None:
 
 
 def read(value: Any, kind: str) -> Answer:
-    """Return a plain value as an answer of the kind; Unreadable if that is not possible."""
+    """Return a plain value as an answer of the kind; UnreadableAnswer if that is not possible."""
     if kind == HIT and (isinstance(value, bool) or (type(value) is int and value in (0, 1))):
         return bool(value)
     if kind == RELATION:
@@ -127,7 +129,7 @@ def read(value: Any, kind: str) -> Answer:
         return Vec(float(value[0]), float(value[1])) if value else None
     if kind == HIT_AND_MTV and isinstance(value, tuple) and len(value) == 2 and isinstance(value[0], bool):
         return (value[0], read(value[1] if value[0] else None, MTV))
-    raise Unreadable(f"returns {short_repr(value)[:MAX_SHOWN]}: expected {EXPECTED[kind]}")
+    raise UnreadableAnswer(f"returns {short_repr(value)[:MAX_SHOWN]}: expected {EXPECTED[kind]}")
 
 
 def _is_number(value: Any) -> bool:
@@ -160,14 +162,18 @@ def is_right(answer: Answer, a: Shape, b: Shape, truth: Truth, rules: Rules) -> 
 
 
 def _is_right_hit(hit: bool, relation: Relation, rules: Rules) -> bool:
-    """Return whether a verdict is right, by what `rules.touching` asks of shapes that touch."""
+    """Return whether a hit or a miss is right; of shapes that touch, `rules.touching` says which one counts."""
     if relation is TOUCHING:
         return rules.touching == "either" or hit is (rules.touching == "hit")
     return hit is (relation is OVERLAPPING)
 
 
 def _is_right_move(move: Vec | None, a: Shape, b: Shape, truth: Truth, margin: float, moves: str) -> bool:
-    """Return whether a move is as short as the MTV and ends the overlap; there may be several such moves."""
+    """Return whether a move is as short as the MTV and ends the overlap; there may be several such moves.
+
+    `margin`: the allowed error of its length and of the remaining overlap, in scene units; `moves`: "A" or "B", the
+    shape that is moved.
+    """
     if move is None or truth.mtv is None or abs(hypot(*move) - hypot(*truth.mtv)) > margin:
         return False
     if moves == "A":
@@ -217,7 +223,7 @@ def recognize(raws: Sequence[Any], pairs: Sequence[tuple[Shape, Shape]], touchin
         for raw, (a, b) in zip(raws, pairs, strict=True):
             try:
                 answer = read(raw, kind)
-            except Unreadable:
+            except UnreadableAnswer:
                 continue
             readable += raw is not None
             truth = truth_of(a, b, kind)

@@ -1,4 +1,4 @@
-"""Who answers: a Python function, called here or in a process of its own."""
+"""Callers of the function under test: a Python function is called here, or in a process of its own."""
 
 import os
 import signal
@@ -17,7 +17,7 @@ LAST = NO_ANSWER, ENDED  # problems after which nothing more is asked
 
 
 class Outcome(NamedTuple):
-    """What came of one call: the plain value that was returned, or a problem and one line that says what it is."""
+    """The outcome of one call: the plain value that was returned, or a problem and one line that describes it."""
 
     value: Any = None
     problem: str = ""
@@ -25,14 +25,14 @@ class Outcome(NamedTuple):
 
 
 class Asker(Protocol):
-    """Whoever answers for pairs of shapes: a function here, in a process, in another language, or in a page."""
+    """The protocol of what calls a function under test: here, in a process, in another language, or in a page."""
 
     def ask(self, a: Shape, b: Shape) -> Outcome:
-        """Return what came of one call."""
+        """Call the function with two shapes and return the outcome."""
         ...
 
     def close(self) -> None:
-        """End what was started."""
+        """End the processes that were started."""
         ...
 
 
@@ -74,7 +74,7 @@ class CalledHere:
             return Outcome(problem=ERROR, line=error_line(error, self.file))
 
     def close(self) -> None:
-        """Do nothing."""
+        """Do nothing, since nothing was started."""
 
 
 def _are_equal(one: Any, other: Any) -> bool:
@@ -88,7 +88,7 @@ def _are_equal(one: Any, other: Any) -> bool:
 
 
 def error_line(error: BaseException, file: str | None) -> str:
-    """Return one line on an exception: its type, its words, and the last line of this file that it came through."""
+    """Return one line on an exception: its type, its message, and the last line of `file` in its traceback."""
     words = ""
     with suppress(BaseException):  # of its own __str__
         words = short_repr(str(error))[1:-1]
@@ -142,7 +142,7 @@ class CalledInProcess:
         return Outcome(problem=NO_ANSWER, line=f"gives no answer within {seconds:g} s: an endless loop?")
 
     def close(self) -> None:
-        """End the process."""
+        """End the process, if it is running."""
         if self.process is not None:
             end_group(self.process)
             self.process.join()
@@ -151,14 +151,14 @@ class CalledInProcess:
 
 
 def end_group(process: Any) -> None:
-    """End a process and what it has started, where it leads a group of processes; else the process alone."""
+    """Kill a process, and with it the group of processes that it leads, if it leads one."""
     with suppress(AttributeError, OSError):
         os.killpg(process.pid, signal.SIGKILL)
     process.kill()
 
 
 def _answer_calls(pipe: Any, fn: Callable[[Any, Any], Any], form: Form) -> None:
-    """Answer the pairs that come through the pipe, in the process of its own, until it is ended."""
+    """Call the function on each pair that comes through the pipe and send the Outcome back; runs in its own process."""
     with suppress(AttributeError, OSError):
         os.setsid()
     called, own = CalledHere(fn, form), os.getpid()
@@ -171,7 +171,10 @@ def _answer_calls(pipe: Any, fn: Callable[[Any, Any], Any], form: Form) -> None:
 
 
 def form_named(form: str | Form) -> Form:
-    """Return the form of a name, or the caller's own function; ValueError lists the names."""
+    """Return the function that turns a shape into an argument, by its name; a function is returned as it is.
+
+    ValueError for an unknown name lists the names.
+    """
     if callable(form):
         return form
     if form not in FORMS:
@@ -180,7 +183,7 @@ def form_named(form: str | Form) -> Form:
 
 
 def ask_all(asker: Asker, pairs: Sequence[tuple[Shape, Shape]]) -> list[Outcome]:
-    """Return what came of each pair; after one of the problems in LAST, the rest is not asked."""
+    """Return the outcome of each pair in order; it ends with the first outcome whose problem is in LAST."""
     outcomes = []
     for a, b in pairs:
         outcomes.append(asker.ask(a, b))

@@ -1,4 +1,4 @@
-"""`Checked`: what came of checking a function, as text, picture, data and score."""
+"""`Checked`: the result of checking a function, as text, picture, data and score."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ from ..scenes.shape_tools import translated
 from .answers import DEPTH, HIT_AND_MTV, MTV, Rules, in_words, true_in_words
 from .forms import pasteable
 from .mistakes import Likeness, symptom_of
-from .pairs import BOXES, CIRCLES, CONCAVE, CONVEX, KINDS, REPEATED, ROUND, Pair
+from .pairs import BOXES, CIRCLES, CONCAVE, CONVEX, KINDS, REPEATED, ROUND, CheckPair
 from .results import WRONG, Result
 
 RETURNS = {
@@ -27,18 +27,17 @@ RETURNS = {
     "mtv": "a move out of the overlap (MTV)",
     "hit and mtv": "a hit, and a move out of the overlap (MTV)",
 }
-PARTS = {
-    "upright boxes": (BOXES,),
-    "convex": (CONVEX, REPEATED),
-    "circles": (CIRCLES, ROUND),
-    "concave": (CONCAVE,),
-}
+PARTS = {"upright boxes": (BOXES,), "convex": (CONVEX, REPEATED), "circles": (CIRCLES, ROUND), "concave": (CONCAVE,)}
 PART_OF = {kind: part for part, kinds in PARTS.items() for kind in kinds}
 TOUCHING_PART, MTV_PART = "touching", "MTV"
 
 
 class Near(NamedTuple):
-    """How a function did on pairs that floats can hardly tell; margins are relative margins, in roundings."""
+    """The results of a function on pairs so near to touching that rounding can decide them.
+
+    `asked`, `wrong`: numbers of pairs; `largest_wrong`: the largest relative margin of a wrong answer, in roundings;
+    `smallest_right`: the smallest one of a right answer.
+    """
 
     asked: int
     wrong: int
@@ -47,7 +46,7 @@ class Near(NamedTuple):
 
 
 class Score(NamedTuple):
-    """Partial credit by kind of scene.
+    """The partial credit for a function, by kind of scene.
 
     `parts`: by the name of a part, (right answers, pairs).  A part is passed when all of its answers are right, so
     that guessing earns nothing.
@@ -78,13 +77,13 @@ class Score(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Checked:
-    """What came of checking a function: whether it is right, and if not, the smallest scene where it is wrong.
+    """The result of checking a function: whether it is right, and if not, the smallest scene where it is wrong.
 
     `right`: whether all judged answers were right; `finding`: "" or what went wrong: "wrong", "error", "no answer",
     "ended", "unreadable", "unsteady" or "wrote"; `line`: the finding in one line; `counterexample`: the smallest scene
     that shows it, or None; `said`, `truth`: the answer there and the true one; `behaves_like`: the known mistakes that
     answer like the function, the likest first; `results`: every judged pair; `unasked`: pairs that were left out;
-    `near`: how it did on pairs that floats can hardly tell, which are not judged; `notes`: what else was found.
+    `near`: the results on pairs that rounding can decide, which are not judged; `notes`: further findings, in words.
     """
 
     right: bool
@@ -97,7 +96,7 @@ class Checked:
     smallest: Result | None = None
     behaves_like: tuple[Likeness, ...] = ()
     results: tuple[Result, ...] = ()
-    unasked: tuple[Pair, ...] = ()
+    unasked: tuple[CheckPair, ...] = ()
     near: Near | None = None
     notes: tuple[str, ...] = ()
 
@@ -137,7 +136,7 @@ class Checked:
         return self._lines()[0]
 
     def data(self) -> dict[str, Any]:
-        """Return what a program needs of this, as JSON values."""
+        """Return the result as JSON values, for another program."""
         return {
             "right": self.right,
             "finding": self.finding,
@@ -176,7 +175,7 @@ class Checked:
 
     @property
     def said_in_words(self) -> str:
-        """Return the answer about the counterexample in words."""
+        """Return in words the answer that the function gave for the counterexample."""
         result = self.smallest
         return "" if result is None else result.line if result.problem else in_words(result.answer, self.rules.returns)
 
@@ -219,7 +218,7 @@ def _sentence(words: str) -> str:
 
 
 def _likeness_lines(likenesses: Sequence[Likeness]) -> list[str]:
-    """Return what a report says of the known mistakes: the likest in two lines, and how the next ones differ."""
+    """Return the lines of a report on the known mistakes: the likest in two lines, and how the next ones differ."""
     if not likenesses:
         return []
     first, *others = likenesses
@@ -238,7 +237,7 @@ def _likeness_lines(likenesses: Sequence[Likeness]) -> list[str]:
 
 
 def _passed_lines(checked: Checked) -> list[str]:
-    """Return what a report says of a function without a fault."""
+    """Return the lines of the report on a function in which no fault was found."""
     rules, count = checked.rules, len(checked.results)
     lines = [f"Right on all {count} pairs. It returns {RETURNS[rules.returns]}."]
     lines += [f"  {right:4} {group}" for group, right in checked.passed.items()]

@@ -1,12 +1,12 @@
 """Known mistakes as hypotheses: what each failing case would have answered, compared with what a function answered."""
 
 from collections.abc import Iterator, Sequence
-from functools import partial
+from functools import lru_cache, partial
 from itertools import product
 from math import hypot
 from typing import NamedTuple
 
-from ..engine.geometry import Relation, Vec
+from ..engine.geometry import APART, OVERLAPPING, TOUCHING, Relation, Vec
 from ..engine.shapes import Shape
 from ..engine.shortcut import Shortcut
 from ..scenes.failing import FAILURE_CASES, FALSE_HIT, MISSED_HIT, NAMED, REFUSED
@@ -23,90 +23,45 @@ from .answers import (
     same_answer,
     size_of,
 )
+from .other_methods import VARIANTS as VARIANTS_OF_OTHERS
 from .other_methods import by_shortcut
 from .pairs import BOXES, CIRCLES, CONVEX, KNOWN_SCENES, ROUND, kind_of
 from .results import Result
-from .variants import VARIANTS, Predict
-
-APART, TOUCHING, OVERLAPPING = Relation
+from .written import VARIANTS, Predict
 
 # What a mistake looks like in a game or a drawing program, in the words of the people who see it.  A test simulates it.
-SYMPTOMS: dict[str, tuple[str, ...]] = {
-    "collides with nothing: a hit where there is space": (
-        "aabb-not-upright",
-        "aabb-turned",
-        "one-overlap",
-        "line-for-axis",
-        "one-sided-gap",
-        "bounding-circles",
-        "one-shapes-normals",
-        "half-the-normals",
-        "same-shape",
-        "open-outline",
-        "slipped-normal",
-        "start-at-zero",
-        "lengths",
-        "no-nearest-vertex",
-        "circles-turned-round",
-        "dart",
-        "box-in-u",
-        "faces-in-3d",
-        "rounded-normals",
-        "degrees-for-radians",
-    ),
-    "falls through: no hit where the shapes overlap": (
-        "corner-inside",
-        "edges-cross",
-        "far-centers",
-        "extremes-once",
-        "mixed-signs",
-        "tunnelling",
-        "circles-turned-round",
-    ),
-    "jitters: touching is a hit in one frame and none in the next": (
-        "touch-as-apart",
-        "unit-normals",
-        "touch-on-paper",
-        "far-centers",
-        "mixed-signs",
-        "circles-turned-round",
-        "integer-halves",
-    ),
-    "is pushed too far": (
-        "raw-depth",
-        "tile-seam",
-        "aabb-not-upright",
-        "aabb-turned",
-        "one-overlap",
-        "line-for-axis",
-        "bounding-circles",
-        "degrees-for-radians",
-        "largest-overlap",
-    ),
-    "is pushed the wrong way": (
-        "push-along-normal",
-        "push-from-center",
-        "sum-of-parts",
-        "repeated-vertex",
-        "raw-depth",
-        "corner-inside",
-        "largest-overlap",
-    ),
-    "sticks, or is not pushed out all the way": (
-        "range-inside",
-        "push-along-normal",
-        "push-from-center",
-        "sum-of-parts",
-        "repeated-vertex",
-        "corner-inside",
-        "half-the-way",
-        "integer-halves",
-    ),
+SYMPTOMS = {
+    words: names.split()
+    for words, names in {
+        "collides with nothing: a hit where there is space": (
+            "aabb-not-upright aabb-turned one-overlap line-for-axis one-sided-gap bounding-circles "
+            "one-shapes-normals half-the-normals same-shape open-outline slipped-normal start-at-zero "
+            "lengths no-nearest-vertex circles-turned-round dart box-in-u faces-in-3d rounded-normals "
+            "degrees-for-radians"
+        ),
+        "falls through: no hit where the shapes overlap": (
+            "corner-inside edges-cross far-centers extremes-once mixed-signs tunnelling circles-turned-round"
+        ),
+        "jitters: touching is a hit in one frame and none in the next": (
+            "touch-as-apart unit-normals touch-on-paper far-centers mixed-signs circles-turned-round integer-halves"
+        ),
+        "is pushed too far": (
+            "raw-depth tile-seam aabb-not-upright aabb-turned one-overlap line-for-axis bounding-circles "
+            "degrees-for-radians largest-overlap"
+        ),
+        "is pushed the wrong way": (
+            "push-along-normal push-from-center sum-of-parts repeated-vertex raw-depth corner-inside largest-overlap"
+        ),
+        "sticks, or is not pushed out all the way": (
+            "range-inside push-along-normal push-from-center sum-of-parts repeated-vertex corner-inside "
+            "half-the-way integer-halves"
+        ),
+    }.items()
 }
 
 
 def symptom_of(name: str) -> str:
-    """Return what a mistake looks like, in the words of the people who see it; "" where it is never seen."""
+    """Return the symptom of a mistake in the words of people who see it, such as "falls through"; "" if unseen."""
     return next((words for words, names in SYMPTOMS.items() if name in names), "")
 
 
@@ -121,7 +76,7 @@ def mistakes_with(words: str) -> list[str]:
 
 
 class Likeness(NamedTuple):
-    """How much a function's answers are like those of a known mistake.
+    """The likeness of a function's answers to those of a known mistake.
 
     `agrees`: on how many of the `pairs` both give the same answer, or both a right one; `wrong_alike`: on how many
     of those that either is wrong about (`either_wrong`) both give the same wrong answer; `words`: in which way the
@@ -137,7 +92,7 @@ class Likeness(NamedTuple):
 
     @property
     def is_close(self) -> bool:
-        """Return whether, on nearly all pairs about which one of the two is wrong, both are wrong alike."""
+        """Return whether function and mistake give the same wrong answer on nearly all pairs where either is wrong."""
         return self.wrong_alike >= CLOSE * self.either_wrong
 
     @property
@@ -173,7 +128,7 @@ NOT_AT_REST = "faces-in-3d", "tunnelling"  # about boxes in space, and about mot
 
 
 def _own_kind(name: str) -> str:
-    """Return the kind of a mistake's own scene, where upright boxes are convex polygons."""
+    """Return the kind of pair in the failing case of this name; upright boxes count as convex polygons."""
     kind = kind_of(*NAMED[name].shapes)
     return CONVEX if kind == BOXES else kind
 
@@ -189,7 +144,7 @@ def _hypotheses() -> Iterator[Hypothesis]:
             continue
         seen.append(alike)
         yield Hypothesis(case.name, partial(by_shortcut, case.shortcut))
-    yield from (Hypothesis(*variant) for variant in VARIANTS)
+    yield from (Hypothesis(*variant) for variant in (*VARIANTS, *VARIANTS_OF_OTHERS))
 
 
 HYPOTHESES = tuple(_hypotheses())
@@ -241,7 +196,10 @@ def _misses_touching(results: Sequence[Result], rules: Rules) -> bool:
 
 
 def _likeness(hypothesis: Hypothesis, results: Sequence[Result], rules: Rules, asked: Rules) -> Likeness | None:
-    """Return how like the answers are to the hypothesis's by the rules `asked`; None if no wrong answer is shared."""
+    """Return the Likeness of the answers to those of a hypothesis; None if no wrong answer is shared.
+
+    `rules`: those of the check; `asked`: those by which the hypothesis answers about shapes that touch.
+    """
     agrees = alike = either = missed = not_touching = 0
     for i, result in enumerate(results):
         predicted = predicted_answer(hypothesis, result.a, result.b, asked)
@@ -272,12 +230,24 @@ def _alike(one: Answer, other: Answer, kind: str, margin: float, one_is_right: b
     return kind == MTV and not one_is_right and bool(one and other) and abs(hypot(*one) - hypot(*other)) <= margin
 
 
-def predicted_answer(hypothesis: Hypothesis, a: Shape, b: Shape, rules: Rules) -> tuple[Answer] | None:
-    """Return (the answer that the mistake gives,) in the kind of `rules`; None where it cannot answer."""
+@lru_cache(maxsize=1 << 14)  # another function is asked about the same pairs
+def _prediction(hypothesis: Hypothesis, a: Shape, b: Shape) -> tuple[Relation, Vec | None] | None:
+    """Return the relation and the push that follow from the mistake; None where it has no answer."""
     try:
-        claim, push = hypothesis.predict(a, b)
+        return hypothesis.predict(a, b)
     except (ValueError, ArithmeticError):
         return None
+
+
+def predicted_answer(hypothesis: Hypothesis, a: Shape, b: Shape, rules: Rules) -> tuple[Answer] | None:
+    """Return a tuple with the answer that the mistake gives, in the kind of `rules`; None where it has no answer.
+
+    The tuple keeps an answer of None (no move) apart from no answer.
+    """
+    predicted = _prediction(hypothesis, a, b)
+    if predicted is None:
+        return None
+    claim, push = predicted
     hit = claim is OVERLAPPING or (claim is TOUCHING and rules.touching != "miss")
     if push is not None and rules.moves == "A":
         push = Vec(-push.x, -push.y)

@@ -1,4 +1,4 @@
-"""What a check is asked for: the options of `sv.check`, with their defaults, and what each may be."""
+"""The options of `sv.check`: their defaults, and which values are valid."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -1,25 +1,25 @@
-"""Other methods than SAT in floats: corners, edges, circles, distances; and shortcuts of failing cases."""
+"""Other methods than SAT in floats, with their names: corners, edges, circles, distances; and shortcuts of cases."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from math import dist, hypot
 
 from ..engine.axes import Axis, Choice, centers, edge_normals
-from ..engine.geometry import Relation, Vec
+from ..engine.geometry import APART, OVERLAPPING, Relation, Vec, relation_of_gap
 from ..engine.relate import relate
 from ..engine.sat import AxisTest, Projection, project
 from ..engine.shapes import Shape
 from ..engine.shortcut import Shortcut
 from ..engine.trace import record
+from ..scenes.failing import NAMED
 from ..scenes.failing.saved_work import corner_tests
 from ..scenes.failing.wrong_steps import measured_test
 from ..scenes.shape_tools import vertex_mean
-from .written import Middle, Ring, Written, ends, listed
-
-APART, TOUCHING, OVERLAPPING = Relation
+from .written import LARGE_RADII, SMALL_RADII, Middle, Radius, Ring, Variant, Written, ends, listed, mean
 
 
 def by_shortcut(shortcut: Shortcut, a: Shape, b: Shape) -> tuple[Relation, Vec | None]:
-    """Return what a shortcut claims for a pair."""
+    """Return (relation, push) as a shortcut claims them for two shapes."""
     trace = record(a, b, axes=shortcut, every_axis=True)
     return trace.claim, trace.push
 
@@ -31,10 +31,14 @@ def push_along_centers(a: Shape, b: Shape, tests: Sequence[AxisTest]) -> Vec:
     return Vec((qx - px) / length * depth, (qy - py) / length * depth) if length else Vec(depth, 0.0)
 
 
-def middle_inside(a: Shape, b: Shape) -> tuple[Relation, Vec | None]:
-    """Return OVERLAPPING if the middle of one convex polygon lies in the other."""
-    spots = (vertex_mean(a), b), (vertex_mean(b), a)
-    return (OVERLAPPING if min(_outside(*each) for each in spots) <= 0 else APART), None
+def spot_inside(spot_of: Callable[[Shape], Vec], a: Shape, b: Shape) -> tuple[Relation, None]:
+    """Return OVERLAPPING if this spot of one convex polygon lies in the other."""
+    return (OVERLAPPING if min(_outside(spot_of(a), b), _outside(spot_of(b), a)) <= 0 else APART), None
+
+
+def first_corner(shape: Shape) -> Vec:
+    """Return the first vertex, or a circle's center."""
+    return (shape.vertices or shape.core)[0]
 
 
 def corners_in(owner: str, a: Shape, b: Shape) -> tuple[Relation, None]:
@@ -43,19 +47,13 @@ def corners_in(owner: str, a: Shape, b: Shape) -> tuple[Relation, None]:
     return (OVERLAPPING if min(gaps) <= 0 else APART), None
 
 
-def first_corner_in(a: Shape, b: Shape) -> tuple[Relation, None]:
-    """Return OVERLAPPING if the first corner of one convex polygon lies in the other."""
-    spots = ((a.vertices or a.core)[0], b), ((b.vertices or b.core)[0], a)
-    return (OVERLAPPING if min(_outside(*each) for each in spots) <= 0 else APART), None
-
-
 def with_circle(gap_of: Callable[[Shape, Vec, float], float], a: Shape, b: Shape) -> tuple[Relation, None]:
-    """Return what a gap between a convex polygon and a circle claims; ValueError for other pairs."""
+    """Return the relation that `gap_of` (polygon, center, radius) claims by its sign; ValueError for other pairs."""
     if a.core_is_point == b.core_is_point:
-        raise ValueError("no circle and polygon")
+        raise ValueError("this method compares a circle with a convex polygon")
     shape, circle = (a, b) if b.core_is_point else (b, a)
     gap = gap_of(shape, circle.core[0], circle.radius)
-    return (APART if gap > 0 else TOUCHING if gap == 0 else OVERLAPPING), None
+    return relation_of_gap(gap), None
 
 
 def nearest_corner(shape: Shape, center: Vec, radius: float) -> float:
@@ -63,13 +61,8 @@ def nearest_corner(shape: Shape, center: Vec, radius: float) -> float:
     return min(dist(vertex, center) for vertex in shape.vertices) - radius
 
 
-def center_outside(shape: Shape, center: Vec, radius: float) -> float:
-    """Return how far the center lies outside the polygon, else 0 or less."""
-    return _outside(center, shape)
-
-
 def corner_or_center(shape: Shape, center: Vec, radius: float) -> float:
-    """Return the smaller of both, since a corner in the circle or the center in the polygon is a hit."""
+    """Return the smaller of `nearest_corner` and `center_outside`: either below 0 is a hit."""
     return min(nearest_corner(shape, center, radius), _outside(center, shape))
 
 
@@ -80,7 +73,7 @@ def box_and_circle(shape: Shape, center: Vec, radius: float) -> float:
 
 
 def raw_radius(shape: Shape, center: Vec, radius: float) -> float:
-    """Return the largest gap on the edge normals as they come, with a radius that is not as long as they are."""
+    """Return the largest gap on edge normals that are not of length 1, from which the radius is subtracted unscaled."""
     ranges = [(ends(shape.vertices, n), ends([center], n).lo) for n in listed(shape.vertices, ())]
     return max(max(at - radius - on.hi, on.lo - at - radius) for on, at in ranges)
 
@@ -91,14 +84,14 @@ def rims_meet(a: Shape, b: Shape) -> tuple[Relation, None]:
     return (OVERLAPPING if abs(a.radius - b.radius) <= away <= a.radius + b.radius else APART), None
 
 
-def edges_turn(strict: bool, a: Shape, b: Shape) -> tuple[Relation, None]:
-    """Return OVERLAPPING if two edges cross by the signs of their turns, one of which may be 0 if not `strict`.
+def edges_cross(strict: bool, a: Shape, b: Shape) -> tuple[Relation, None]:
+    """Return OVERLAPPING if two edges cross by the orientations of their ends.
 
-    A turn of 0 counts as clockwise then.
+    `strict`: three collinear points decide nothing; otherwise they count as clockwise.
     """
 
-    def turn(p: Vec, q: Vec, r: Vec) -> int:
-        """Return 1 where p, q, r turn counter-clockwise, -1 where they turn clockwise, and else 0 or -1."""
+    def side(p: Vec, q: Vec, r: Vec) -> int:
+        """Return 1 if p, q, r are counter-clockwise, -1 if clockwise; if collinear, 0 if `strict`, else -1."""
         size = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x)
         return (size > 0) - (size < 0 if strict else size <= 0)
 
@@ -106,7 +99,7 @@ def edges_turn(strict: bool, a: Shape, b: Shape) -> tuple[Relation, None]:
         raise ValueError("a circle has no edges")
     edges_of_a, edges_of_b = (tuple(zip(ring, (*ring[1:], *ring[:1]))) for ring in (a.vertices, b.vertices))
     crossed = any(
-        turn(p, r, s) * turn(q, r, s) < 0 and turn(p, q, r) * turn(p, q, s) < 0
+        side(p, r, s) * side(q, r, s) < 0 and side(p, q, r) * side(p, q, s) < 0
         for p, q in edges_of_a
         for r, s in edges_of_b
     )
@@ -114,10 +107,10 @@ def edges_turn(strict: bool, a: Shape, b: Shape) -> tuple[Relation, None]:
 
 
 def squared_distance(a: Shape, b: Shape) -> tuple[Relation, None]:
-    """Return what follows for two circles if the squared distance is compared with the sum of the radii."""
+    """Return the relation of two circles as claimed if the squared distance is compared with the sum of the radii."""
     (ax, ay), (bx, by) = _centers(a, b)
     gap = (bx - ax) ** 2 + (by - ay) ** 2 - a.radius - b.radius
-    return APART if gap > 0 else TOUCHING if gap == 0 else OVERLAPPING, None
+    return relation_of_gap(gap), None
 
 
 def normals_and_centers(a: Shape, b: Shape) -> Choice:
@@ -139,7 +132,7 @@ def _outside(spot: Vec, shape: Shape) -> float:
 
 
 def outward_from_each_middle(a: Shape, b: Shape, axis: Axis) -> AxisTest:
-    """Return the test of an edge normal that is turned for each shape by itself, away from its own vertex mean."""
+    """Return the test of an edge normal that points, for each shape separately, away from its own vertex mean."""
     start, n = (a if axis.source.shape == "A" else b).vertices[axis.source.ids[0]], axis.direction
 
     def project_outward(shape: Shape) -> Projection:
@@ -156,20 +149,69 @@ def reversed_verdict(a: Shape, b: Shape) -> tuple[Relation, None]:
     return (OVERLAPPING if relate(a, b) is APART else APART), None
 
 
-def within_reach(middle: Middle, reach: Callable[[Ring, Ring], float], a: Shape, b: Shape) -> tuple[Relation, None]:
-    """Return what follows if nothing but the distance of the middles counts."""
+def within_reach(reach: float, a: Shape, b: Shape) -> tuple[Relation, None]:
+    """Return OVERLAPPING if the distance of both vertex means is at most `reach`, else APART."""
     p, q = a.vertices or a.core, b.vertices or b.core
-    return (OVERLAPPING if dist(middle(p), middle(q)) <= reach(p, q) else APART), None
+    return (OVERLAPPING if dist(mean(p), mean(q)) <= reach else APART), None
 
 
 def beyond_reach(
-    middle: Middle, reach: Callable[[Ring, Ring], float], a: Shape, b: Shape
+    middle: Middle, radius: Radius, join: Callable[[tuple[float, float]], float], a: Shape, b: Shape
 ) -> tuple[Relation, Vec | None]:
-    """Return APART where the middles are further apart than a reach, else the right answer."""
+    """Return APART where the middles are further apart than `join` of both radii, else the right answer and push.
+
+    `middle`, `radius`: functions of a ring of vertices (of a circle, its center); `join`: such as sum or max.
+    """
     p, q = a.vertices or a.core, b.vertices or b.core
-    if dist(middle(p), middle(q)) > reach(p, q):
+    if dist(middle(p), middle(q)) > join((radius(p), radius(q))):
         return APART, None
     if a.is_convex and b.is_convex and a.vertices and b.vertices:
         return Written()(a, b)
     trace = record(a, b)
     return trace.relation, trace.mtv
+
+
+def _other_ways() -> Iterator[Variant]:
+    """Yield the mistakes of other methods than SAT."""
+    yield "corner-inside", partial(spot_inside, vertex_mean), "here the middle of one"
+    yield "corner-inside", partial(corners_in, "B"), "here a corner of A in B alone"
+    yield "corner-inside", partial(corners_in, "A"), "here a corner of B in A alone"
+    yield "corner-inside", partial(spot_inside, first_corner), "here the first corner of one"
+    for gap_of, words in (
+        (nearest_corner, "here a corner in the circle"),
+        (lambda shape, center, radius: _outside(center, shape), "here the center of the circle in the polygon"),
+        (corner_or_center, "here the center of the circle, too"),
+    ):
+        yield "corner-inside", partial(with_circle, gap_of), words
+    yield "aabb-not-upright", partial(with_circle, box_and_circle), "here beside a circle"
+    yield (
+        "no-nearest-vertex",
+        partial(with_circle, raw_radius),
+        "here with a radius that is not scaled like the normals",
+    )
+    to_center = NAMED["no-nearest-vertex"].shortcut._replace(choose=normals_and_centers)
+    yield "no-nearest-vertex", partial(by_shortcut, to_center), "here the line of the centers, too"
+    yield "edges-cross", rims_meet, "here the rims of circles"
+    for strict, words in ((False, "here by the signs of their turns"), (True, "here at a point inside both edges")):
+        yield "edges-cross", partial(edges_cross, strict), words
+    yield "circles-turned-round", squared_distance, "here the squared distance is compared"
+    yield "circles-turned-round", reversed_verdict, "here the whole verdict, for shapes of any kind"
+    from_each_middle = NAMED["mixed-signs"].shortcut._replace(choose=edge_normals, measure=outward_from_each_middle)
+    yield "mixed-signs", partial(by_shortcut, from_each_middle), "here away from the middle of each shape"
+    along_line = NAMED["push-from-center"].shortcut._replace(push=push_along_centers)
+    yield "push-from-center", partial(by_shortcut, along_line), "here along the line between the middles"
+    for middle, radius in SMALL_RADII:
+        yield "far-centers", partial(beyond_reach, middle, radius, sum), "here further than the reach of both shapes"
+    for middle, radius in LARGE_RADII:
+        yield "far-centers", partial(beyond_reach, middle, radius, max), "here further than the larger reach"
+    for reach in 2.0, 3.0, 5.0, 8.0, 12.0, 20.0:
+        yield "far-centers", partial(beyond_reach, mean, partial(_fixed, reach), max), f"here further than {reach:g}"
+        yield "bounding-circles", partial(within_reach, reach), "here of one size for all shapes"
+
+
+def _fixed(reach: float, ring: Ring) -> float:
+    """Return the reach, whatever the shape."""
+    return reach
+
+
+VARIANTS = tuple(_other_ways())

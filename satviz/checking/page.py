@@ -7,7 +7,7 @@ from ..scenes.scenefile import shape_data, shape_from
 from .answers import Rules, in_words, true_in_words
 from .checked import Checked
 from .options import Options
-from .pairs import Pair
+from .pairs import CheckPair
 from .reading import outcome_from
 from .results import judge
 from .steps import Asked, Steps, steps
@@ -16,14 +16,14 @@ MESSAGES = "check", "outcomes", "judge"  # the kinds of message that `PageCheck.
 
 
 class PageCheck:
-    """One check at a time: "check" starts it, "outcomes" goes on, and "judge" tells of one pair while it is dragged."""
+    """The check of a page: message "check" starts it, "outcomes" continues it, and "judge" judges one pair."""
 
     def __init__(self) -> None:
         self.running: Steps | None = None
         self.rules = Rules()
 
     def answer(self, content: dict[str, Any]) -> dict[str, Any]:
-        """Return the reply to a message: the pairs to ask, what was found, or what is true of one pair."""
+        """Return the reply to a message: pairs to ask about, the result of the check, or the truth about one pair."""
         kind = content["kind"]
         if kind == "judge":
             return self._judged(content)
@@ -43,16 +43,16 @@ class PageCheck:
         return {"kind": "ask", "pairs": [{"a": shape_data(a), "b": shape_data(b)} for a, b in asked]}
 
     def _found(self, checked: Checked) -> dict[str, Any]:
-        """Return the message that says what was found, and keep its rules for later questions."""
+        """Return the message with the result of the check, and keep the rules for later messages "judge"."""
         self.rules = checked.rules
         scene = checked.counterexample
         return {"kind": "checked", **checked.data(), "link": scene and fragment(scene)}
 
     def _judged(self, content: dict[str, Any]) -> dict[str, Any]:
-        """Return what the function said of the shapes in the explorer, what is true, and whether that is right."""
+        """Return the function's answer about the shapes in the explorer, the true answer, and whether it is right."""
         a, b = shape_from(content["a"], "A"), shape_from(content["b"], "B")
         outcome = outcome_from(content["outcome"])
-        result = judge(Pair(a, b, "", ""), outcome, self.rules)
+        result = judge(CheckPair(a, b, "", ""), outcome, self.rules)
         said = result.line if result.problem else in_words(result.answer, self.rules.returns)
         return {
             "kind": "judged",

@@ -1,6 +1,7 @@
 """The pairs that a function is asked about, the smallest first."""
 
 from collections.abc import Callable, Iterator, Sequence
+from functools import lru_cache
 from itertools import product
 from math import atan2
 from random import Random
@@ -13,22 +14,15 @@ from ..scenes.failing import FAILURE_CASES, REFUSED
 from ..scenes.failing.move_space import convex_hull
 from ..scenes.shape_tools import box, translated
 
-BOXES, CONVEX, CONCAVE, CIRCLES, ROUND, REPEATED = (
-    "boxes",
-    "convex",
-    "concave",
-    "circles",
-    "circle and polygon",
-    "repeated",
-)
 KINDS = {
-    BOXES: "two upright boxes",
-    CONVEX: "two convex polygons",
-    CONCAVE: "outlines with dents",
-    CIRCLES: "two circles",
-    ROUND: "a circle and a convex polygon",
-    REPEATED: "a vertex that is listed twice",
+    "boxes": "two upright boxes",
+    "convex": "two convex polygons",
+    "concave": "outlines with dents",
+    "circles": "two circles",
+    "circle and polygon": "a circle and a convex polygon",
+    "repeated": "a vertex that is listed twice",
 }
+BOXES, CONVEX, CONCAVE, CIRCLES, ROUND, REPEATED = KINDS
 KNOWN_SCENES, PAST_ONE_EDGE = "scenes of known mistakes", "just past one edge"
 DEFAULT_KINDS = BOXES, CONVEX
 SIZES = (3, 4, 6, 8, 12, 20, 60, 400)  # of the grids that later pairs lie on, in whole numbers
@@ -39,8 +33,8 @@ ONE_EDGE_SIZE = 60  # of shapes that lie past an edge, so near that hardly any o
 Maker = Callable[[Random, int], Shape]
 
 
-class Pair(NamedTuple):
-    """Two shapes, their kind, and the group of pairs that they belong to."""
+class CheckPair(NamedTuple):
+    """A pair that a function is asked about: two shapes, their kind, and the group of pairs that they belong to."""
 
     a: Shape
     b: Shape
@@ -49,7 +43,7 @@ class Pair(NamedTuple):
 
 
 def kind_of(a: Shape, b: Shape) -> str:
-    """Return the kind of a pair of shapes."""
+    """Return the kind of a pair of shapes: one of the constants BOXES, CONVEX, CONCAVE, CIRCLES, ROUND, REPEATED."""
     circles = [isinstance(shape, Circle) for shape in (a, b)]
     if all(circles):
         return CIRCLES
@@ -64,7 +58,8 @@ def kind_of(a: Shape, b: Shape) -> str:
     return BOXES if a.is_upright_box and b.is_upright_box else CONVEX
 
 
-def whole_number_pairs(kinds: Sequence[str], seed: int) -> list[Pair]:
+@lru_cache(maxsize=16)
+def whole_number_pairs(kinds: tuple[str, ...], seed: int) -> tuple[CheckPair, ...]:
     """Return the pairs that judge a function, in order: small boxes, small shapes, failing cases, seeded pairs."""
     random = Random(seed)
     found = [*_small_boxes()] if BOXES in kinds else []
@@ -77,13 +72,13 @@ def whole_number_pairs(kinds: Sequence[str], seed: int) -> list[Pair]:
         if not _is_whole(a, b):
             a, b = _in_tenths(a), _in_tenths(b)
         if kind_of(a, b) in kinds and _is_whole(a, b):
-            found.append(Pair(a, b, kind_of(a, b), KNOWN_SCENES))
+            found.append(CheckPair(a, b, kind_of(a, b), KNOWN_SCENES))
     for size in SIZES[3:]:
         found += _seeded(kinds, random, size, f"coordinates up to {size}")
-    return [*found, *_past_one_edge(random)] if CONVEX in kinds else found
+    return (*found, *_past_one_edge(random)) if CONVEX in kinds else tuple(found)
 
 
-def _weight(pair: Pair) -> tuple[int, float]:
+def _weight(pair: CheckPair) -> tuple[int, float]:
     """Return how large a pair is to read: its corners, then its largest coordinate."""
     return sum(len(s.vertices) or 1 for s in pair[:2]), max(s.max_coordinate for s in pair[:2])
 
@@ -107,17 +102,17 @@ def _is_whole(*shapes: Shape) -> bool:
     )
 
 
-def _small_boxes() -> Iterator[Pair]:
+def _small_boxes() -> Iterator[CheckPair]:
     """Yield upright boxes: beside each other, touching, overlapping, one inside the other, equal."""
     for (w, h), (v, g) in (((2, 2), (1, 1)), ((1, 1), (2, 1)), ((4, 1), (1, 3))):
         for x, y in product(range(-2, w + 2), range(-2, h + 2)):
-            yield Pair(box(0, 0, w, h), box(x, y, x + v, y + g), BOXES, "small boxes")
+            yield CheckPair(box(0, 0, w, h), box(x, y, x + v, y + g), BOXES, "small boxes")
     inside = box(1, 1, 4, 4)
     for other in box(2, 2, 3, 3), inside, box(0, 0, 5, 5), box(1, 2, 4, 3):
-        yield Pair(inside, other, BOXES, "small boxes")
+        yield CheckPair(inside, other, BOXES, "small boxes")
 
 
-def _seeded(kinds: Sequence[str], random: Random, size: int, group: str) -> Iterator[Pair]:
+def _seeded(kinds: Sequence[str], random: Random, size: int, group: str) -> Iterator[CheckPair]:
     """Yield random pairs in whole numbers up to `size`, with B placed in each of the ways of `_placed`."""
     for kind in kinds:
         makers = MAKERS[kind]
@@ -130,10 +125,10 @@ def _seeded(kinds: Sequence[str], random: Random, size: int, group: str) -> Iter
             if i % 2 and kind in (CIRCLES, ROUND):
                 a, b = b, a
             b = _placed(a, b, random, size, i % 4)
-            yield Pair(a, b, kind_of(a, b), group)
+            yield CheckPair(a, b, kind_of(a, b), group)
 
 
-def _past_one_edge(random: Random) -> Iterator[Pair]:
+def _past_one_edge(random: Random) -> Iterator[CheckPair]:
     """Yield convex polygons with B just past the middle of the first or last edge of either, which alone shows it."""
     for of_a, index in tuple(product((True, False), (0, -1))) * 4:
         a, b = (_convex(random, ONE_EDGE_SIZE) for _ in "ab")
@@ -147,7 +142,7 @@ def _past_one_edge(random: Random) -> Iterator[Pair]:
         s = middle if of_a else _support(a, n, random)
         t = _support(b, Vec(-n.x, -n.y), random) if of_a else middle
         beside = translated(b, Vec(s.x - t.x + step.x, s.y - t.y + step.y))
-        yield Pair(a, beside, kind_of(a, beside), PAST_ONE_EDGE)
+        yield CheckPair(a, beside, kind_of(a, beside), PAST_ONE_EDGE)
 
 
 def _placed(a: Shape, b: Shape, random: Random, size: int, how: int) -> Shape:
@@ -272,7 +267,7 @@ MAKERS: dict[str, tuple[Maker, Maker]] = {
 }
 
 
-def near_pairs(kinds: Sequence[str], seed: int, count: int) -> Iterator[Pair]:
+def near_pairs(kinds: Sequence[str], seed: int, count: int) -> Iterator[CheckPair]:
     """Yield pairs that floats can hardly tell: touching in whole numbers, then scaled and moved by rounded numbers.
 
     They measure where a function's floats fail; no answer for them counts as wrong.
@@ -285,7 +280,7 @@ def near_pairs(kinds: Sequence[str], seed: int, count: int) -> Iterator[Pair]:
         scale, away = random.uniform(0.1, 3.0), Vec(random.uniform(-50, 50), random.uniform(-50, 50))
         nudge = 2.0 ** -random.randint(20, 53) * random.choice((-1, 1)) * (i % 3 > 0)
         shapes = _moved(a, scale, away), _moved(beside, scale, Vec(away.x + nudge, away.y))
-        yield Pair(*shapes, kind, "nearly touching, in rounded numbers")
+        yield CheckPair(*shapes, kind, "nearly touching, in rounded numbers")
 
 
 def _moved(shape: Shape, scale: float, move: Vec) -> Shape:

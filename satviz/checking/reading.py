@@ -18,10 +18,10 @@ MAX_PRINTED = 2000  # letters of what the code prints that are kept
 
 
 class Printed(io.StringIO):
-    """What the code prints, up to MAX_PRINTED letters."""
+    """A text stream that keeps what the code under test prints, up to MAX_PRINTED characters."""
 
     def write(self, text: str) -> int:
-        """Keep what there is space for, and take the rest as written."""
+        """Keep the part of the text for which there is space; return the length of all of it, as if it were written."""
         super().write(text[: MAX_PRINTED - self.tell()])
         return len(text)
 
@@ -36,13 +36,13 @@ class ReaderPython:
         self.called: CalledHere | None = None
 
     def answer(self, content: dict[str, Any]) -> dict[str, Any]:
-        """Return whether the function is there, or what came of one call, and what the code printed."""
+        """Return the reply to a message: the fault of the code, or the outcome of one call, and what was printed."""
         with redirect_stdout(Printed()) as printed, redirect_stderr(printed):
             reply = self._define(content["code"]) if content["kind"] == "define" else self._call(content)
         return {**reply, "printed": printed.getvalue()}
 
     def _call(self, content: dict[str, Any]) -> dict[str, Any]:
-        """Return what comes of the function for the pair of a message."""
+        """Call the function with the pair of a message and return the outcome as JSON values."""
         a, b = shape_from(content["a"], "A"), shape_from(content["b"], "B")
         if self.called is None:
             return {"problem": ERROR, "line": "is not defined"}

@@ -1,20 +1,20 @@
-"""What came of one pair: the call, the answer as a value, and whether it is right."""
+"""The result of one pair: the outcome of the call, the answer as a value, and whether it is right."""
 
 from typing import Any, NamedTuple
 
 from ..engine.shapes import Shape
-from .answers import Answer, Rules, Truth, Unreadable, is_right, read, truth_of
+from .answers import Answer, Rules, Truth, UnreadableAnswer, is_right, read, truth_of
 from .asking import Outcome
-from .pairs import Pair
+from .pairs import CheckPair
 
 UNREADABLE, WRONG, UNSTEADY = "unreadable", "wrong", "unsteady"
 NOTHING = "returns nothing: every way through the function must end in a return"
 
 
 class Result(NamedTuple):
-    """One pair, what the function said, and whether that is right; `problem` and `line` where it is no answer."""
+    """One pair, the answer of the function, and whether it is right; `problem` and `line` where it gave no answer."""
 
-    pair: Pair
+    pair: CheckPair
     raw: Any
     answer: Answer
     truth: Truth
@@ -33,14 +33,14 @@ class Result(NamedTuple):
         return self.pair.b
 
 
-def judge(pair: Pair, outcome: Outcome, rules: Rules) -> Result:
-    """Return the Result of a call."""
+def judge(pair: CheckPair, outcome: Outcome, rules: Rules) -> Result:
+    """Return the Result of a call: its value read as an answer and compared with the truth by the rules."""
     truth = truth_of(pair.a, pair.b, rules.returns)
     if outcome.problem:
         return Result(pair, outcome.value, None, truth, False, outcome.problem, outcome.line)
     try:
         answer = read(outcome.value, rules.returns)
-    except Unreadable as error:
+    except UnreadableAnswer as error:
         line = NOTHING if outcome.value is None else str(error)
         return Result(pair, outcome.value, None, truth, False, UNREADABLE, line)
     return Result(pair, outcome.value, answer, truth, is_right(answer, pair.a, pair.b, truth, rules))

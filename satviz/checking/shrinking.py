@@ -16,7 +16,7 @@ Scene = tuple[Numbers, Numbers]
 
 
 def numbers_of(shape: Shape) -> Numbers:
-    """Return the numbers that a shape is made of."""
+    """Return a polygon's vertices as tuples, or a circle as ((x, y, radius),)."""
     if isinstance(shape, Circle):
         return ((*shape.center, shape.radius),)
     return tuple(tuple(point) for point in shape.vertices)

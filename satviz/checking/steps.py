@@ -29,7 +29,7 @@ from .asking import LAST, Outcome
 from .checked import Checked, Near, scene_of, wrong_line
 from .mistakes import Likeness, explains, likenesses
 from .options import Options
-from .pairs import BOXES, Pair, kind_of, near_pairs, whole_number_pairs
+from .pairs import BOXES, CheckPair, kind_of, near_pairs, whole_number_pairs
 from .results import UNSTEADY, WRONG, Result, judge
 from .shrinking import shrink
 
@@ -102,15 +102,15 @@ def _counter_clockwise(shape: Shape) -> Shape:
     return shape if area > 0 else Polygon(shape.vertices[::-1])
 
 
-def _in_order(pairs: Iterable[Pair], options: Options) -> list[Pair]:
+def _in_order(pairs: Iterable[CheckPair], options: Options) -> list[CheckPair]:
     """Return the pairs, with all vertices in counter-clockwise order if the options say so."""
     if options.clockwise:
         return list(pairs)
     return [pair._replace(a=_counter_clockwise(pair.a), b=_counter_clockwise(pair.b)) for pair in pairs]
 
 
-def _rules(options: Options, outcomes: Sequence[Outcome], pairs: Sequence[Pair]) -> Rules:
-    """Return what counts as right, with what the function returns found out from its answers."""
+def _rules(options: Options, outcomes: Sequence[Outcome], pairs: Sequence[CheckPair]) -> Rules:
+    """Return the rules of a check; the kind of answer is recognized from the outcomes unless the options name it."""
     answered = [(outcome.value, (p.a, p.b)) for outcome, p in zip(outcomes, pairs, strict=False) if not outcome.problem]
     first = answered[:FIRST_PAIRS]
     for kind_of_value in {type(raw) for raw, _ in answered[FIRST_PAIRS:]}:
@@ -128,7 +128,7 @@ def _right_count(answered: Sequence[tuple[Any, tuple[Shape, Shape]]], rules: Rul
     """Return how many raw answers are right, among the first pairs that overlap; `answered`: (raw answer, shapes)."""
     count = overlapping = 0
     for raw, (a, b) in answered:
-        result = judge(Pair(a, b, "", ""), Outcome(raw), rules)
+        result = judge(CheckPair(a, b, "", ""), Outcome(raw), rules)
         if result.truth.relation is Relation.OVERLAPPING:
             count, overlapping = count + result.right, overlapping + 1
         if overlapping > 2 * FIRST_PAIRS:
@@ -169,7 +169,7 @@ def _shrunk(bad: Result, rules: Rules, options: Options) -> Generator[Asked, lis
         except StopIteration:
             break
         wrong = False
-        pair = Pair(a, b, bad.pair.kind, bad.pair.group)
+        pair = CheckPair(a, b, bad.pair.kind, bad.pair.group)
         if _is_fit(pair, bad, options):
             result = judge(pair, (yield [(a, b)])[0], rules)
             wrong = not result.right and not result.problem and result.truth.relation is bad.truth.relation
@@ -177,10 +177,10 @@ def _shrunk(bad: Result, rules: Rules, options: Options) -> Generator[Asked, lis
     return smallest
 
 
-def _is_fit(pair: Pair, bad: Result, options: Options) -> bool:
-    """Return whether a smaller pair is one that the function must know: nothing that it was not asked about is new.
+def _is_fit(pair: CheckPair, bad: Result, options: Options) -> bool:
+    """Return whether a smaller pair has no feature that the options or the wrong pair `bad` exclude.
 
-    That is a dent, a vertex that is listed twice, clockwise order, or a slanted edge beside upright boxes only.
+    Such features are a dent, a vertex that is listed twice, clockwise order, and a slanted edge beside upright boxes.
     """
     for shape, old in zip(pair[:2], bad.pair[:2], strict=True):
         if shape.is_convex < old.is_convex or _has_repeats(shape) > _has_repeats(old):
@@ -224,9 +224,10 @@ def _order_notes(results: Sequence[Result]) -> list[str]:
 
 
 def _near(options: Options, rules: Rules) -> Generator[Asked, list[Outcome], Near | Result | None]:
-    """Return how the function does on pairs that nearly touch, in rounded numbers; None where it gives no verdict.
+    """Return the Near of the function on pairs that nearly touch, in rounded numbers.
 
-    Where it gives no answer for such numbers at all, the Result says so, since rounding is not the reason.
+    None where its kind of answer has no hit or relation; the Result of a pair for which it gives no answer at all,
+    since rounding is not the reason for that.
     """
     gives_verdict = rules.returns in (HIT, RELATION, HIT_AND_MTV)
     verdict_rules = rules._replace(returns=RELATION if rules.returns == RELATION else HIT)
@@ -253,11 +254,11 @@ def _found(
     bad: Result,
     rules: Rules,
     results: Sequence[Result],
-    unasked: tuple[Pair, ...],
+    unasked: tuple[CheckPair, ...],
     notes: Sequence[str],
     alike: tuple[Likeness, ...],
 ) -> Checked:
-    """Return the Checked of a function with a fault."""
+    """Return the Checked of a function with a fault; `bad`: the result that shows it, `alike`: the known mistakes."""
     shown = alike[0].name if alike and explains(alike[0].name, bad.a, bad.b, bad.answer, rules) else ""
     truth: Relation | float | Vec | None = bad.truth.relation
     if rules.returns == DEPTH:

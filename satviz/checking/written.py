@@ -1,19 +1,21 @@
-"""SAT as people write it, in plain floats: one record whose steps can be replaced, and the wrong steps."""
+"""SAT as people write it, in plain floats: one record whose steps can be replaced, the wrong steps, and their names."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from math import atan2, cos, degrees, dist, hypot, sin
+from functools import partial
+from math import atan2, cos, degrees, dist, floor, hypot, sin
 from operator import itemgetter
 from typing import NamedTuple
 
-from ..engine.geometry import Interval, Relation, Vec
+from ..engine.geometry import APART, OVERLAPPING, TOUCHING, Interval, Relation, Vec
 from ..engine.shapes import Shape
 from ..scenes.failing.wrong_projections import whole_halves
 
 Ring = Sequence[Vec]
+Predict = Callable[[Shape, Shape], tuple[Relation, Vec | None]]  # the claimed relation, and the push of B
+Variant = tuple[str, Predict, str]  # the name of the failing case, what it claims, in which way it is made
 Middle = Callable[[Ring], Vec]
 Radius = Callable[[Ring], float]
-APART, TOUCHING, OVERLAPPING = Relation
 
 
 class Overlap(NamedTuple):
@@ -33,12 +35,12 @@ def normal(dx: float, dy: float) -> Vec:
 def listed(
     a: Ring,
     b: Ring,
-    turn: Callable[[float, float], Vec] = normal,
+    normal_of: Callable[[float, float], Vec] = normal,
     sign: int = 1,
     cut_a: slice = slice(None),
     cut_b: slice = slice(None),
 ) -> list[Vec]:
-    """Return what `turn` makes of each edge of A and of B, in the order in which the vertices are listed.
+    """Return `normal_of` each edge vector of A and of B, in the order in which the vertices are listed.
 
     `sign`: -1 for the opposites; `cut_a`, `cut_b`: the edges that are taken.
     """
@@ -46,7 +48,7 @@ def listed(
     for ring, cut in (a, cut_a), (b, cut_b):
         for p, q in list(zip(ring, (*ring[1:], *ring[:1])))[cut]:
             if p != q:  # a vertex that is listed twice is another mistake
-                x, y = turn(q.x - p.x, q.y - p.y)
+                x, y = normal_of(q.x - p.x, q.y - p.y)
                 found.append(Vec(sign * x, sign * y))
     return found
 
@@ -71,11 +73,11 @@ def shorter_way(a: Ring, b: Ring, found: Overlap) -> int:
 class Written:
     """SAT as people write it; a mistake replaces one step.
 
-    `axes`: the axes of two rings, of any length; `ends`: the range of a ring on an axis; `overlap`: of two ranges;
-    `powers`: of the normal's length, by which overlaps are divided where they are compared, and the normal times the
-    overlap where it becomes the push; `pick`: the place of the axis of the push, where the least overlap comes first,
-    or, with `in_order`, in the order of the axes; `way`: 1 for a push along the normal, else -1;
-    `any_axis`: whether one overlap is enough for a hit.
+    `axes`: returns the axes of two rings, vectors of any length; `ends`: the range of a ring on an axis; `overlap`:
+    that of two ranges.  `powers` = (p, q): overlaps are compared after division by |n|**p, and the push is n times the
+    overlap divided by |n|**q.  `pick`: which axis gives the push, counted from the least overlap, or, with `in_order`,
+    in the order of the axes; `way`: 1 for a push along the normal, else -1; `any_axis`: whether one overlap is enough
+    for a hit.
     """
 
     axes: Callable[[Ring, Ring], Sequence[Vec]] = listed
@@ -120,7 +122,7 @@ def _length(n: Vec) -> float:
 
 
 def of_world(a: Ring, b: Ring) -> list[Vec]:
-    """Return x and y."""
+    """Return the world axes x and y, whatever the rings."""
     return [Vec(1.0, 0.0), Vec(0.0, 1.0)]
 
 
@@ -128,11 +130,6 @@ def between(middle: Middle, a: Ring, b: Ring) -> list[Vec]:
     """Return the line between the middles as the only axis; x where both are one point."""
     (ax, ay), (bx, by) = middle(a), middle(b)
     return [Vec(bx - ax, by - ay) if (ax, ay) != (bx, by) else Vec(1.0, 0.0)]
-
-
-def one_edge(index: int, a: Ring, b: Ring) -> list[Vec]:
-    """Return the normal of one of all edges."""
-    return [listed(a, b)[index]]
 
 
 def by_direction(a: Ring, b: Ring) -> list[Vec]:
@@ -145,9 +142,9 @@ def of_each(cut: Callable[[int], slice], a: Ring, b: Ring) -> list[Vec]:
     return listed(a, b, cut_a=cut(len(a)), cut_b=cut(len(b)))
 
 
-def of_vertices(turn: Callable[[float, float], Vec], a: Ring, b: Ring) -> list[Vec]:
-    """Return what `turn` makes of each vertex, as if it were the vector of an edge."""
-    return [turn(*p) for ring in (a, b) for p in ring]
+def of_vertices(normal_of: Callable[[float, float], Vec], a: Ring, b: Ring) -> list[Vec]:
+    """Return `normal_of` each vertex, as if the vertex were the vector of an edge."""
+    return [normal_of(*p) for ring in (a, b) for p in ring]
 
 
 def one_for_equal_counts(a: Ring, b: Ring) -> list[Vec]:
@@ -156,7 +153,10 @@ def one_for_equal_counts(a: Ring, b: Ring) -> list[Vec]:
 
 
 def outward(sign: int, a: Ring, b: Ring) -> list[Vec]:
-    """Return normals that lead from A to B if both rings are counter-clockwise; -1 for `sign` if clockwise."""
+    """Return the normals of A, and the opposites of B's, which all lead from A to B if both are counter-clockwise.
+
+    `sign`: -1 for rings in clockwise order.
+    """
     return [*listed(a, (), sign=sign), *listed((), b, sign=-sign)]
 
 
@@ -176,13 +176,13 @@ def rounded_to(round_to: Callable[[float], float], dx: float, dy: float) -> Vec:
 
 
 def from_zero(ring: Ring, n: Vec) -> Interval:
-    """Return a range whose larger end was searched for from 0 upward."""
+    """Return the range of a ring whose maximum starts at 0 in the search, so it is never below 0."""
     lo, hi = ends(ring, n)
     return Interval(lo, max(0.0, hi))
 
 
 def both_from_zero(ring: Ring, n: Vec) -> Interval:
-    """Return a range both of whose ends were searched for from 0."""
+    """Return the range of a ring whose minimum and maximum start at 0 in the search, so it always contains 0."""
     lo, hi = ends(ring, n)
     return Interval(min(0.0, lo), max(0.0, hi))
 
@@ -195,19 +195,14 @@ def about_the_mean(ring: Ring, n: Vec) -> Interval:
 
 
 def circle_about(middle: Middle, radius: Radius, ring: Ring, n: Vec) -> Interval:
-    """Return the range of the circle of this middle and radius."""
+    """Return the range of a circle in place of the ring; `middle`, `radius`: functions of the ring."""
     (at, _), reach = ends([middle(ring)], n), radius(ring) * hypot(*n)
     return Interval(at - reach, at + reach)
 
 
 def one_extreme_each(step: int, ring: Ring, n: Vec) -> Interval:
-    """Return the range of one vertex on each side of the bounding box; -1 for `step` takes the last of several."""
+    """Return the range of four vertices, one on each side of the bounding box; `step` -1 takes the last of several."""
     return ends([pick(ring[::step], key=itemgetter(k)) for pick in (min, max) for k in (0, 1)], n)
-
-
-def some_vertices(cut: slice, ring: Ring, n: Vec) -> Interval:
-    """Return the range of some vertices."""
-    return ends(ring[cut], n)
 
 
 def rounded_landings(round_to: Callable[[float], float], ring: Ring, n: Vec) -> Interval:
@@ -229,7 +224,7 @@ def half_is_whole(whole_middle: bool, ring: Ring, n: Vec) -> Interval:
 
 
 def twice_as_wide(ring: Ring, n: Vec) -> Interval:
-    """Return a range that reaches as far as it is long to both sides of its middle."""
+    """Return a range with the right middle and twice the right length."""
     lo, hi = ends(ring, n)
     return Interval((lo + hi) / 2 - (hi - lo), (lo + hi) / 2 + (hi - lo))
 
@@ -238,30 +233,25 @@ def twice_as_wide(ring: Ring, n: Vec) -> Interval:
 
 
 def a_before_b(a: Interval, b: Interval) -> float:
-    """Return how far A's end lies beyond B's start, also where B's end is nearer."""
+    """Return how far A's maximum lies above B's minimum, which is no overlap where A lies above B."""
     return a.hi - b.lo
 
 
 def by_an_end_of_a(a: Interval, b: Interval) -> float:
-    """Return how deep an end of A's range lies within B's range, at most."""
+    """Return the larger depth at which an end of A's range lies inside B's range; negative if both lie outside."""
     return max(min(b.hi - end, end - b.lo) for end in a)
-
-
-def by_an_end_of_b(a: Interval, b: Interval) -> float:
-    """Return how deep an end of B's range lies within A's range, at most."""
-    return by_an_end_of_a(b, a)
 
 
 # -- pushes
 
 
 def along_normal(sign: int, a: Ring, b: Ring, found: Overlap) -> int:
-    """Return the sign: the normal as it comes, or its opposite."""
+    """Return `sign`, whatever the shapes: the push goes along the normal (1) or against it (-1)."""
     return sign
 
 
 def from_middle(middle: Middle, a: Ring, b: Ring, found: Overlap) -> int:
-    """Return 1 where the way from the middle of A to that of B leads along n, else -1."""
+    """Return 1 if the vector from the middle of A to that of B points along n, else -1."""
     (ax, ay), (bx, by) = middle(a), middle(b)
     return 1 if (bx - ax) * found.n.x + (by - ay) * found.n.y >= 0 else -1
 
@@ -302,4 +292,113 @@ SMALL_RADII: tuple[tuple[Middle, Radius], ...] = (
     (middle_of_box, lambda ring: min(sides(ring)) / 2),
     (middle_of_box, lambda ring: sum(sides(ring)) / 4),
 )
-FIXED_REACHES = 2, 3, 5, 8, 12, 20
+
+
+# -- the ways in which people write a known mistake
+
+
+def _chosen_edges() -> Iterator[Variant]:
+    """Yield the mistakes that leave out axes, or take others."""
+    half, one, opened = "half-the-normals", "one-overlap", "open-outline"
+    cuts: tuple[tuple[str, Callable[[int], slice], str], ...] = (
+        (half, lambda count: slice((count + 1) // 2), "here half of them, rounded up"),
+        (half, lambda count: slice(None, None, 2), "here every second one"),
+        (half, lambda count: slice(2), "here the first two of each shape"),
+        (half, lambda count: slice(1), "here the first of each shape"),
+        (opened, lambda count: slice(1, count), "here without the first edge"),
+    )
+    for name, cut, words in cuts:
+        yield name, Written(partial(of_each, cut)), words
+    yield opened, Written(partial(listed, cut_a=slice(-1))), "here for A alone"
+    yield opened, Written(partial(listed, cut_b=slice(-1))), "here for B alone"
+    yield "one-shapes-normals", Written(partial(listed, cut_a=slice(0))), "here those of B"
+    yield "same-shape", Written(one_for_equal_counts), "here for shapes with equally many corners"
+    yield one, Written(lambda a, b: of_world(a, b)[:1]), "here on the x axis"
+    yield one, Written(lambda a, b: listed(a, b)[:1]), "here on the normal of the first edge"
+    yield one, Written(lambda a, b: listed(a, b)[-1:]), "here on the normal of the last edge"
+    yield one, Written(lambda a, b: listed(a, ())[-1:]), "here on the normal of the edge to A's first vertex"
+    yield one, Written(lambda a, b: listed((), b)[-2:-1]), "here on the normal of the edge to B's last vertex"
+    for in_order in False, True:
+        yield one, Written(any_axis=True, in_order=in_order), "here on any one of them"
+    for middle in mean, middle_of_box:
+        yield one, Written(partial(between, middle)), "here on the line between the middles"
+    along = "here an edge is taken as an axis, without the quarter turn"
+    yield "line-for-axis", Written(partial(listed, normal_of=Vec)), along
+    yield "line-for-axis", Written(partial(of_vertices, Vec)), "here the way to each vertex"
+    yield "slipped-normal", Written(partial(of_vertices, normal)), "here of each vertex instead of each edge"
+    yield (
+        "slipped-normal",
+        Written(partial(listed, normal_of=lambda x, y: Vec(y, x))),
+        "here (dy, dx), without the minus",
+    )
+    yield "degrees-for-radians", Written(partial(listed, normal_of=angle_in_degrees)), "here the whole angle in degrees"
+    roundings: tuple[tuple[Callable[[float], float], str], ...] = (
+        (round, ""),
+        (partial(round, ndigits=1), "here to 1 digit"),
+        (partial(round, ndigits=2), "here to 2 digits"),
+        (int, "here the digits are cut off"),
+        (floor, "here down"),
+    )
+    for rounding, words in roundings:
+        for power in 0, 1:
+            rounded = Written(partial(listed, normal_of=partial(rounded_to, rounding)), powers=(0, power))
+            yield "rounded-normals", rounded, words
+
+
+def _measured() -> Iterator[Variant]:
+    """Yield the mistakes in a range on an axis, or in the overlap of two ranges."""
+    for axes, words in (
+        (partial(listed, sign=1), "here on the normal of each edge"),
+        (partial(listed, sign=-1), "here on the normal of each edge"),
+        (of_world, "here on x and y"),
+    ):
+        yield "start-at-zero", Written(axes, from_zero), words
+        yield "one-sided-gap", Written(axes, overlap=a_before_b), words
+    yield "start-at-zero", Written(ends=both_from_zero), "here the search for the smallest, too"
+    yield "bounding-circles", Written(ends=about_the_mean), "here on each axis, about the middle of each range"
+    yield "corner-inside", Written(overlap=by_an_end_of_a), "here an end of A's range in B's, on each axis"
+    by_an_end_of_b = Written(overlap=lambda a, b: by_an_end_of_a(b, a))
+    yield "corner-inside", by_an_end_of_b, "here an end of B's range in A's, on each axis"
+    for middle, radius in (*LARGE_RADII, *SMALL_RADII):
+        yield "bounding-circles", Written(partial(between, middle), partial(circle_about, middle, radius)), ""
+    for step in (1, -1):
+        yield "extremes-once", Written(ends=partial(one_extreme_each, step)), ""
+    yield "extremes-once", Written(ends=lambda ring, n: ends(ring[:-1], n)), "here without the last vertex"
+    yield "extremes-once", Written(ends=lambda ring, n: ends(ring[1:], n)), "here without the first vertex"
+    for round_to in round, int, floor:
+        yield "rounded-normals", Written(ends=partial(rounded_landings, round_to)), "here the landing places"
+    for slop in 0.1, 0.25, 0.5, 1.0:
+        yield "touch-as-apart", Written(ends=partial(shortened, slop)), f"here with a tolerance of about {slop:g}"
+    yield "integer-halves", Written(of_world, partial(half_is_whole, False)), "here beside an exact middle"
+    for whole_middle in True, False:
+        yield "integer-halves", Written(ends=partial(half_is_whole, whole_middle)), "here on each axis"
+    yield "aabb-not-upright", Written(of_world, twice_as_wide), "here with the whole widths for half of them"
+
+
+def _pushed() -> Iterator[Variant]:
+    """Yield the mistakes in the choice of the push."""
+    late = "here divided only after the axis was chosen"
+    yield "raw-depth", Written(powers=(0, 2)), late
+    yield "raw-depth", Written(powers=(0, 0)), "here the normal of the move is as long as its edge, too"
+    yield "raw-depth", Written(powers=(1, 1)), "here the normal of the move is as long as its edge"
+    for power in 3, 4:
+        yield "raw-depth", Written(powers=(2, power)), "here divided by the square of the length"
+    yield "largest-overlap", Written(pick=-1), ""
+    for axes in listed, lambda a, b: listed(b, a):
+        yield "largest-overlap", Written(axes, pick=-1, in_order=True), "here along the last axis"
+        yield "largest-overlap", Written(axes, pick=0, in_order=True), "here along the first axis"
+    for sign in 1, -1:
+        for axes in listed, by_direction:
+            yield "push-along-normal", Written(axes, way=partial(along_normal, sign)), ""
+        as_listed = Written(partial(outward, sign), way=partial(along_normal, 1))
+        yield "push-along-normal", as_listed, "here away from the shape with the edge, in one order of the vertices"
+        as_listed = Written(partial(outward, sign), overlap=a_before_b, way=partial(along_normal, 1))
+        yield "one-sided-gap", as_listed, "here away from the shape with the edge, in one order of the vertices"
+    for middle, words in (
+        (middle_of_box, "here from the middle of the bounding box"),
+        (itemgetter(0), "here from the first vertex"),
+    ):
+        yield "push-from-center", Written(way=partial(from_middle, middle)), words
+
+
+VARIANTS: tuple[Variant, ...] = (*_chosen_edges(), *_measured(), *_pushed())

@@ -39,7 +39,7 @@ PARALLEL, NO_DIRECTION, EARLY_EXIT = "parallel", "no direction", "early exit"
 
 
 class Source(NamedTuple):
-    """Where an axis comes from, which names it exactly (its numbers may be rounded).
+    """The source of an axis: an edge, a vertex, a direction.  It names the axis exactly; its numbers may be rounded.
 
     `kind`: one of the constants above; `shape`: "A", "B", or None where no single shape gives it; `ids`: which of
     that shape's vertices (an edge's two ends), which world axis (0 for x) or which given direction.
@@ -51,7 +51,7 @@ class Source(NamedTuple):
 
 
 class Axis(NamedTuple):
-    """A direction to project on, pointing right (or up), and where it comes from.
+    """A direction to project on, pointing right (or up), with its source.
 
     `normal` is the direction as found, not normalised (edge v1v2 of the article's B
     gives (2, 3)); `length` is its length; `direction` is the unit vector.
@@ -221,7 +221,8 @@ def is_complete(axes: Sequence[Axis], a: Shape, b: Shape) -> bool:
     Given directions may happen to be all that are needed; that is not proven, so the answer is False.
     """
     has = {axis.source for axis in axes}
-    if _convex_polygons(a, b) and has >= {axis.source for axis in (*_normals(a, "A"), *_normals(b, "B"))}:
+    polygons = all(s.is_convex and not s.core_is_point for s in (a, b))
+    if polygons and has >= {axis.source for axis in (*_normals(a, "A"), *_normals(b, "B"))}:
         return True  # upright boxes need none of these
     full = needed(a, b)
     return full.complete and has >= {axis.source for axis in full.axes}
@@ -248,7 +249,10 @@ def validate_choice(choice: Choice, a: Shape, b: Shape) -> Choice:
     skipped = tuple(skip._replace(axis=_recompute_axis(skip.axis, known)) for skip in left_out)
     without_direction = nearest_vertex(a, b).skipped
     if any(skip.axis in chosen for skip in without_direction):
-        raise ValueError(f"{without_direction[0].axis.source} has no direction: the center is on that vertex")
+        raise ValueError(
+            f"the axis to {without_direction[0].axis.source.shape}'s nearest vertex has no direction, "
+            "because the circle's center is on that vertex: leave this axis out"
+        )
     complete = bool(known) and is_complete(chosen, a, b)
     return Choice(chosen, tuple(_number_skips(chosen, skipped, without_direction, a, b)), complete)
 
@@ -271,16 +275,12 @@ def _recompute_axis(axis: Axis, known: dict[Source, Axis]) -> Axis:
     """Return an axis computed anew from its source; ValueError if these shapes have no axis equal to it."""
     source = axis.source
     ours = known.get(source)
-    if source.kind == GIVEN and source.shape is None and len(source.ids) == 1 and _is_index(source.ids[0]):
-        ours = given_axis(axis.normal, source.ids[0])
+    if source.kind == GIVEN and source.shape is None and len(source.ids) == 1:
+        index = source.ids[0]
+        ours = given_axis(axis.normal, index) if type(index) is int and 0 <= index < 2**53 else None
     if ours is None or not same_axis(axis._replace(length=parse_number(axis.length, "the length of an axis")), ours):
         raise ValueError(f"{source} is not an axis of these shapes: choose the axes for this very pair")
     return ours
-
-
-def _is_index(value: Any) -> bool:
-    """Return whether a value is a whole number that can count the directions given by the caller."""
-    return type(value) is int and 0 <= value < 2**53
 
 
 def _number_skips(
@@ -322,12 +322,15 @@ def _parallel_key(axis: Axis, a: Shape, b: Shape, corners: dict[str, dict[int, i
 
 
 class ExactDots(NamedTuple):
-    """The dot products of both cores with an axis, in integers: a point lands at dot / |normal|, in units of 2**-k."""
+    """The dot products of both cores with an axis, in integers: a point lands at dot / |normal|, in units of 2**-k.
+
+    `normal`: the axis as an integer vector; `a`, `b`: one product for each point of the core of A and of B.
+    """
 
     normal: IntPoint
     a: list[int]
     b: list[int]
-    radii: int  # the sum of both radii
+    radii: int  # the sum of both radii, in units of 2**-k
     k: int
 
 
@@ -373,13 +376,11 @@ def _hull_corners(ring: Sequence[Vec]) -> list[int]:
     return chain(order) + chain(order[::-1])
 
 
-def _convex_polygons(a: Shape, b: Shape) -> bool:
-    """Return whether both shapes are convex polygons."""
-    return all(s.is_convex and not s.core_is_point for s in (a, b))
-
-
 def _make_axis(normal: IntPoint, k: int, source: Source, *, as_given: bool = False) -> Axis:
-    """Return the axis along an integer vector in units of 2**-k; turned to the right unless `as_given`."""
+    """Return the axis along an integer vector in units of 2**-k, reversed if needed to point right or up.
+
+    `as_given`: keep the direction as it is.
+    """
     x, y = normal
     if not as_given and (x, y) < (0, 0):
         x, y = -x, -y
@@ -400,16 +401,17 @@ def _integer_edge_normal(shape: Shape, role: str, kind: str, i: int, j: int) -> 
 
 
 def _keyed_normals(shape: Shape, role: str) -> tuple[tuple[Axis, IntPoint], ...]:
-    """Return (axis, key) for each edge normal; keys of parallel edges are equal; cached on the shape."""
-    return shape.cached(role, lambda: tuple(_compute_keyed_normals(shape, role)))
+    """Return (axis, its `_direction_key`) for each edge normal, computed once for each shape and role.
 
+    Parallel edges have equal keys.
+    """
 
-def _compute_keyed_normals(shape: Shape, role: str) -> Iterator[tuple[Axis, IntPoint]]:
-    """Yield (axis, key) for each edge of a shape, as `_keyed_normals` caches them."""
-    n = len(shape.corner_ids)
-    for i in range(n):
-        normal, k, source = _integer_edge_normal(shape, role, EDGE, i, (i + 1) % n)
-        yield _make_axis(normal, k, source), _direction_key(*normal)
+    def compute() -> tuple[tuple[Axis, IntPoint], ...]:
+        """Return the value to cache."""
+        made = (_integer_edge_normal(shape, role, EDGE, *ends) for ends in cyclic_pairs(range(len(shape.corner_ids))))
+        return tuple((_make_axis(*one), _direction_key(*one[0])) for one in made)
+
+    return shape.cached(role, compute)
 
 
 def _direction_key(x: int, y: int) -> IntPoint:
@@ -426,7 +428,7 @@ def _normals(shape: Shape, role: str) -> tuple[Axis, ...]:
 def _vertex_axis(a: Shape, b: Shape, number: dict[IntPoint, int]) -> tuple[Axis, Skip | None]:
     """Return (axis from the circle's center to the polygon's nearest vertex, its Skip or None if needed).
 
-    `number`: the number of each axis already chosen, by its key.
+    `number`: the number of each axis already chosen, by its `_direction_key`.
     """
     role, polygon = ("B", b) if a.core_is_point else ("A", a)
     core_a, core_b, _, k = to_common_unit(a, b)

@@ -1,19 +1,18 @@
-"""How many axes are enough for one pair of shapes; standard library only, so that it can run during a drag."""
+"""Count the axes that are enough for one pair of shapes; standard library only, so that it can run during a drag."""
 
 from . import describe, number_format
 from .axes import CENTERS, VERTEX, WORLD, Axis, hull_normals, needed
 from .convex_parts import parts
-from .describe import Names
 from .geometry import Relation
 from .relate import relate
 from .sat import axis_tests
 from .shapes import Shape, require_shape
-from .trace import DEFAULT_NAMES, Trace
+from .trace import DEFAULT_NAMES, ShapeNames, Trace
 
 NUMBER_WORDS = "no", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine", "Ten", "Eleven", "Twelve"
 
 
-def count_axes(a: Trace | Shape, b: Shape | None = None, names: Names = DEFAULT_NAMES) -> tuple[int, str]:
+def count_axes(a: Trace | Shape, b: Shape | None = None, names: ShapeNames = DEFAULT_NAMES) -> tuple[int, str]:
     """Return (number of axes that decide this pair at its present position, a sentence that names them).
 
     One axis with a gap proves that two shapes are apart, so it is enough.  Where no axis has a gap, a single

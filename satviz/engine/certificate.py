@@ -47,10 +47,9 @@ class SeparatingLine(NamedTuple):
             at = number_format.digits_for_shapes(self.a, self.b).number(float(self.offset / (nx or ny)))
             return f"{'y' if nx == 0 else 'x'} = {at} (parallel to {'x' if nx == 0 else 'y'})"
         size = max(abs(nx), abs(ny))
-        unit = size if size > 1000 else 1
-        if abs(self.offset) > unit * 10**308:  # as the sum of two coordinates, which no float can hold
-            unit *= 4
-        right = number_format.number(float(self.offset / unit))
+        units = (size, 4 * size) if size > 1000 else (1, size, 4 * size)
+        unit = next(unit for unit in units if abs(self.offset) <= unit * 10**308)  # the right side fits into a float
+        right = _significant(self.offset / unit)
         return (
             f"{_coefficient_text(nx / unit)}x {MINUS if ny < 0 else '+'} {_coefficient_text(abs(ny / unit))}y = {right}"
         )
@@ -61,7 +60,12 @@ class SeparatingLine(NamedTuple):
 
 def _coefficient_text(factor: Fraction) -> str:
     """Return a coefficient as text to be followed by x or y: nothing for 1, only a minus sign for -1."""
-    return "" if factor == 1 else MINUS if factor == -1 else number_format.number(float(factor))
+    return "" if factor == 1 else MINUS if factor == -1 else _significant(factor)
+
+
+def _significant(value: Fraction) -> str:
+    """Return a number as text with at least three significant digits."""
+    return f"{MINUS if value < 0 else ''}{number_format.USUAL_DIGITS.gap(float(value))}"
 
 
 class SharedPoint(NamedTuple):
@@ -131,9 +135,9 @@ def separating_line(a: Shape, b: Shape, axis: Axis) -> SeparatingLine:
 
 
 def _radius_on_axis(shape: Shape, k: int, square: int, bits: int) -> Fraction:
-    """Return radius times normal length, rounded up to 2**-bits; square: the normal's squared length.
+    """Return the radius times the length of an axis's normal, rounded up to a multiple of 2**-bits.
 
-    `square` is |normal|**2.
+    The result is in units of 2**-k; `square` is |normal|**2.
     """
     own_k, _, r = shape.integers
     return Fraction(ceil_sqrt((r << k - own_k) ** 2 * square << 2 * bits), 1 << bits)

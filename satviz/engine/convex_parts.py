@@ -75,7 +75,7 @@ class _Pieces:
         self.halving: dict[Edge, None] = {}
         ring = list(range(len(at)))
         # the piece in which a vertex is still reflex: at most one, since all its angles add up to less than 360 degrees
-        self.home = {v: ring for i, v in enumerate(ring) if _turn_at(self.at, ring, i) < 0}
+        self.home = {v: ring for i, v in enumerate(ring) if _orientation_at(self.at, ring, i) < 0}
 
     def halve(self) -> None:
         """Cut until no piece has over MAX_REFLEX_VERTICES; an eighth of them or more stays on each side.
@@ -94,7 +94,7 @@ class _Pieces:
             if best is None or not sides.balanced(best):
                 diagonals = [(ring[i], ring[j]) for i, j in triangulation.diagonals([self.points[v] for v in ring])]
                 best = max(diagonals, key=sides.min_reflex_on_a_side)
-            cut = self._balanced_line(ring, best, sides)
+            cut = self._insert_balanced_cut(ring, best, sides)
             if cut is None:
                 cut = best
                 self.halving |= {cut: None, cut[::-1]: None}
@@ -102,8 +102,11 @@ class _Pieces:
                 held = set(piece)
                 todo.append((piece, [d for d in diagonals if d != best and held.issuperset(d)]))
 
-    def _balanced_line(self, ring: Ring, ends: Edge, sides: "_ReflexCount") -> Edge | None:
-        """Return a balanced cut that extends an edge at one of the two vertices in `ends`, or None."""
+    def _insert_balanced_cut(self, ring: Ring, ends: Edge, sides: "_ReflexCount") -> Edge | None:
+        """Find a balanced cut that extends an edge at a vertex of `ends`; insert its far end into `ring`, return it.
+
+        A cut is balanced if each side keeps an eighth of the ring's reflex vertices.  None if there is no such cut.
+        """
         for v in ends:
             for hit in self._extend_both_edges(ring, v) if self.home.get(v) is ring else ():
                 if hit.end is not None and sides.balanced((v, hit.q)):
@@ -197,7 +200,7 @@ class _Pieces:
                 del self.home[end]
         found = []
         for piece in (ring[i : j + 1], ring[j:] + ring[: i + 1]):
-            bends = {piece[0]: _turn_at(self.at, piece, 0), piece[-1]: _turn_at(self.at, piece, -1)}
+            bends = {piece[0]: _orientation_at(self.at, piece, 0), piece[-1]: _orientation_at(self.at, piece, -1)}
             reflex = [w for w in piece if self.home.get(w) is ring or bends.get(w, 0) < 0]
             found.append(([w for w in piece if bends.get(w, 1)], reflex))
         for piece, reflex in found:
@@ -298,7 +301,10 @@ class _Pieces:
         return best
 
     def _number_point(self, x: Fraction, y: Fraction) -> int | None:
-        """Return the vertex number of a point given in units, a new one if needed; None if float64 cannot hold it."""
+        """Return the number of the vertex at a point given in units; None if float64 cannot hold the point.
+
+        If there is no such vertex, it is added.
+        """
         point = Vec(float(x * self.unit), float(y * self.unit))
         if point.x != x * self.unit or point.y != y * self.unit:
             return None
@@ -348,7 +354,7 @@ def _squared_distance(p: IntPoint, q: IntPoint) -> int:
     return (q[0] - p[0]) ** 2 + (q[1] - p[1]) ** 2
 
 
-def _turn_at(at: list[IntPoint], ring: Ring, i: int) -> int:
+def _orientation_at(at: list[IntPoint], ring: Ring, i: int) -> int:
     """Return the orientation determinant at the ring's i-th vertex: negative when it is reflex; `at`: all points."""
     return orient_det(at[ring[i - 1]], at[ring[i]], at[ring[(i + 1) % len(ring)]])
 

@@ -1,10 +1,7 @@
 """A trace in words: names of vertices and axes, and the sentences of shapes, stages, tests and results."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Sequence
-from typing import NamedTuple, Protocol
 
 from .axes import (
     ANY,
@@ -20,8 +17,6 @@ from .axes import (
     VERTEX,
     WORLD,
     Axis,
-    Choice,
-    Skip,
 )
 from .convex_parts import named_parts
 from .geometry import Interval, Relation, Vec
@@ -29,54 +24,7 @@ from .mtv import why_too_many_parts
 from .number_format import MINUS, Digits, digits_for_shapes, digits_for_tests, vector
 from .sat import AxisTest
 from .shapes import Shape
-from .shortcut import Shortcut
-
-
-class Names(NamedTuple):
-    """What the two shapes are called: "A" and "B", or the name of a convex part such as "B2"."""
-
-    a: str = "A"
-    b: str = "B"
-
-
-class _Trace(Protocol):
-    """What the sentences need of `satviz.engine.trace.Trace`, whose module imports this module."""
-
-    @property
-    def a(self) -> Shape: ...
-    @property
-    def b(self) -> Shape: ...
-    @property
-    def names(self) -> Names: ...
-    @property
-    def choice(self) -> Choice: ...
-    @property
-    def shortcut(self) -> Shortcut | None: ...
-    @property
-    def tests(self) -> tuple[AxisTest, ...]: ...
-    @property
-    def pairs(self) -> tuple[_Trace, ...]: ...
-    @property
-    def skipped(self) -> tuple[Skip, ...]: ...
-    @property
-    def relation(self) -> Relation: ...
-    @property
-    def claim(self) -> Relation: ...
-    @property
-    def hit(self) -> bool: ...
-    @property
-    def false_hit(self) -> bool: ...
-    @property
-    def missed_hit(self) -> bool: ...
-    @property
-    def separating(self) -> AxisTest | None: ...
-    @property
-    def ended_by(self) -> AxisTest | None: ...
-    @property
-    def colliding(self) -> _Trace | None: ...
-    @property
-    def sentence(self) -> str: ...
-
+from .trace import ShapeNames, Trace
 
 # invisible characters: Persian, emoji and Hebrew need joiners and marks; a number and its unit keep on one line
 _INVISIBLE = "\u200c\u200d\u200e\u200f\xa0\u202f"
@@ -100,7 +48,7 @@ _PLAIN = {
 }
 
 
-def axis_name(axis: Axis, shapes: tuple[Shape, Shape], names: Names) -> str:
+def axis_name(axis: Axis, shapes: tuple[Shape, Shape], names: ShapeNames) -> str:
     """Return where an axis comes from: "normal of B's edge v1v3"."""
     kind, role, ids = axis.source
     if kind == WORLD:
@@ -117,7 +65,7 @@ def axis_name(axis: Axis, shapes: tuple[Shape, Shape], names: Names) -> str:
     return f"direction {vector(axis.normal)}"
 
 
-def short_axis_name(axis: Axis, shapes: tuple[Shape, Shape], names: Names) -> str:
+def short_axis_name(axis: Axis, shapes: tuple[Shape, Shape], names: ShapeNames) -> str:
     """Return an axis's name for a list: "B's v2v3"."""
     return axis_name(axis, shapes, names).replace("normal of ", "").replace("edge ", "").replace("through ", "")
 
@@ -139,7 +87,7 @@ def reason(why: str, number: int | None) -> str:
     return _WHY[why].format(number)
 
 
-def digits(trace: _Trace, *tests: AxisTest) -> Digits:
+def digits(trace: Trace, *tests: AxisTest) -> Digits:
     """Return the number format that suits these tests of a trace; without tests, one for lengths and points."""
     return digits_for_tests((trace.a, trace.b), tests)
 
@@ -155,7 +103,11 @@ NumberFormat = Callable[..., Digits]  # of a trace and some of its tests, as `di
 
 
 def outcome(t: AxisTest, numbers: Digits) -> str:
-    """Return the gap of a test in words; where one range holds the other also the way out: "overlap 1, way out 3"."""
+    """Return the gap of a test in words: "gap 2" or "overlap 1".
+
+    Where one range holds the other, the overlap is less than the penetration depth, so both stand there:
+    "overlap 1, way out 3".
+    """
     shared = _shared_interval(t)
     # the depth is then more than the length that they share
     if 0 < shared.hi - shared.lo < -t.gap / 1.001 and not numbers.fine:
@@ -177,7 +129,7 @@ def _shared_interval(t: AxisTest) -> Interval:
     return Interval(max(a.lo, b.lo), min(a.hi, b.hi))
 
 
-def conclusion(trace: _Trace, i: int) -> str:
+def conclusion(trace: Trace, i: int) -> str:
     """Return in one line what follows from test `i` for the shapes."""
     t, last = trace.tests[i], i == len(trace.tests) - 1
     who = "the shapes" if trace.names == ("A", "B") else " and ".join(trace.names)
@@ -192,18 +144,18 @@ def conclusion(trace: _Trace, i: int) -> str:
     return f"{found} on this axis too: no gap on any, so {who} {collide}."
 
 
-def claim_and_truth(trace: _Trace) -> str:
+def claim_and_truth(trace: Trace) -> str:
     """Return two short sentences for a wrong claim: what the tested axes say, and the truth."""
     who = "AABB says" if {t.source.kind for t in trace.tests} == {WORLD} else "These axes say"
     return f"{who}: {'hit' if trace.claim else 'apart'}. Truth: {'hit' if trace.hit else 'apart'}."
 
 
-def both_ranges(trace: _Trace, t: AxisTest, numbers: Digits) -> str:
+def both_ranges(trace: Trace, t: AxisTest, numbers: Digits) -> str:
     """Return both ranges of a test as text: "A [2, 4], B [3, 6]"."""
     return ", ".join(f"{name} {text}" for name, text in zip(trace.names, numbers.ranges(t)))
 
 
-def test_sentence(trace: _Trace, i: int) -> str:
+def test_sentence(trace: Trace, i: int) -> str:
     """Return the sentence of one test: the axis, both ranges, the gap, and what follows."""
     t = trace.tests[i]
     head = f"Axis {i + 1} of {len(trace.choice.axes)}, {axis_name(t.axis, (trace.a, trace.b), trace.names)}"
@@ -218,8 +170,11 @@ def test_sentence(trace: _Trace, i: int) -> str:
     return f"{head}: {found}: not a separating axis."
 
 
-def verdict_sentence(trace: _Trace, move: Vec | None, digits: NumberFormat = digits) -> str:
-    """Return a sentence on the result of the whole run and what proves it; `move`: the MTV of an overlap."""
+def verdict_sentence(trace: Trace, move: Vec | None, digits: NumberFormat = digits) -> str:
+    """Return a sentence on the result of the whole run and what proves it; `move`: the MTV of an overlap.
+
+    `digits`: a function that returns the number format for a trace and some of its tests.
+    """
     if trace.shortcut:
         return shortcut_verdict(trace, digits)
     if trace.pairs:
@@ -244,7 +199,7 @@ def verdict_sentence(trace: _Trace, move: Vec | None, digits: NumberFormat = dig
     return f"{a} and {b} overlap: {count}. {_mtv_sentence(trace, move, digits)}"
 
 
-def verdict_in_brief(trace: _Trace) -> str:
+def verdict_in_brief(trace: Trace) -> str:
     """Return the verdict of a run in a few words: "axis 2 leaves a gap: apart"."""
     if trace.separating:
         return f"Axis {trace.tests.index(trace.separating) + 1} leaves a gap: {trace.relation}"
@@ -254,8 +209,11 @@ def verdict_in_brief(trace: _Trace) -> str:
 RELATION_PHRASES = {Relation.APART: "are apart", Relation.TOUCHING: "touch", Relation.OVERLAPPING: "overlap"}
 
 
-def shortcut_verdict(trace: _Trace, digits: NumberFormat | None = None) -> str:
-    """Return a sentence on what a shortcut claims, with `digits` the axis that made it do so, and what is true."""
+def shortcut_verdict(trace: Trace, digits: NumberFormat | None = None) -> str:
+    """Return a sentence on what a shortcut claims and what is true.
+
+    If `digits` is given, a function that returns number formats, the sentence also names the axis behind the claim.
+    """
     assert trace.shortcut
     a, b = trace.names
     says = f"By the shortcut “{trace.shortcut.claim}” {a} and {b} {RELATION_PHRASES[trace.claim]}"
@@ -271,7 +229,7 @@ def shortcut_verdict(trace: _Trace, digits: NumberFormat | None = None) -> str:
     return f"{says}, and so it is." if trace.claim is trace.relation else f"{says}. In truth they {is_so}."
 
 
-def _mtv_sentence(trace: _Trace, move: Vec | None, digits: NumberFormat) -> str:
+def _mtv_sentence(trace: Trace, move: Vec | None, digits: NumberFormat) -> str:
     """Return a sentence that names the MTV `move`, or says why it is None."""
     if move is None and why_too_many_parts(trace.a, trace.b):
         return "They have too many convex parts to search for the MTV."
@@ -285,7 +243,7 @@ def _any_of_axes(n: int) -> str:
     return "the one axis" if n == 1 else "either axis" if n == 2 else f"any of the {n} axes"
 
 
-def _parts_verdict(trace: _Trace, move: Vec | None, digits: NumberFormat) -> str:
+def _parts_verdict(trace: Trace, move: Vec | None, digits: NumberFormat) -> str:
     """Return a sentence on the result of a run over pairs of convex parts; `move`: the MTV of an overlap."""
     a, b = trace.names
     settling = trace.colliding
@@ -297,12 +255,12 @@ def _parts_verdict(trace: _Trace, move: Vec | None, digits: NumberFormat) -> str
     return f"{a} and {b} overlap: their parts {p} and {q} do. {_mtv_sentence(trace, move, digits)}"
 
 
-def scene(trace: _Trace) -> str:
+def scene_sentence(trace: Trace) -> str:
     """Return the sentence that says what is given and asks whether the shapes collide."""
     return f"{shapes_sentence(trace)} Do they collide?"
 
 
-def shapes_sentence(trace: _Trace) -> str:
+def shapes_sentence(trace: Trace) -> str:
     """Return the sentence that names the kind of each shape: "A is a triangle, B is a circle ..."."""
     kinds = [shape_in_words(shape, "").split("is ", 1)[1] for shape in (trace.a, trace.b)]
     if kinds[0] == kinds[1] and not trace.a.core_is_point:
@@ -318,14 +276,14 @@ def plural(kind: str) -> str:
     return f"{head}{'es' if head.endswith('x') else 's'}{' with' if tail else ''}{tail}"
 
 
-def parts(trace: _Trace) -> str:
+def parts_sentence(trace: Trace) -> str:
     """Return a sentence that names the convex parts into which each concave shape of the trace is split."""
     names = [[name for _, name in named_parts(s, n)] for s, n in zip((trace.a, trace.b), trace.names)]
     split = [f"{n} is split into {join_words(ps)}" for ps, n in zip(names, trace.names) if len(ps) > 1]
     return f"{' and '.join(split)}: the shapes collide only if two of their convex parts do."
 
 
-def stage_sentence(trace: _Trace, i: int, name: str, first: str) -> str:
+def stage_sentence(trace: Trace, i: int, name: str, first: str) -> str:
     """Return the sentence for the drawing stage `name` of test `i`; `first`: "A" or "B", whose points drop first."""
     t = trace.tests[i]
     shapes = trace.a, trace.b
@@ -355,7 +313,7 @@ def stage_sentence(trace: _Trace, i: int, name: str, first: str) -> str:
     return test_sentence(trace, i)
 
 
-def _origin(trace: _Trace, axis: Axis) -> str:
+def _origin(trace: Trace, axis: Axis) -> str:
     """Return in words the edge, with its vector, or the line that an axis was made from."""
     kind, role, ids = axis.source
     if kind == CENTERS:
@@ -370,7 +328,7 @@ def _origin(trace: _Trace, axis: Axis) -> str:
     return f"{what} {edge_name(ends)} of {name}: {edge_vector(trace, ends, p, q)}"
 
 
-def points_outward(trace: _Trace, axis: Axis) -> bool:
+def points_outward(trace: Trace, axis: Axis) -> bool:
     """Return whether the axis of an edge's normal points out of its shape; True for axes of other kinds.
 
     Outward is right of an edge that is walked counter-clockwise.
@@ -389,13 +347,13 @@ def points_outward(trace: _Trace, axis: Axis) -> bool:
     return (q.y - p.y) * axis.normal.x + (p.x - q.x) * axis.normal.y >= 0
 
 
-def outward_normal(trace: _Trace, axis: Axis) -> str:
+def outward_normal(trace: Trace, axis: Axis) -> str:
     """Return as text the outward normal that an axis comes from; the axis may have the opposite direction."""
     n = axis.normal
     return digits(trace).vector(n if points_outward(trace, axis) else Vec(0.0 - n.x, 0.0 - n.y))
 
 
-def edge_vector(trace: _Trace, ends: Sequence[str], p: Vec, q: Vec) -> str:
+def edge_vector(trace: Trace, ends: Sequence[str], p: Vec, q: Vec) -> str:
     """Return an edge as its ends' difference in text, from p and q with their names: "v1 - v2 = (-3, 2)"."""
     return f"{ends[0]} {MINUS} {ends[1]} = {digits(trace).vector(Vec(p.x - q.x, p.y - q.y))}"
 

@@ -30,7 +30,7 @@ class Interval(NamedTuple):
 
 
 class Relation(IntEnum):
-    """How two closed shapes stand to each other.  TOUCHING and OVERLAPPING are hits; APART, which is 0, is false."""
+    """The relation of two closed shapes.  TOUCHING and OVERLAPPING are hits; APART, which is 0, is false."""
 
     APART = 0
     TOUCHING = 1
@@ -40,8 +40,16 @@ class Relation(IntEnum):
         return self.name.lower()
 
 
+APART, TOUCHING, OVERLAPPING = Relation
+
+
+def relation_of_gap(gap: Any) -> Relation:
+    """Return the relation of two shapes from the exact sign of the gap between them."""
+    return APART if gap > 0 else OVERLAPPING if gap < 0 else TOUCHING
+
+
 class InvalidShape(ValueError):
-    """Raised for a shape that the engine refuses; the message names the culprit and what to do about it."""
+    """Raised for a shape that the engine refuses; the message names the vertex or value and what to do."""
 
 
 class InvalidScene(ValueError):

@@ -111,7 +111,7 @@ class Region(NamedTuple):
 
 
 class Candidate(NamedTuple):
-    """A move to a region's border, the length of the move, and the direction in which it leaves the region."""
+    """A move to a region's border, its length, and a vector `out` of any length that points out of the region."""
 
     length: float
     move: complex

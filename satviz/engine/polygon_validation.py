@@ -24,6 +24,7 @@ _NOT_REAL = tuple("bcSUmMV")  # NumPy's kinds: bool, complex, text, times, recor
 _WHOLE = ("i", "u")  # NumPy's kinds of integers
 _REPR = Repr()
 _REPR.maxlevel, _REPR.maxstring, _REPR.maxother = 3, 60, 100
+short_repr = _REPR.repr  # a shortened repr of a value, for an error message
 
 
 def _dtype_kind(value: Any) -> str:
@@ -150,11 +151,6 @@ def _geo_type(interface: Any) -> str:
     return kind if isinstance(kind, str) else ""
 
 
-def short_repr(value: Any) -> str:
-    """Return a shortened repr of a value for an error message."""
-    return _REPR.repr(value)
-
-
 def find_corners(points: Sequence[Vec]) -> Corners:
     """Return the Corners of an outline; InvalidShape unless it is simple, winds once and has an area.
 
@@ -240,9 +236,10 @@ def refuse_crossings(ring: Sequence[Vec], ids: Sequence[int]) -> None:
 
 
 def _segments_meet(p: Vec, q: Vec, r: Vec, s: Vec) -> bool:
-    """Return whether two closed segments whose x ranges overlap share a point."""
-    if max(p.y, q.y) < min(r.y, s.y) or max(r.y, s.y) < min(p.y, q.y):
-        return False
+    """Return whether two closed segments share a point, if their ends in the order of (x, y) enclose a common point.
+
+    Two segments on one line then always share a point, so the orientations decide.
+    """
     return orient(p, q, r) * orient(p, q, s) <= 0 and orient(r, s, p) * orient(r, s, q) <= 0
 
 

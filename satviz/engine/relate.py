@@ -24,7 +24,7 @@ from math import inf, nan
 from typing import Any
 
 from .convex_parts import parts
-from .geometry import Relation, Vec, cyclic_pairs
+from .geometry import APART, OVERLAPPING, TOUCHING, Relation, Vec, cyclic_pairs, relation_of_gap
 from .predicates import (
     MAX_SAFE_PRODUCT,
     MIN_SAFE_PRODUCT,
@@ -36,8 +36,6 @@ from .predicates import (
     to_integers,
 )
 from .shapes import Shape, Slab, require_shape
-
-APART, TOUCHING, OVERLAPPING = Relation
 
 # A vertex is compared by nx*x + ny*y against the edge's own value.  With u = 2**-53, D the largest edge component
 # and M the larger max_coordinate: the normal carries one rounding, each product one, the sum one, at most 2 u D M
@@ -173,7 +171,7 @@ def relate_integers(p: Sequence[IntPoint], q: Sequence[IntPoint], radii: int) ->
         return _classify_edges(cyclic_pairs(q), p, 0) if relation is OVERLAPPING else relation
     (center,), ring = (p, q) if len(p) == 1 else (q, p)
     inside, _, gap = _locate_center(center, ring, radii * radii, 0)
-    return OVERLAPPING if inside else _relation_of_gap(gap)
+    return OVERLAPPING if inside else relation_of_gap(gap)
 
 
 def _relate_circles(a: Shape, b: Shape) -> Relation:
@@ -187,13 +185,8 @@ def _relate_circles(a: Shape, b: Shape) -> Relation:
     distance_squared, radii_squared = dx * dx + dy * dy, radii * radii
     error_bound = (distance_squared + radii_squared) * 2.0**-50
     if MIN_SAFE_PRODUCT < error_bound < MAX_SAFE_PRODUCT and abs(distance_squared - radii_squared) > error_bound:
-        return _relation_of_gap(distance_squared - radii_squared)
+        return relation_of_gap(distance_squared - radii_squared)
     return relate_integers(*to_common_unit(a, b)[:3])
-
-
-def _relation_of_gap(gap: Any) -> Relation:
-    """Return the relation of two shapes from the exact sign of the gap between them."""
-    return APART if gap > 0 else OVERLAPPING if gap < 0 else TOUCHING
 
 
 def _relate_circle_polygon(circle: Shape, polygon: Shape) -> Relation:

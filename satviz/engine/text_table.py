@@ -3,18 +3,19 @@
 import re
 from collections.abc import Sequence
 
-from .describe import _Trace, axis_name, digits, reason, vertex_name
+from .describe import axis_name, digits, reason, vertex_name
 from .landing_sum import landing_sum
 from .number_format import ascii_minus, vector
 from .sat import AxisTest
+from .trace import Trace
 
 MAX_TABLE_PAIRS = 20  # pairs of convex parts in one table
 
 
-def table(trace: _Trace, width: int | None = None, *, sums: bool = False) -> str:
+def table(trace: Trace, width: int | None = None, sums: bool = False) -> str:
     """Return the trace as plain text: one row per test, then the axes that were not tested, then the sentence.
 
-    `width`: the largest number of letters in a line; where the columns need more, a test takes several lines.
+    `width`: the largest number of characters in a line; where the columns need more, a test takes several lines.
     `sums`: below each test stand the sums behind the ends of both ranges, where all their numbers are printed in full.
     """
     if not trace.pairs:
@@ -29,8 +30,8 @@ def table(trace: _Trace, width: int | None = None, *, sums: bool = False) -> str
     return ascii_minus("\n\n".join(blocks))  # a terminal may be limited to ASCII
 
 
-def _rows(trace: _Trace, width: int | None, sums: bool) -> str:
-    """Return the lines for all tests and untested axes as text, at most `width` letters wide where possible."""
+def _rows(trace: Trace, width: int | None, sums: bool) -> str:
+    """Return the lines for all tests and untested axes as text, at most `width` characters wide where possible."""
     shapes = trace.a, trace.b
     rows = [("axis", "direction", trace.names.a, trace.names.b, "gap", "")]
     for i, t in enumerate(trace.tests, 1):
@@ -57,7 +58,7 @@ def _rows(trace: _Trace, width: int | None, sums: bool) -> str:
     return "\n".join(lines)
 
 
-def _sums_of_ends(trace: _Trace, test: AxisTest) -> list[str]:
+def _sums_of_ends(trace: Trace, test: AxisTest) -> list[str]:
     """Return the sums behind both ends of both ranges, those of A first: "v1: 2*8 + 3*3 = 25; 25 / sqrt(13) = 6.934".
 
     A sum whose numbers are not printed in full is left out.
@@ -79,7 +80,7 @@ def _in_ascii(text: str) -> str:
     return re.sub(r"\u221a(\S+)", r"sqrt(\1)", text.replace("\u00b7", "*")).replace(";  ", "; ")
 
 
-def untested_rows(trace: _Trace) -> list[tuple[str, str, str]]:
+def untested_rows(trace: Trace) -> list[tuple[str, str, str]]:
     """Return (number, name, reason) for untested axes; those with equal number and reason share a row."""
     places = {axis: f"{i}" for i, axis in reversed([*enumerate(trace.choice.axes, 1)])}
     found: dict[tuple[str, str], list[str]] = {}
@@ -90,7 +91,7 @@ def untested_rows(trace: _Trace) -> list[tuple[str, str, str]]:
 
 
 def _wrap(pieces: Sequence[str], width: int | None, indent: str) -> str:
-    """Join the pieces into lines of at most `width` letters, the later ones indented; None: one line.
+    """Join the pieces into lines of at most `width` characters, the later ones indented; None: one line.
 
     A line is broken between two pieces, or within a piece at a space.  Lines after the first begin with `indent`.
     """

@@ -4,26 +4,32 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import product
 from math import isfinite
+from typing import NamedTuple
 
-from . import describe, hooks, text_table
+from . import hooks
 from .axes import EARLY_EXIT, NAMED, Choice, Chooser, Skip, needed, validate_choice
 from .certificate import Certificate, PartLines, separating_line, shared_point
 from .convex_parts import named_parts
-from .describe import Names
-from .geometry import InvalidScene, Relation, Vec
+from .geometry import APART, OVERLAPPING, TOUCHING, InvalidScene, Relation, Vec
 from .mtv import mtv_along_axis, mtv_of_parts
 from .relate import relate
 from .sat import AxisTest, axis_tests
 from .shapes import Shape, require_shape
 from .shortcut import Shortcut, move_along_axis
 
-APART, TOUCHING, OVERLAPPING = Relation
-
-MAX_SIZE = (
-    200_000  # points and axes that a trace lists (see _count_listed): some 30 MB of JSON, which can be read again
-)
-DEFAULT_NAMES = Names()  # "A" and "B"
+# points and axes that a trace lists (see _count_listed): some 30 MB of JSON, which can be read again
+MAX_SIZE = 200_000
 NamedParts = Sequence[tuple[Shape, str]]  # convex parts or pieces, each with its name
+
+
+class ShapeNames(NamedTuple):
+    """The names of the two shapes of a trace in sentences: "A" and "B", or the name of a convex part such as "B2"."""
+
+    a: str = "A"
+    b: str = "B"
+
+
+DEFAULT_NAMES = ShapeNames()
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +49,7 @@ class Trace:
     tests: tuple[AxisTest, ...]
     every_axis: bool
     pairs: tuple["Trace", ...]
-    names: Names = DEFAULT_NAMES
+    names: ShapeNames = DEFAULT_NAMES
     shortcut: Shortcut | None = None
 
     @property
@@ -85,8 +91,8 @@ class Trace:
     @property
     def ended_by(self) -> AxisTest | None:
         """Return the first test that the run counts as a gap, rightly or wrongly; None if there is none."""
-        separates = self.shortcut.separates if self.shortcut else _separates
-        return next((test for test in self.tests if separates(test)), None)
+        own = self.shortcut
+        return next((test for test in self.tests if (own.separates(test) if own else test.separates)), None)
 
     @property
     def gaps_are_proofs(self) -> bool:
@@ -205,18 +211,20 @@ class Trace:
     @property
     def sentence(self) -> str:
         """Return one sentence that says the relation, what proves it, and the MTV of an overlap."""
-        return describe.verdict_sentence(self, self.known_mtv)
+        sentence: str = hooks.call("trace_sentence", self, self.known_mtv)
+        return sentence
 
     def __str__(self) -> str:
         return self.table()
 
     def table(self, *, width: int | None = None, sums: bool = False) -> str:
-        """Return the table that `print(trace)` shows, in lines of at most `width` letters.
+        """Return the table that `print(trace)` shows, in lines of at most `width` characters.
 
         `sums`: below each test stand the sums behind the ends of both ranges, such as
         "v1: 2*8 + 3*3 = 25; 25 / sqrt(13) = 6.934"; a sum whose numbers are not printed in full is left out.
         """
-        return text_table.table(self, width, sums=sums)
+        text: str = hooks.call("trace_table", self, width, sums)
+        return text
 
     def __iter__(self) -> Iterator[AxisTest]:
         return iter(self.tests)
@@ -230,12 +238,13 @@ class Trace:
 
         InvalidScene for a shortcut that satviz does not define, and for more text than `from_json` reads.
         """
-        return hooks.trace_to_json(self, indent)
+        text: str = hooks.call("trace_to_json", self, indent)
+        return text
 
     @staticmethod
     def from_json(text: str) -> "Trace":
         """Return the trace that `to_json` wrote; InvalidScene if a field is missing, unknown or false."""
-        trace: Trace = hooks.trace_from_json(text)
+        trace: Trace = hooks.call("trace_from_json", text)
         return trace
 
 
@@ -274,7 +283,7 @@ def _record_shortcut(a: Shape, b: Shape, shortcut: Shortcut, every_axis: bool) -
 
 
 def _record(
-    a: Shape, b: Shape, choice: Choice, every_axis: bool, names: Names, shortcut: Shortcut | None = None
+    a: Shape, b: Shape, choice: Choice, every_axis: bool, names: ShapeNames, shortcut: Shortcut | None = None
 ) -> Trace:
     """Run the loop over one choice of axes and return its trace; InvalidScene if it would list too much."""
     tests: list[AxisTest] = []
@@ -299,7 +308,7 @@ def _record_pairs(
     """Run the loop on pairs of parts, each with its name; return one trace that holds all of theirs."""
     pairs, size = [], 0
     for (p, name_a), (q, name_b) in product(of_a, of_b):
-        pair = _record(p, q, needed(p, q), every_axis, Names(name_a, name_b))
+        pair = _record(p, q, needed(p, q), every_axis, ShapeNames(name_a, name_b))
         pairs.append(pair)
         size += _count_listed(p, q, pair.choice, pair.tests)
         if size > MAX_SIZE:
@@ -309,11 +318,6 @@ def _record_pairs(
         if not shortcut and pair.relation is OVERLAPPING and not every_axis:
             break
     return Trace(a, b, Choice((), complete=not shortcut), (), every_axis, tuple(pairs), DEFAULT_NAMES, shortcut)
-
-
-def _separates(test: AxisTest) -> bool:
-    """Return whether the test has a gap."""
-    return test.gap > 0
 
 
 def _least_overlap(tests: Sequence[AxisTest]) -> AxisTest:
@@ -326,7 +330,7 @@ def _count_listed(a: Shape, b: Shape, choice: Choice, tests: Sequence[AxisTest])
     return _count_points(a, b) * (1 + len(tests)) + len(choice.axes) + len(choice.skipped)
 
 
-def _check_size(a: Shape, b: Shape, choice: Choice, tests: Sequence[AxisTest], names: Names) -> None:
+def _check_size(a: Shape, b: Shape, choice: Choice, tests: Sequence[AxisTest], names: ShapeNames) -> None:
     """Raise InvalidScene if a trace would list more than MAX_SIZE points and axes."""
     if _count_listed(a, b, choice, tests) > MAX_SIZE:
         raise _too_large_error(

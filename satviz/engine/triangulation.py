@@ -29,7 +29,11 @@ def diagonals(ring: Sequence[Vec]) -> list[Diagonal]:
         found.extend((w, v) for v in chain[1:])
 
     def grow(w: int, chain: list[int], side: int) -> list[int]:
-        """Join w with the vertices it sees behind the end of the chain, and return the chain, which ends with w."""
+        """Join w by diagonals with the vertices that it sees from the end of the chain backwards, and append w.
+
+        A vertex is seen while the orientation of w, the chain's last vertex and the one before is `side`: 1 for a
+        lower chain, -1 for an upper one.  Vertices that are cut off leave the chain, which is returned.
+        """
         while len(chain) > 1 and orient(ring[w], ring[chain[-1]], ring[chain[-2]]) == side:
             chain.pop()
             found.append((w, chain[-1]))

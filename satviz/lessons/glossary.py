@@ -277,16 +277,16 @@ class TermLinker:
             if piece.startswith(("<a ", "<code", "</a", "</code")):
                 within += -1 if piece.startswith("</") else 1
             elif not piece.startswith("<") and not within:
-                pieces[i] = self._linked_text(piece)
+                pieces[i] = self._link_terms(piece)
         return "".join(pieces)
 
-    def _linked_text(self, text: str) -> str:
-        """Return text without tags, with links."""
+    def _link_terms(self, text: str) -> str:
+        """Link each term of `self.open` where a tag-free text first uses it, and remove it from `self.open`."""
         for term in [*self.open]:
             match = re.search(rf"(?<![\w-])(?:{term.words})(?![\w-])", text, re.IGNORECASE)
             if match:
                 self.open.remove(term)
                 before, after = text[: match.start()], text[match.end() :]
                 link = f'<a class="term" href="{self.page}#{term.id}">{match[0]}</a>'
-                return self._linked_text(before) + link + self._linked_text(after)
+                return self._link_terms(before) + link + self._link_terms(after)
         return text

@@ -209,8 +209,8 @@ def _number(value: float, figures: int) -> str:
 
 def _table(trace: Trace, *, filled: bool) -> str:
     """Return the table of a run over every axis, with or without ranges and gaps."""
-    heads = ("", "axis", "direction", f"range of {trace.names.a}", f"range of {trace.names.b}", "gap", "separates?")
-    head = "".join(f'<th scope="col">{escape(name)}</th>' for name in heads)
+    heads = ("axis", "direction", f"range of {trace.names.a}", f"range of {trace.names.b}", "gap", "separates?")
+    head = "<td></td>" + "".join(f'<th scope="col">{escape(name)}</th>' for name in heads)
     lines, pair = [], ""
     rows = [row for row in table_rows(trace) if "reason" not in row]
     for row in rows[:MAX_ROWS]:

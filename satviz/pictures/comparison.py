@@ -23,7 +23,7 @@ from .float_geometry import bounding_box, crossing_point
 from .insets import add_insets
 from .label_placer import LabelRequest
 from .labels import with_labels
-from .layout import Group, Layout, arrange_readable, place_axis_within
+from .layout import Layout, PanelContents, arrange_readable, place_axis_within
 from .letters import text_size, wrap_text
 from .marks import Mark, Picture
 from .panels import marks_moved_to
@@ -109,13 +109,13 @@ def _frame(trace: Trace, largest: tuple[float, float]) -> _Frame:
     x0, y0, x1, y1 = bounding_box(shapes)
     rim = max(x1 - x0, y1 - y0) * AXES_RIM if tests else 0.0
     groups = [panel.needs(trace) for panel in _panels(trace)]
-    groups.append(Group([box(x0 - rim, y0 - rim, x1 + rim, y1 + rim)]))
+    groups.append(PanelContents([box(x0 - rim, y0 - rim, x1 + rim, y1 + rim)]))
     for _ in range(2):
         found = arrange_readable(groups, shapes, largest)
         claimed, actual, *_ = add_insets(found, named)
         places = [place_axis_within(claimed, shapes, test) for test in tests]
         outside = [t for t, place in zip(tests, places, strict=True) if not _is_inside(place, claimed)]
-        groups += [Group(shapes, [test]) for test in outside]
+        groups += [PanelContents(shapes, [test]) for test in outside]
     steps = zip(tests, places, strict=True)
     return _Frame(tuple(claimed._replace(tests=(t,), places=(place,)) for t, place in steps), claimed, actual)
 

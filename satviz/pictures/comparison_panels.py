@@ -40,7 +40,7 @@ from .default_panels import (
 from .draw_steps import draw_mtv, draw_separating_line
 from .float_geometry import bounding_box, crossing_point, midpoint, point_along
 from .label_placer import LabelOptions
-from .layout import Group, Layout
+from .layout import Layout, PanelContents
 from .sketch import RING_PT, Sketch
 from .solid_panels import solid_panel
 
@@ -351,7 +351,7 @@ def draw_line_as_axis(trace: Trace, layout: Layout) -> Sketch:
     return sketch
 
 
-def needs_one_sided_tests(trace: Trace) -> Group:
+def needs_one_sided_tests(trace: Trace) -> PanelContents:
     """Return the claimed tests with both shapes, and space for two questions above the shapes.
 
     Among the labels of very many axes there is no space for them.
@@ -359,7 +359,7 @@ def needs_one_sided_tests(trace: Trace) -> Group:
     x0, y0, x1, y1 = bounding_box([trace.a, trace.b])
     shapes, tests, _ = needs_claimed_tests(trace)
     space = [box(x0, y1, x1, y1 + (y1 - y0) / 2)] if len(trace.tests) <= MAX_QUESTION_AXES else []
-    return Group([*shapes, *space], tests)
+    return PanelContents([*shapes, *space], tests)
 
 
 def draw_one_sided_tests(trace: Trace, layout: Layout) -> Sketch:
@@ -377,10 +377,10 @@ def draw_one_sided_tests(trace: Trace, layout: Layout) -> Sketch:
     return sketch
 
 
-def needs_push(trace: Trace) -> Group:
+def needs_push(trace: Trace) -> PanelContents:
     """Return both shapes, and B where the shortcut pushes it and where the MTV moves it."""
     moves = [move for move in (trace.push, trace.truth.known_mtv) if move and is_near(trace, move)]
-    return Group([trace.a, trace.b, *(translated(trace.b, move) for move in moves)])
+    return PanelContents([trace.a, trace.b, *(translated(trace.b, move) for move in moves)])
 
 
 def draw_push_alone(trace: Trace, layout: Layout) -> Sketch:
@@ -428,10 +428,12 @@ def ways_out_panel(of_overlap: Panel, without: Panel) -> Panel:
     )
 
 
-def needs_ways_out(trace: Trace) -> Group:
+def needs_ways_out(trace: Trace) -> PanelContents:
     """Return both shapes, and B at the end of each way out."""
     moves = [trace.push, *(way.move for way in (*ways_out(trace, raw=True), *ways_out(trace)))]
-    return Group([trace.a, trace.b, *(translated(trace.b, move) for move in moves if move and is_near(trace, move))])
+    return PanelContents(
+        [trace.a, trace.b, *(translated(trace.b, move) for move in moves if move and is_near(trace, move))]
+    )
 
 
 def draw_raw_ways_out(trace: Trace, layout: Layout) -> Sketch:
@@ -472,9 +474,11 @@ def _draw_way_out(
     )
 
 
-def needs_fold(trace: Trace) -> Group:
+def needs_fold(trace: Trace) -> PanelContents:
     """Return what a frame of `draw_fold` must hold: both shapes, and the exact test of the last axis."""
-    return Group([trace.a, trace.b], list(axis_tests(trace.a, trace.b, [test.axis for test in trace.tests[-1:]])))
+    return PanelContents(
+        [trace.a, trace.b], list(axis_tests(trace.a, trace.b, [test.axis for test in trace.tests[-1:]]))
+    )
 
 
 def draw_fold(trace: Trace, layout: Layout) -> Sketch:
@@ -507,21 +511,21 @@ def draw_shapes(trace: Trace, layout: Layout) -> Sketch:
     return sketch
 
 
-def _shapes_and(trace: Trace, tests: Sequence[AxisTest] = ()) -> Group:
+def _shapes_and(trace: Trace, tests: Sequence[AxisTest] = ()) -> PanelContents:
     """Return both shapes, and tests whose axes are drawn."""
-    return Group([trace.a, trace.b], tests)
+    return PanelContents([trace.a, trace.b], tests)
 
 
-def needs_flight(trace: Trace) -> Group:
+def needs_flight(trace: Trace) -> PanelContents:
     """Return both shapes, A in the next frame, and the test that is shown."""
-    return Group([trace.a, translated(trace.a, MOVE), trace.b], [trace.ended_by or trace.tests[0]])
+    return PanelContents([trace.a, translated(trace.a, MOVE), trace.b], [trace.ended_by or trace.tests[0]])
 
 
-def needs_pieces(trace: Trace) -> Group:
+def needs_pieces(trace: Trace) -> PanelContents:
     """Return both shapes, B where each piece pushes it, and space for words above the shapes."""
     shapes = [trace.a, trace.b, *(translated(trace.b, pair.mtv) for pair in trace.pairs if pair.mtv)]
     x0, y0, x1, y1 = bounding_box(shapes)
-    return Group([*shapes, box(x0, y1, x1, y1 + (y1 - y0) / 4.5)])
+    return PanelContents([*shapes, box(x0, y1, x1, y1 + (y1 - y0) / 4.5)])
 
 
 TESTS, PROOF = Panel(needs_claimed_tests, draw_claimed_tests), Panel(needs_proof, draw_proof)

@@ -32,7 +32,7 @@ from .claims import is_about_push, is_near
 from .draw_steps import draw_mtv, draw_separating_line, draw_verdict
 from .float_geometry import gap_or_overlap, midpoint, point_along
 from .labels import short_name
-from .layout import Group, Layout
+from .layout import Layout, PanelContents
 from .sketch import RING_PT, Sketch
 
 PROVES_NOTHING = "true, but proves nothing"
@@ -63,14 +63,16 @@ class PanelSketch(Sketch):
 class Panel(NamedTuple):
     """A panel: what it needs space for, and the function that draws it on the layout with that space."""
 
-    needs: Callable[[Trace], Group]
+    needs: Callable[[Trace], PanelContents]
     draw: Callable[[Trace, Layout], Sketch]
 
 
-def needs_claimed_tests(trace: Trace) -> Group:
+def needs_claimed_tests(trace: Trace) -> PanelContents:
     """Return both shapes, B where the shortcut pushes it, and the tests that its answer comes from."""
     push = trace.push if is_about_push(trace) else None
-    return Group(_shapes_with_moved_b(trace, push), [drawable_test(trace, test) for test in claimed_tests(trace)])
+    return PanelContents(
+        _shapes_with_moved_b(trace, push), [drawable_test(trace, test) for test in claimed_tests(trace)]
+    )
 
 
 def draw_claimed_tests(trace: Trace, layout: Layout) -> Sketch:
@@ -216,10 +218,10 @@ def draw_push(sketch: Sketch) -> None:
     sketch.label("push-name", text, "move", tip, prefer=prefer, far=not is_near(trace, trace.push), first=3)
 
 
-def needs_proof(trace: Trace) -> Group:
+def needs_proof(trace: Trace) -> PanelContents:
     """Return both shapes, B moved by the MTV, and the exact test that is shown."""
     test = true_test(trace)
-    return Group(_shapes_with_moved_b(trace, trace.truth.known_mtv), [test] if test else [])
+    return PanelContents(_shapes_with_moved_b(trace, trace.truth.known_mtv), [test] if test else [])
 
 
 def draw_proof(trace: Trace, layout: Layout) -> Sketch:

@@ -23,7 +23,7 @@ from ..scenes.failing.move_space import convex_hull, minkowski_difference
 from ..scenes.resolve import SceneLike, resolve
 from ..scenes.shape_tools import box, translated
 from .float_geometry import bounding_box, circle_points, mean_point
-from .layout import Group, arrange
+from .layout import PanelContents, arrange
 from .marks import Picture
 from .sketch import Sketch
 
@@ -107,7 +107,7 @@ def _sketch(scene: _Scene, *, a_weight: str = "plain") -> Sketch:
     xs, ys = [p.x for p in spots], [p.y for p in spots]
     around = box(min(xs), min(ys), max(xs), max(ys))
     tests = [scene.test] if scene.test else []
-    (layout,) = arrange([Group([run.a, run.b, around], tests)])
+    (layout,) = arrange([PanelContents([run.a, run.b, around], tests)])
     sketch = Sketch(run, layout)
     sketch.shape("B", "B", run.b)
     sketch.shape("A", "A", run.a, weight=a_weight, quiet=a_weight == "faint")

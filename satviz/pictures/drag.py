@@ -13,7 +13,7 @@ from .curve import unit_vector
 from .draw_steps import draw_mtv_of_overlap, draw_other_parts, draw_parts
 from .float_geometry import bounding_box
 from .label_placer import LabelMemory
-from .layout import Group, Layout, arrange, limits_around, place_axis_within
+from .layout import Layout, PanelContents, arrange, limits_around, place_axis_within
 from .marks import Picture
 from .sketch import Sketch
 
@@ -43,7 +43,7 @@ def canvas_size(width: float | None) -> tuple[float, float]:
 
 def drag_layout(trace: Trace, largest: tuple[float, float] = LARGEST_PT) -> Layout:
     """Return a layout with space to drag the shapes in; ValueError for shapes that cannot be drawn."""
-    arrange([Group([trace.a, trace.b])])
+    arrange([PanelContents([trace.a, trace.b])])
     x0, y0, x1, y1 = bounding_box([trace.a, trace.b])
     ends = zip(largest, SHAPES_PART, (x0, y0), (x1, y1), strict=True)
     scale = min(size * part / (hi - lo) for size, part, lo, hi in ends)

@@ -55,7 +55,7 @@ class Inset(NamedTuple):
 class Layout(NamedTuple):
     """The canvas of a picture: the limits it shows in scene units, its size in points, and the places on it.
 
-    There is one place for each test, in the same order.  `brief`: as of the Group that it was made for.
+    There is one place for each test, in the same order.  `brief`: as of the PanelContents that it was made for.
     `strip`: the insets have space of their own beside or below the scene, instead of a free corner of it.
     """
 
@@ -88,8 +88,8 @@ class Layout(NamedTuple):
         return points / self.scale
 
 
-class Group(NamedTuple):
-    """The contents of one picture: shapes, and the tests whose axes are shown at once.
+class PanelContents(NamedTuple):
+    """The contents of one panel or picture: shapes, and the tests whose axes are shown at once.
 
     `brief`: the ranges are labelled by the shapes' names alone, without numbers.
     """
@@ -100,31 +100,31 @@ class Group(NamedTuple):
 
 
 def arrange(
-    groups: Sequence[Group],
+    panels: Sequence[PanelContents],
     *,
     largest: tuple[float, float] = (MAX_WIDTH_PT, MAX_HEIGHT_PT),
     least: tuple[float, float] = (MIN_WIDTH_PT, MIN_HEIGHT_PT),
     one_frame: bool = False,
     tight: bool = False,
 ) -> list[Layout]:
-    """Return a layout for each group, all on one scale, with each axis clear of the shapes and of the other axes.
+    """Return a layout for each panel, all on one scale, with each axis clear of the shapes and of the other axes.
 
     `largest` and `least`: bounds of the canvas in points.
-    `one_frame`: all layouts have the same limits, around the contents of all groups, so that no shape moves from one
+    `one_frame`: all layouts have the same limits, around the contents of all panels, so that no shape moves from one
     picture to the next.  `tight`: an axis lies near the shapes, so that the label of the range between them has to
     stand where it fits.
     ValueError for a scene whose outlines float64 cannot draw.
     """
-    x0, y0, x1, y1 = bounding_box([shape for group in groups for shape in group.shapes])
+    x0, y0, x1, y1 = bounding_box([shape for panel in panels for shape in panel.shapes])
     size = max(x1 - x0, y1 - y0)
     if not 1e-290 < size < 1e290 or max(map(abs, (x0, y0, x1, y1))) > MAX_OFFSET_SIZES * size:
         raise ValueError(
             f"a scene {size:.3g} across at ({x0:.3g}, {y0:.3g}) cannot be drawn in float64: "
             "move or scale it first (its trace is exact all the same)"
         )
-    label_widths = [[_range_label_width(group, test) for test in group.tests] for group in groups]
+    label_widths = [[_range_label_width(panel, test) for test in panel.tests] for panel in panels]
     while True:
-        layouts = _layouts_on(largest, least, groups, label_widths, size, one_frame, tight)
+        layouts = _layouts_on(largest, least, panels, label_widths, size, one_frame, tight)
         if layouts is not None:
             return layouts
         # labels have a fixed size in points: a scene too small for them gets a larger canvas, which is shown smaller
@@ -132,7 +132,7 @@ def arrange(
 
 
 def arrange_readable(
-    groups: Sequence[Group],
+    panels: Sequence[PanelContents],
     shapes: Sequence[Shape],
     largest: tuple[float, float],
     *,
@@ -140,12 +140,12 @@ def arrange_readable(
     tight: bool = False,
 ) -> list[Layout]:
     """Return what `arrange` does; on a narrow canvas that makes the shapes small, the ranges have no numbers."""
-    found = arrange(groups, largest=largest, one_frame=one_frame, tight=tight)
+    found = arrange(panels, largest=largest, one_frame=one_frame, tight=tight)
     x0, y0, x1, y1 = bounding_box(shapes)
     part = max(x1 - x0, y1 - y0) * found[0].scale / max(largest[0], found[0].size[0])
     if largest[0] >= NARROW_PT or part >= LEAST_PART:
         return found
-    brief = [group._replace(brief=True) for group in groups]
+    brief = [panel._replace(brief=True) for panel in panels]
     return arrange(brief, largest=largest, one_frame=one_frame, tight=tight)
 
 
@@ -155,18 +155,18 @@ def range_label(name: str, text: str) -> str:
     return label.replace(" + [", " +\n[") if len(label) > MAX_LINE_LETTERS else label
 
 
-def _range_label_width(group: Group, test: AxisTest) -> float:
+def _range_label_width(panel: PanelContents, test: AxisTest) -> float:
     """Return the width in points of the wider label of a test's two ranges."""
-    if group.brief:
+    if panel.brief:
         return NAME_WIDTH_PT
-    digits = number_format.digits_for_tests(group.shapes, [test])
+    digits = number_format.digits_for_tests(panel.shapes, [test])
     return min(max(text_size(range_label("B2", text))[0] for text in digits.ranges(test)), MAX_WIDTH_PT / 3)
 
 
 def _layouts_on(
     largest: tuple[float, float],
     least: tuple[float, float],
-    groups: Sequence[Group],
+    panels: Sequence[PanelContents],
     label_widths: Sequence[Sequence[float]],
     size: float,
     one_frame: bool,
@@ -183,10 +183,10 @@ def _layouts_on(
     for _ in range(8):
         places: list[list[AxisPlace]] = []
         boxes: list[Box] = []
-        for group, widths in zip(groups, label_widths, strict=True):
+        for panel, widths in zip(panels, label_widths, strict=True):
             near = [NAME_WIDTH_PT] * len(widths) if tight else widths
-            places.append(place_axes(group.shapes, group.tests, near, scale, boxes if one_frame else ()))
-            boxes.append(_needed_box(group, places[-1], widths, scale, PAD_PT - pad, tight))
+            places.append(place_axes(panel.shapes, panel.tests, near, scale, boxes if one_frame else ()))
+            boxes.append(_needed_box(panel, places[-1], widths, scale, PAD_PT - pad, tight))
         if one_frame:
             boxes = [common_box(boxes)] * len(boxes)
         space = largest[0] - 2 * pad, largest[1] - 2 * PAD_PT - HEAD_PT
@@ -196,12 +196,12 @@ def _layouts_on(
         if abs(scale - before) < 1e-3 * scale:
             break
     found = []
-    for group, (x0, y0, x1, y1), there in zip(groups, boxes, places, strict=True):
+    for panel, (x0, y0, x1, y1), there in zip(panels, boxes, places, strict=True):
         width = round(min(largest[0], max(least[0], (x1 - x0) * scale + 2 * pad)))
         head = HEAD_PT if there or one_frame else 0.0
         height = round(min(largest[1], max(least[1], (y1 - y0) * scale + 2 * PAD_PT + head)))
         limits = limits_around(((x0 + x1) / 2, (y0 + y1 + head / scale) / 2), (width, height), scale)
-        found.append(Layout(limits, (width, height), tuple(there), tuple(group.tests), brief=group.brief))
+        found.append(Layout(limits, (width, height), tuple(there), tuple(panel.tests), brief=panel.brief))
     return found
 
 
@@ -212,7 +212,7 @@ def limits_around(center: tuple[float, float], size: tuple[float, float], scale:
 
 
 def _needed_box(
-    group: Group,
+    panel: PanelContents,
     places: Sequence[AxisPlace],
     label_widths: Sequence[float],
     scale: float,
@@ -224,13 +224,13 @@ def _needed_box(
     Where an edge gives an axis, the shapes have `normal_pt` points to both sides for an arrow.  `tight`: a label has
     space at one part of its bar, where it makes the box grow least, instead of along the whole axis.
     """
-    x0, y0, x1, y1 = bounding_box(group.shapes)
-    if any(test.source.shape for test in group.tests):
+    x0, y0, x1, y1 = bounding_box(panel.shapes)
+    if any(test.source.shape for test in panel.tests):
         x0, x1 = x0 - normal_pt / scale, x1 + normal_pt / scale
     ends = [place.at(t, role) for place in places for t in (place.lo, place.hi) for role in "AB"]
     xs, ys = [x0, x1, *(p.x for p in ends)], [y0, y1, *(p.y for p in ends)]
     found = min(xs), min(ys), max(xs), max(ys)
-    for test, place, width in zip(group.tests, places, label_widths, strict=True):
+    for test, place, width in zip(panel.tests, places, label_widths, strict=True):
         lo, hi = test.b.interval if tight else (place.lo, place.hi)
         parts = (0.3, 0.5, 0.7) if tight else (0.15, 0.85)
         spots = (place.at(lo + part * (hi - lo), "B") for part in parts)

@@ -17,7 +17,7 @@ from ..scenes.resolve import SceneLike, resolve
 from ..scenes.shape_tools import box
 from .float_geometry import mean_point, midpoint, point_along
 from .insets import MIN_SHAPE_PT
-from .layout import Group, arrange
+from .layout import PanelContents, arrange
 from .marks import Picture
 from .sketch import Sketch
 
@@ -40,7 +40,7 @@ def difference(
     spots = [Vec(0.0, 0.0), foot, Vec(-move.x, -move.y), *(p for ring in found for p in ring)]
     xs, ys = [p.x for p in spots], [p.y for p in spots]
     around = box(min(xs), min(ys), max(xs), max(ys))
-    sketch = Sketch(record(run.a, run.b), arrange([Group([around])], largest=largest)[0])
+    sketch = Sketch(record(run.a, run.b), arrange([PanelContents([around])], largest=largest)[0])
     for i, ring in enumerate(found):
         sketch.add("difference", "outline", "guide", *ring, number=i)
         if max(abs(p.x - q.x) + abs(p.y - q.y) for p in ring for q in ring[:1]) * sketch.layout.scale < MIN_SHAPE_PT:

@@ -11,7 +11,7 @@ from ..engine.trace import Trace
 from ..scenes.failing.move_space import convex_hull
 from ..scenes.failing.threed import PAIR, AxisGap, SolidBox, Vec3, cross, dot, edge_gaps, face_gaps, seen_from_above
 from .default_panels import PROVES_NOTHING, Panel, draw_claimed_tests, draw_proof, needs_claimed_tests, needs_proof
-from .layout import Group, Layout
+from .layout import Layout, PanelContents
 from .sketch import Sketch
 
 PLAN_PT = 74.0  # the side of the plan
@@ -70,7 +70,7 @@ def solid_panel(*, actual: bool) -> Panel:
         _draw_plan(sketch, wide, high)
         return sketch
 
-    return Panel(lambda trace: Group([trace.a, trace.b]) if _are_plans(trace) else flat.needs(trace), draw)
+    return Panel(lambda trace: PanelContents([trace.a, trace.b]) if _are_plans(trace) else flat.needs(trace), draw)
 
 
 def _are_plans(trace: Trace) -> bool:

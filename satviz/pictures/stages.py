@@ -86,8 +86,8 @@ def step_sentence(run: Trace, step: Step) -> str:
     if step.test is not None:
         return describe.stage_sentence(run, step.test, stage.value, first_dropped_role(run, step.test))
     if stage is Stage.PARTS:
-        return describe.parts(run)
-    return describe.scene(run) if stage is Stage.SCENE else run.sentence
+        return describe.parts_sentence(run)
+    return describe.scene_sentence(run) if stage is Stage.SCENE else run.sentence
 
 
 def step_caption(run: Trace, step: Step) -> str:

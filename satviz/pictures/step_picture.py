@@ -8,7 +8,7 @@ from ..engine.trace import Trace
 from .draw_steps import draw_other_parts, draw_parts, draw_test, draw_verdict
 from .float_geometry import moved_shape
 from .insets import add_insets
-from .layout import MAX_HEIGHT_PT, MAX_WIDTH_PT, NARROW_PT, Group, Layout, arrange_readable
+from .layout import MAX_HEIGHT_PT, MAX_WIDTH_PT, NARROW_PT, Layout, PanelContents, arrange_readable
 from .marks import Mark, Picture
 from .sketch import Sketch
 from .stages import STAGES_BEFORE_AXIS, TEST_STAGES, Stage, Step, resolve_step, step_caption, step_sentence
@@ -61,7 +61,11 @@ def step_layouts(trace: Trace, largest: tuple[float, float] = LARGEST_PT, by_the
     shapes = trace.a, trace.b
     tests = [t for pair in trace.pairs for t in pair.tests] or trace.tests
     end = [trace.separating] if trace.separating else []
-    groups = [Group(shapes), *(Group(shapes, [t]) for t in tests), Group(_shapes_and_moved_b(trace), end)]
+    groups = [
+        PanelContents(shapes),
+        *(PanelContents(shapes, [t]) for t in tests),
+        PanelContents(_shapes_and_moved_b(trace), end),
+    ]
     named = list(zip(trace.names, shapes, strict=True))
     found = arrange_readable(groups, shapes, largest, one_frame=not by_themselves, tight=largest[0] < NARROW_PT)
     return [add_insets([each], named)[0] for each in found] if by_themselves else add_insets(found, named)

@@ -120,9 +120,9 @@ def _axis_marks(shapes: tuple[Shape, Shape], degree: float) -> list[Mark]:
     return [*marks, Mark("says", "label", role, (left,), text=text)]
 
 
-def _dial_marks(points: Sequence[tuple[float, float]]) -> list[Mark]:
-    """Return the dial with its words below."""
-    marks = dial_marks(points, DIAL_CENTER_PT, DIAL_PT)
+def _dial_marks(gap_curve: Sequence[tuple[float, float]]) -> list[Mark]:
+    """Return the dial of the directions that have a gap, with its caption below; `gap_curve`: (degree, gap) pairs."""
+    marks = dial_marks(gap_curve, DIAL_CENTER_PT, DIAL_PT)
     has_gap = len(marks) > 1
     text = "green: a gap" if has_gap else "no direction has a gap"
     half_width = text_size(text)[0] / 2

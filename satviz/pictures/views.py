@@ -18,7 +18,7 @@ from .draw_steps import draw_separating_line
 from .float_geometry import mean_point, midpoint, point_along
 from .label_placer import LabelOptions
 from .labels import short_name
-from .layout import NARROW_SIZE_PT, Group, Layout, arrange
+from .layout import NARROW_SIZE_PT, Layout, PanelContents, arrange
 from .marks import Picture
 from .panels import panel_grid, with_headline
 from .sketch import Sketch
@@ -33,7 +33,7 @@ MAX_FAILED_AXES = 3
 
 def single_shape(shape: Shape) -> Picture:
     """Draw one shape by itself."""
-    sketch = Sketch(record(shape, shape, axes=Choice(())), arrange([Group([shape])], largest=NARROW_SIZE_PT)[0])
+    sketch = Sketch(record(shape, shape, axes=Choice(())), arrange([PanelContents([shape])], largest=NARROW_SIZE_PT)[0])
     sketch.shape("A", "A", shape, named=False)
     if isinstance(shape, Polygon) and shape.labels:
         sketch.vertices("A", range(len(shape.vertices)))
@@ -103,7 +103,7 @@ def all_tests(trace: Trace, *, title: str = "") -> Picture:
     """Draw all tests in one picture: every axis with both ranges; of a wrong verdict also the axis left out."""
     shapes = trace.a, trace.b
     missing = [max(record(*shapes).tests, key=lambda test: test.gap)] if trace.false_hit else []
-    groups = [Group(shapes, tests, brief=True) for tests in (trace.tests, missing) if tests]
+    groups = [PanelContents(shapes, tests, brief=True) for tests in (trace.tests, missing) if tests]
     layout, *rest = arrange(groups, largest=NARROW_SIZE_PT)
     sketch = Sketch(trace, layout)
     if {test.source.kind for test in trace.tests} == {WORLD}:
@@ -197,7 +197,7 @@ def radii(trace: Trace, *, title: str = "") -> Picture:
 def panels_of_tests(trace: Trace, *, title: str = "") -> Picture:
     """Draw every test in a picture of its own: the axis, both ranges, and whether it separates."""
     shapes = trace.a, trace.b
-    groups = [Group(shapes, [t], brief=True) for t in trace.tests]
+    groups = [PanelContents(shapes, [t], brief=True) for t in trace.tests]
     layouts = arrange(groups, largest=LOW_PANEL_PT, least=LOW_PANEL_PT, one_frame=True)
     panels = []
     for i, (test, layout) in enumerate(zip(trace.tests, layouts, strict=True)):
@@ -225,7 +225,7 @@ def single_circle(trace: Trace, number: int, role: str, *, extremes: bool, title
     side, circle = (test.a, trace.a) if role == "A" else (test.b, trace.b)
     assert isinstance(circle, Circle)
     name = trace.names["AB".index(role)]
-    (layout,) = arrange([Group([circle], [test._replace(a=side, b=side)])], largest=NARROW_SIZE_PT)
+    (layout,) = arrange([PanelContents([circle], [test._replace(a=side, b=side)])], largest=NARROW_SIZE_PT)
     place = layout.places[0]
     sketch = Sketch(trace, layout)
     sketch.shape(role, name, circle, named=False)
@@ -270,7 +270,7 @@ def failed_axes(trace: Trace, *, title: str = "") -> Picture:
         if all(test.axis.direction != other.axis.direction for other in best):
             best.append(test)
     shown = best[:MAX_FAILED_AXES]
-    (layout,) = arrange([Group([trace.a, trace.b], shown, brief=True)], largest=NARROW_SIZE_PT)
+    (layout,) = arrange([PanelContents([trace.a, trace.b], shown, brief=True)], largest=NARROW_SIZE_PT)
     sketch = Sketch(trace, layout)
     sketch.shapes()
     digits = describe.digits(trace, *shown)
@@ -328,7 +328,7 @@ def _draw_distance(sketch: Sketch, pair: Trace, test: AxisTest, number: int) -> 
 def convex_parts(trace: Trace, *, title: str = "") -> Picture:
     """Draw each pair of convex parts in a panel of its own, with the axis that separates it; the parts have tints."""
     tests = [pair.separating for pair in trace.pairs]
-    groups = [Group([trace.a, trace.b], [test] if test else []) for test in tests]
+    groups = [PanelContents([trace.a, trace.b], [test] if test else []) for test in tests]
     layouts = arrange(groups, largest=LOW_PANEL_PT, least=LOW_PANEL_PT, one_frame=True)
     panels = []
     for pair, test, layout in zip(trace.pairs, tests, layouts, strict=True):

@@ -36,7 +36,8 @@ def bundle(what: Any) -> dict[str, str]:
 
 def html_table(trace: Trace) -> str:
     """Return an HTML table of a run's tests, with the run's sentence below it."""
-    head = "".join(f'<th scope="col">{escape(name)}</th>' for name in ("", "axis", "direction", *trace.names, "gap"))
+    names = "axis", "direction", *trace.names, "gap"
+    head = "<td></td>" + "".join(f'<th scope="col">{escape(name)}</th>' for name in names)
     lines, pair = [], ""
     for row in table_rows(trace):
         if row["pair"] != pair:

@@ -137,7 +137,7 @@ def _is_run_of(trace: Trace, name: str) -> bool:
 def parse_fragment(text: str) -> tuple[Scene, ViewOptions]:
     """Return the scene and the view options of a fragment; InvalidScene says what is wrong with it."""
     if len(text) > 2 * MAX_CHARS:
-        raise InvalidScene(f"the link has {len(text):,} letters: the limit is {2 * MAX_CHARS:,}")
+        raise InvalidScene(f"the link has {len(text):,} characters: the limit is {2 * MAX_CHARS:,}, so send a file")
     first, *rest = text.split("&")
     values: dict[str, Any] = {}
     for word in rest:

@@ -8,7 +8,6 @@ from typing import Any
 
 from ..engine import axes, describe, number_format
 from ..engine.axes import Axis, Choice, Skip, Source
-from ..engine.describe import Names
 from ..engine.geometry import InvalidScene, InvalidShape, Vec
 from ..engine.mtv import ends_overlap
 from ..engine.polygon_validation import parse_number, short_repr
@@ -16,7 +15,7 @@ from ..engine.predicates import MAX_FLOAT, MIN_FLOAT
 from ..engine.sat import CLOSE_GAP_FACTOR, AxisTest, Projection
 from ..engine.shapes import Shape
 from ..engine.shortcut import Shortcut
-from ..engine.trace import DEFAULT_NAMES, Trace, record
+from ..engine.trace import DEFAULT_NAMES, ShapeNames, Trace, record
 from .failing import SHORTCUTS
 from .scenefile import shape_data, shape_from
 from .strictjson import parse, refuse_large, require_keys, require_type
@@ -147,7 +146,7 @@ _KEYS = {"a", "b", "names", "shortcut", "every_axis", "complete", *_LISTS}
 _KEYS |= {"claim", "relation", "hit", "mtv", "sentence"}
 
 
-def _parse_run(data: Any, where: str, a: Shape, b: Shape, names: Names, shortcut: Shortcut | None = None) -> Trace:
+def _parse_run(data: Any, where: str, a: Shape, b: Shape, names: ShapeNames, shortcut: Shortcut | None = None) -> Trace:
     """Return the Trace with the file's numbers, not yet checked against the shapes; `where`: its field's name."""
     require_keys(data, where, _KEYS)
     lists = {name: list(enumerate(require_type(data[name], f"{where}.{name}", list))) for name in _LISTS}
@@ -165,7 +164,7 @@ def _parse_run(data: Any, where: str, a: Shape, b: Shape, names: Names, shortcut
             raise InvalidScene(f"{where}.skipped[{i}].reason is {short_repr(reason)}: not a reason that satviz gives")
         skipped.append(Skip(_parse_axis(skip["axis"], f"{where}.skipped[{i}].axis", known), *reasons[reason]))
     if len(lists["tests"]) > len(found):
-        raise InvalidScene(f"{where}.tests has more tests than there are axes")
+        raise InvalidScene(f"{where}.tests has {len(lists['tests'])} tests for {len(found)} axes")
     tests = tuple(_parse_test(test, f"{where}.tests[{i}]", found[i]) for i, test in lists["tests"])
     choice = Choice(found, tuple(skipped), require_type(data["complete"], f"{where}.complete", bool))
     every_axis = require_type(data["every_axis"], f"{where}.every_axis", bool)
@@ -275,7 +274,7 @@ def _require_same_run(trace: Trace, again: Trace, where: str) -> None:
     Numbers may differ by the rounding of another machine; signs and everything else may not.
     """
     if _sources(trace.choice) != _sources(again.choice):
-        raise InvalidScene(f"{where}.axes are not the axes of these shapes")
+        raise InvalidScene(f"{where}.axes are not the axes of these shapes: record the trace again")
     _require_equal(again.choice.complete, trace.choice.complete, f"{where}.complete")
     _require_equal(again.every_axis, trace.every_axis, f"{where}.every_axis")
     if len(trace.tests) != len(again.tests):

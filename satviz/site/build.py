@@ -44,7 +44,7 @@ def site(
         except PythonMissing as error:
             if pyodide:
                 raise
-            missing = [f"{error}: the site is whole, but its scenes stay still"]
+            missing = [f"{error}. Without it the site is whole, but its scenes stay still"]
     try:
         reference_files = list(reference(in_site=True))
     except ImportError as error:
@@ -67,8 +67,8 @@ def _files(
     url: str,
 ) -> Iterator[tuple[str, bytes]]:
     """Yield (path, content) of each file of the site; `version` is part of the links to its scripts and styles."""
-    frame = pages.Frame(chapters(), guides.guides(), version, bool(python), bool(reference_files), url)
-    chapter_bodies = [chapter_body(chapter) for chapter in frame.chapters]  # may raise: then nothing is written
+    info = pages.SiteInfo(chapters(), guides.guides(), version, bool(python), bool(reference_files), url)
+    chapter_bodies = [chapter_body(chapter) for chapter in info.chapters]  # may raise: then nothing is written
     yield "site.js", script
     yield "site.css", style
     yield "embed.js", _browser_file("embed.js")
@@ -77,25 +77,25 @@ def _files(
     for name, data in python.items():
         yield f"python/{name}", data if not name.endswith(".js") else _with_maker(data)
     yield from pages.scene_pictures()
-    yield from hosting.social_pictures(frame.chapters)
+    yield from hosting.social_pictures(info.chapters)
     yield from glossary_page.pictures()
     yield from guides.pictures()
-    for chapter, body in zip(frame.chapters, chapter_bodies, strict=True):
-        yield chapter.path, pages.chapter_page(frame, chapter, body)
-    for chapter in frame.chapters:
-        for path, data in pages.handout_pages(frame, chapter):
+    for chapter, body in zip(info.chapters, chapter_bodies, strict=True):
+        yield chapter.path, pages.chapter_page(info, chapter, body)
+    for chapter in info.chapters:
+        for path, data in pages.handout_pages(info, chapter):
             yield path, data
-    for guide in frame.guides:
-        yield guide.path, pages.guide_page(frame, guide, guides.guide_body(guide))
+    for guide in info.guides:
+        yield guide.path, pages.guide_page(info, guide, guides.guide_body(guide))
     for path, data in reference_files:
         yield f"{pages.REFERENCE}/{path}", data
-    yield GLOSSARY, glossary_page.glossary_page(frame)
-    yield "gallery.html", pages.gallery_page(frame)
-    yield "challenges.html", pages.challenges_page(frame)
-    yield check_page.PATH, check_page.check_page(frame)
-    yield "scene.html", pages.explorer_page(frame)
-    yield "index.html", pages.front_page(frame)
-    yield hosting.NOT_FOUND, pages.not_found_page(frame)
+    yield GLOSSARY, glossary_page.glossary_page(info)
+    yield "gallery.html", pages.gallery_page(info)
+    yield "challenges.html", pages.challenges_page(info)
+    yield check_page.PATH, check_page.check_page(info)
+    yield "scene.html", pages.explorer_page(info)
+    yield "index.html", pages.front_page(info)
+    yield hosting.NOT_FOUND, pages.not_found_page(info)
     yield "robots.txt", hosting.robots_txt(url)
 
 

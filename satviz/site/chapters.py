@@ -24,12 +24,20 @@ from ..lessons.chapter_text import (
 from ..lessons.glossary import TermLinker
 from ..lessons.markdown import highlighted_code, markdown_parser
 from ..lessons.themed import themed_svg
+from ..pictures import Picture
+from ..pictures.layout import NARROW_SIZE_PT
 from ..scenes.resolve import resolve
 from ..widgets.explorer_model import ExplorerModel
 from . import parts
 
 GLOSSARY = "glossary.html"
 FRAMES = 13  # pictures of a slider
+NARROWED: dict[
+    str, dict[str, Any]
+] = {  # what draws a picture in a cell, and the arguments that draw it for a telephone
+    "sv.picture": {"largest": NARROW_SIZE_PT},
+    "sv.gap_curve": {"width": NARROW_SIZE_PT[0]},
+}
 REST = '<details class="rest"><summary>Go on when you have answered</summary>'
 
 
@@ -58,7 +66,8 @@ def chapter_body(chapter: Chapter) -> str:
         else:
             for output in sorted(cell["outputs"], key=_is_question_picture, reverse=True):
                 asked = _is_question_picture(output)
-                text.add(_output_html(output), part_of_question=asked, before_choices=asked)
+                html = _output_html(output, widgets.narrow_picture(i))
+                text.add(html, part_of_question=asked, before_choices=asked)
     return text.html()
 
 
@@ -225,8 +234,8 @@ def _is_question_picture(output: dict[str, Any]) -> bool:
     return "".join(output.get("data", {}).get("text/plain", "")).endswith("Do they collide?>")
 
 
-def _output_html(output: dict[str, Any]) -> str:
-    """Return a cell's stored output as HTML: its picture if it has one, else its text."""
+def _output_html(output: dict[str, Any], narrow: Picture | None) -> str:
+    """Return a cell's stored output as HTML: its picture if it has one, else its text; `narrow`: for a telephone."""
     if output["output_type"] == "stream":
         return f'<pre class="out" tabindex="0">{escape("".join(output["text"]))}</pre>'
     data = {kind: "".join(value) for kind, value in output.get("data", {}).items()}
@@ -234,6 +243,10 @@ def _output_html(output: dict[str, Any]) -> str:
     if "image/svg+xml" in data:
         # what `sv.check` found has both
         report = f'<div class="report">{words}</div>' if "<pre>" in data.get("text/html", "") else ""
+        if narrow:
+            wide = themed_svg(data["image/svg+xml"])
+            both = f'<div class="wide">{wide}</div><div class="narrow">{parts.svg_element(narrow)}</div>'
+            return f"<figure>{both}</figure>"
         return f"{_figure(data['image/svg+xml'])}{report}"
     return words
 
@@ -245,7 +258,10 @@ def _figure(svg: str, attributes: str = "") -> str:
 
 
 class _WidgetFinder:
-    """Finds the widgets of a notebook; cells are run only if a widget's arguments use names of the notebook."""
+    """Finds the widgets of a notebook, and the pictures that are drawn again for a telephone.
+
+    Cells are run only if the arguments of such a call use names of the notebook.
+    """
 
     def __init__(self, cells: list[dict[str, Any]]) -> None:
         self.sources = ["".join(cell["source"]) if cell["cell_type"] == "code" else "" for cell in cells]
@@ -259,9 +275,7 @@ class _WidgetFinder:
         function = ast.unparse(call.func) if isinstance(call, ast.Call) else ""
         if not isinstance(call, ast.Call) or function not in ("sv.play", "sv.explore", "slide"):
             return None
-        if any(isinstance(node, ast.Name) and node.id != "sv" for each in call.args for node in ast.walk(each)):
-            self._run([*self.sources[self.next_to_run : i], *map(ast.unparse, before)])
-            self.next_to_run = i + 1
+        self._run_for(call, i, before)
         what, *more = [eval(ast.unparse(argument), self.names) for argument in call.args]
         if function == "slide":
             return Widget(_slider_html(what, *more), answers=False)
@@ -269,6 +283,25 @@ class _WidgetFinder:
             return Widget(parts.explorer(ExplorerModel(resolve(what, *more).scene)), answers=False)
         predict = any(word.arg == "predict" for word in call.keywords)
         return Widget(parts.player(resolve(what, *more).trace, predict=predict), answers=not predict)
+
+    def narrow_picture(self, i: int) -> Picture | None:
+        """Return the picture that cell i shows, drawn for a telephone; None if it shows none of a run or a curve."""
+        *before, last = ast.parse(self.sources[i]).body or [ast.Pass()]
+        call = last.value if isinstance(last, ast.Expr) else None
+        narrowed = NARROWED.get(ast.unparse(call.func)) if isinstance(call, ast.Call) else None
+        if not isinstance(call, ast.Call) or narrowed is None:
+            return None
+        self._run_for(call, i, before)
+        keywords = {word.arg: eval(ast.unparse(word.value), self.names) for word in call.keywords if word.arg}
+        arguments = [eval(ast.unparse(argument), self.names) for argument in call.args]
+        drawn: Picture = eval(ast.unparse(call.func), self.names)(*arguments, **keywords, **narrowed)
+        return drawn
+
+    def _run_for(self, call: ast.Call, i: int, before: list[ast.stmt]) -> None:
+        """Run the cells up to cell i, and what stands `before` its call, if the call uses names of the notebook."""
+        if any(isinstance(node, ast.Name) and node.id != "sv" for each in call.args for node in ast.walk(each)):
+            self._run([*self.sources[self.next_to_run : i], *map(ast.unparse, before)])
+            self.next_to_run = i + 1
 
     def _run(self, sources: list[str]) -> None:
         """Run the code of these cells and keep the names that it defines; what it prints is dropped."""

@@ -13,7 +13,7 @@ from ..scenes.named import scene
 from ..widgets.explorer_model import ExplorerModel
 from . import parts
 from .chapters import programs, used_by
-from .pages import POLICY, Frame, html_page
+from .pages import POLICY, SiteInfo, html_page
 
 PATH = "yours.html"
 # A worker of the reader's code is made by the page itself, so that it obeys the policy of the page.
@@ -50,14 +50,14 @@ CHOICES = {
 TOUCHING = {"hit": "a hit", "miss": "no hit", "either": "either"}
 
 
-def check_page(frame: Frame) -> bytes:
+def check_page(info: SiteInfo) -> bytes:
     """Return the page; without Python in the site it says how to check a function on one's own machine."""
 
     def options(choices: dict[str, str]) -> str:
         """Return the options of a list of choices as HTML."""
         return "".join(f'<option value="{value}">{words}</option>' for value, words in choices.items())
 
-    given = {name: program for chapter in frame.chapters for name, program in programs(chapter).items()}
+    given = {name: program for chapter in info.chapters for name, program in programs(chapter).items()}
     codes = {f"{name}-python": code for name, (_, code) in given.items()}
     codes |= {f"{name}-javascript": code for name, code in javascript_programs(given).items()}
     data = json.dumps(SKELETONS | codes).replace("<", "\\u003c")
@@ -67,7 +67,8 @@ def check_page(frame: Frame) -> bytes:
     body = f"""
 <h1>Is yours right?</h1>
 <p class="lead">Write a collision test. <b>Run</b> finds the smallest scene where it is wrong, and says which known
-mistake it behaves like. The test in the editor has such a mistake: it looks at x and y only.</p>
+mistake it behaves like. The test in the editor has such a mistake: it compares bounding
+boxes, so it tests the x axis and the y axis only.</p>
 <noscript><p>This page needs JavaScript. On your own machine, <code>satviz check mine.py</code> does the same.</p>
 </noscript>
 <section class="check" aria-label="your function">
@@ -100,7 +101,7 @@ autocorrect="off" wrap="off" aria-describedby="editor-keys"></textarea></label>
 """
     description = "Write a collision test, and see the smallest scene where it is wrong."
     title = "Is yours right? Check your own function"
-    return html_page(frame, PATH, title, body, description=description, kind="checks", policy=CHECK_POLICY)
+    return html_page(info, PATH, title, body, description=description, kind="checks", policy=CHECK_POLICY)
 
 
 def javascript_programs(names: Iterable[str]) -> dict[str, str]:

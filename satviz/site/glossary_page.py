@@ -8,10 +8,10 @@ from ..lessons.themed import themed_svg_file
 from ..pictures import Picture
 from ..render.files import encode
 from .chapters import GLOSSARY
-from .pages import Frame, html_page
+from .pages import SiteInfo, html_page
 
 
-def glossary_page(frame: Frame) -> bytes:
+def glossary_page(info: SiteInfo) -> bytes:
     """Return the page of all terms, in the order in which the chapters need them."""
     jumps = "".join(f'<li><a href="#{term.id}">{escape(term.name)}</a></li>' for term in TERMS)
     body = f"""
@@ -21,7 +21,7 @@ def glossary_page(frame: Frame) -> bytes:
 <div class="cards">{"".join(map(_entry, TERMS))}</div>
 """
     description = "The terms of collision detection by the Separating Axis Theorem, each with a picture."
-    return html_page(frame, GLOSSARY, "Glossary", body, description=description, kind="glossary")
+    return html_page(info, GLOSSARY, "Glossary", body, description=description, kind="glossary")
 
 
 def _entry(term: Term) -> str:

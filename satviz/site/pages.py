@@ -49,13 +49,16 @@ HOW_IN_WORDS = {
 LEVELS = {
     1: ("First steps", "A few drags are enough."),
     2: ("For some thought", "Only a few places will do. Think first about where they could be."),
-    3: ("Hard to find", "The place is small, or it needs exact steps. The arrow keys move a shape step by step."),
+    3: (
+        "Hard to find",
+        "Only a very few positions will do, and they need exact steps: switch on “snap”, or use the arrow keys.",
+    ),
 }
 FAILING_ON_FRONT = "aabb-turned", "no-nearest-vertex", "far-centers", "box-in-u"
 
 
-class Frame(NamedTuple):
-    """What all pages of a site share: chapters, guides, the version of its files, and whether it has Python.
+class SiteInfo(NamedTuple):
+    """The facts that all pages of a site share: chapters, guides, the version of its files, and whether it has Python.
 
     `guides` begins with their index; `reference` says whether the site has the reference; `url` is the address of
     its folder, or empty if that is not known.
@@ -70,7 +73,7 @@ class Frame(NamedTuple):
 
 
 def html_page(
-    frame: Frame,
+    info: SiteInfo,
     path: str,
     title: str,
     body: str,
@@ -84,8 +87,8 @@ def html_page(
 
     `kind` is a class for the style sheet, `script` a file that is run before anything is painted.
     """
-    first = f'<script src="{script}?{frame.version}"></script>' if script else ""
-    python = f' data-python="python/worker.js?{frame.version}"' if frame.python else ""
+    first = f'<script src="{script}?{info.version}"></script>' if script else ""
+    python = f' data-python="python/worker.js?{info.version}"' if info.python else ""
     links = [
         ("index.html", "satviz"),
         ("index.html#chapters", "Chapters"),
@@ -93,7 +96,7 @@ def html_page(
         ("gallery.html", "Gallery"),
     ]
     links += [("challenges.html", "Challenges"), ("yours.html", "Is yours right?"), (PAGE, "Explorer")]
-    links += [(f"{REFERENCE}/satviz.html", "Reference")] if frame.reference else []
+    links += [(f"{REFERENCE}/satviz.html", "Reference")] if info.reference else []
     here = ' aria-current="page"'
     nav = "".join(f'<a href="{to}"{here if to == path and to != "index.html" else ""}>{name}</a>' for to, name in links)
     lines = [
@@ -106,10 +109,10 @@ def html_page(
         f'<meta name="generator" content="{MADE_BY}">',
         f'<meta name="description" content="{escape(describe.printable(description))}">',
         f"<title>{escape(title)}</title>",
-        *hosting.head_lines(frame.chapters, frame.url, path, title, describe.printable(description)),
-        f'<link rel="stylesheet" href="site.css?{frame.version}">',
+        *hosting.head_lines(info.chapters, info.url, path, title, describe.printable(description)),
+        f'<link rel="stylesheet" href="site.css?{info.version}">',
         '<link rel="icon" href="icon.svg" type="image/svg+xml">',
-        f'<script defer src="site.js?{frame.version}"></script>',
+        f'<script defer src="site.js?{info.version}"></script>',
         "</head>",
         f'<body class="satviz site {kind}"{python}>{first}',
         '<a class="skip" href="#main">to the text</a>',
@@ -123,13 +126,13 @@ def html_page(
     return ("\n".join(lines) + "\n").encode()
 
 
-def front_page(frame: Frame) -> bytes:
+def front_page(info: SiteInfo) -> bytes:
     """Return the front page: a scene to drag, the theorem in a few sentences, and lists of what there is."""
     listed = "".join(
         f'<li><a href="{chapter.path}"><b>{escape(chapter.title)}</b></a><span>{escape(lead(chapter))}</span></li>'
-        for chapter in frame.chapters
+        for chapter in info.chapters
     )
-    guides = "".join(f'<li><a href="{guide.path}">{escape(guide.title)}</a></li>' for guide in frame.guides[1:])
+    guides = "".join(f'<li><a href="{guide.path}">{escape(guide.title)}</a></li>' for guide in info.guides[1:])
     cards = "".join(_card(name) for name in FAILING_ON_FRONT)
     body = f"""
 <div class="first">
@@ -168,10 +171,10 @@ that two shapes collide, but they are apart. A <b>missed hit</b> says that they 
 """
     title = "Do they collide? The Separating Axis Theorem, made visible"
     description = "Drag two triangles and see why they collide or not: the Separating Axis Theorem, made visible."
-    return html_page(frame, "index.html", title, body, description=description, kind="front")
+    return html_page(info, "index.html", title, body, description=description, kind="front")
 
 
-def gallery_page(frame: Frame) -> bytes:
+def gallery_page(info: SiteInfo) -> bytes:
     """Return the page with every scene: its picture and its sentence."""
     groups = {how: [row.name for row in FAILURE_CASES if row.how == how] for how in HOW_IN_WORDS}
     failing = "".join(
@@ -199,10 +202,10 @@ true.</p>
 {failing}</section>
 """
     description = "Pairs of shapes to drag: what proves that they collide or not, and where shortcuts fail."
-    return html_page(frame, "gallery.html", "Gallery: every scene of satviz", body, description=description)
+    return html_page(info, "gallery.html", "Gallery: every scene of satviz", body, description=description)
 
 
-def explorer_page(frame: Frame) -> bytes:
+def explorer_page(info: SiteInfo) -> bytes:
     """Return the page that a link opens; if a link cannot be opened, the page says why and offers every scene."""
     titles = [(s.name, f"“{FAILING[s.name].claim}”" if s.name in FAILING else s.title) for s in ALL_SCENES]
     offered = "".join(f'<li><a href="{PAGE}#{name}">{escape(title)}</a></li>' for name, title in titles)
@@ -218,10 +221,10 @@ triangles. The <a href="gallery.html">gallery</a> has a still picture of every s
 """
     description = "Drag two shapes and see every axis."
     title = "Explorer: drag two shapes"
-    return html_page(frame, PAGE, title, body, description=description, kind="explorer", script="embed.js")
+    return html_page(info, PAGE, title, body, description=description, kind="explorer", script="embed.js")
 
 
-def not_found_page(frame: Frame) -> bytes:
+def not_found_page(info: SiteInfo) -> bytes:
     """Return the page for an address that leads to no page."""
     body = """
 <h1>There is no such page</h1>
@@ -230,11 +233,11 @@ def not_found_page(frame: Frame) -> bytes:
 <li>The <a href="gallery.html">gallery</a> shows every scene.</li></ul>
 """
     title, description = "There is no such page", "This address leads to no page of the site."
-    page = html_page(frame, hosting.NOT_FOUND, title, body, description=description)
-    return hosting.from_anywhere(page, frame.url)
+    page = html_page(info, hosting.NOT_FOUND, title, body, description=description)
+    return hosting.from_anywhere(page, info.url)
 
 
-def challenges_page(frame: Frame) -> bytes:
+def challenges_page(info: SiteInfo) -> bytes:
     """Return the page of the challenges; each of them is a link to the explorer."""
     items: dict[int, list[str]] = {number: [] for number in LEVELS}
     for goal, begin in challenges():
@@ -249,9 +252,9 @@ def challenges_page(frame: Frame) -> bytes:
     )
     body = f"""
 <h1>Challenges</h1>
-<p class="lead">Each claim in quotation marks is a shortcut that many people believe. It begins with shapes for which it
-is right. <b>Drag the shapes until it is wrong.</b> If you have broken a shortcut once, you will not use it. If you give
-up, most scenes show in red where the claim is wrong.</p>
+<p class="lead">Each claim in quotation marks is a shortcut that many people believe. Each challenge
+starts with shapes for which its claim is right. <b>Drag the shapes until it is wrong.</b> If you have broken a shortcut
+once, you will not use it. If you give up, most scenes show in red where the claim is wrong.</p>
 <p class="action"><a href="{escape(link(scene("aabb"), goal=TOUCH))}">Begin with the first challenge</a></p>
 <p class="progress" hidden><span class="count" role="status" tabindex="-1"></span>
 <button type="button">Forget what I have solved</button></p>
@@ -259,7 +262,7 @@ up, most scenes show in red where the claim is wrong.</p>
 <p class="note">What you have solved is kept in this browser only. The address of a challenge opens it for anybody.</p>
 """
     description = "Break a shortcut, or make two shapes touch exactly."
-    return html_page(frame, "challenges.html", "Challenges", body, description=description)
+    return html_page(info, "challenges.html", "Challenges", body, description=description)
 
 
 def _challenge_text(goal: str, begin: Scene) -> str:
@@ -268,18 +271,18 @@ def _challenge_text(goal: str, begin: Scene) -> str:
     return f"“{row.claim}”" if row else f"{GOAL_TASKS[goal].rstrip('.')} ({begin.title.lower()})"
 
 
-def chapter_page(frame: Frame, chapter: Chapter, body: str) -> bytes:
+def chapter_page(info: SiteInfo, chapter: Chapter, body: str) -> bytes:
     """Return the page of a chapter, with links to the chapters before and after it."""
     note = (
         '<p class="note">This chapter is also a notebook in which you can change the programs: see '
         '<a href="notebook.html">Drag and play in a notebook</a>. For a class there are '
         f'<a href="{_handout_path(chapter)}">its questions on paper</a>, and their solutions.</p>'
     )
-    body = f"<article>{body}{note}</article>{_neighbour_links(frame.chapters, chapter, 'chapters')}"
-    return html_page(frame, chapter.path, chapter.title, body, description=lead(chapter), kind="chapter")
+    body = f"<article>{body}{note}</article>{_neighbour_links(info.chapters, chapter, 'chapters')}"
+    return html_page(info, chapter.path, chapter.title, body, description=lead(chapter), kind="chapter")
 
 
-def handout_pages(frame: Frame, chapter: Chapter) -> list[tuple[str, bytes]]:
+def handout_pages(info: SiteInfo, chapter: Chapter) -> list[tuple[str, bytes]]:
     """Return (path, content) of the page with a chapter's questions to print, and of the page with their solutions."""
     asked, solved = chapter_sheets(chapter)
     pages = (_handout_path(chapter), asked, "solutions"), (_handout_path(chapter, "-solutions"), solved, "questions")
@@ -291,7 +294,7 @@ def handout_pages(frame: Frame, chapter: Chapter) -> list[tuple[str, bytes]]:
             f'<a href="{chapter.path}">the chapter</a>.</p>'
         )
         title, description = f"{sheet.title} (handout)", f"A handout to print: {sheet.title}."
-        made = html_page(frame, path, title, note + sheet.body, description=description, kind="handout")
+        made = html_page(info, path, title, note + sheet.body, description=description, kind="handout")
         found.append((path, made))
     return found
 
@@ -301,10 +304,10 @@ def _handout_path(chapter: Chapter, end: str = "") -> str:
     return f"handout-{chapter.title.split()[0]}{end}.html"
 
 
-def guide_page(frame: Frame, guide: Guide, body: str) -> bytes:
+def guide_page(info: SiteInfo, guide: Guide, body: str) -> bytes:
     """Return the page of a guide, with links to the guides before and after it."""
-    body = f"<article>{body}</article>{_neighbour_links(frame.guides, guide, 'guides')}"
-    return html_page(frame, guide.path, guide.title, body, description=guide.lead, kind="chapter")
+    body = f"<article>{body}</article>{_neighbour_links(info.guides, guide, 'guides')}"
+    return html_page(info, guide.path, guide.title, body, description=guide.lead, kind="chapter")
 
 
 def _neighbour_links(pages: Sequence[Chapter] | Sequence[Guide], page: Chapter | Guide, label: str) -> str:

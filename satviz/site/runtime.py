@@ -116,7 +116,9 @@ def _core_from_folder(folder: Path) -> dict[str, bytes]:
         found = json.loads((folder / "package.json").read_text(encoding="utf-8"))["version"]
         core = {name: (folder / name).read_bytes() for name in CORE}
     except (OSError, ValueError, KeyError) as error:
-        raise PythonMissing(f"{folder} holds no Pyodide ({error})") from None
+        raise PythonMissing(
+            f"{folder} holds no Pyodide ({error}): give the folder `package` that npm's pyodide {VERSION} unpacks to"
+        ) from None
     if found != VERSION:
         raise PythonMissing(f"{folder} holds Pyodide {found}: this satviz needs {VERSION}")
     return core
@@ -140,7 +142,7 @@ def _fetch_from_npm() -> bytes:
     """Return the bytes of Pyodide's npm package; raise PythonMissing if npm is missing or fails."""
     npm = which("npm")
     if npm is None:
-        raise PythonMissing("npm is not installed")
+        raise PythonMissing("npm is not installed: install it, or give a folder that holds Pyodide")
     with TemporaryDirectory() as folder:
         command = [npm, "pack", f"pyodide@{VERSION}", "--silent", "--pack-destination", folder]
         try:

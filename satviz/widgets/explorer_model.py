@@ -194,7 +194,7 @@ class ExplorerModel(PlayerModel):
         if pinned is not None and not isinstance(pinned, int):
             raise InvalidScene("pinned must be the number of a row in the table of axes, or null")
         text = content.get("scene")
-        begun = self.scene if text in (None, self._start_json) else self._scene_of(text)
+        begun = self.scene if text in (None, self._start_json) else self._parse_start(text)
         a, b, snap_words = self._snapped(a, b, content.get("snap"), by_key=content.get("byKey") is True)
         changed = replace(begun, a=a, b=b)
         trace = _trace(changed)
@@ -244,8 +244,11 @@ class ExplorerModel(PlayerModel):
             return a, b, NO_TOUCH
         return (found, b, SNAPPED) if key == "a" else (a, found, SNAPPED)
 
-    def _scene_of(self, text: Any) -> Scene:
-        """Return the scene with which a pose began, read strictly; the first one may have axes without a name."""
+    def _parse_start(self, text: Any) -> Scene:
+        """Parse the JSON text of the scene from which a drag started; InvalidScene if it does not hold one.
+
+        The explorer's first scene is returned as it is, since its choice of axes may have no name in JSON.
+        """
         if text == self._first.to_json():
             return self._first
         return Scene.from_json(require_type(text, "the scene", str))
@@ -319,7 +322,7 @@ def _distance(a: Shape, b: Shape) -> float:
 def _number(value: Any, what: str) -> float | None:
     """Return a number or None from a message; InvalidScene if it is not finite, naming it `what`."""
     if value is not None and not (isinstance(value, (int, float)) and isfinite(value)):
-        raise InvalidScene(f"{what} must be a number")
+        raise InvalidScene(f"{what} must be a finite number, not {value!r}")
     return value
 
 

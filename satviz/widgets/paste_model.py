@@ -8,7 +8,7 @@ from ..pictures.outlines import outlines_picture
 from ..scenes.link import fragment
 from ..scenes.minimal_test import LANGUAGES
 from ..scenes.paste.exact import crossing
-from ..scenes.paste.pair_findings import Pair
+from ..scenes.paste.pair_findings import AnsweredPair
 from ..scenes.paste.pasted import Pasted, paste
 from ..scenes.scenefile import Scene
 from ..scenes.strictjson import require_type
@@ -50,7 +50,7 @@ def read_paste(content: dict[str, Any]) -> tuple[Scene | None, dict[str, Any]]:
     }
 
 
-def _drawn(pair: Pair) -> dict[str, Any] | None:
+def _drawn(pair: AnsweredPair) -> dict[str, Any] | None:
     """Return the picture of a pair, which a page can save; None for coordinates that no canvas holds."""
     try:
         return picture(pair.trace, -1).data()

@@ -68,9 +68,9 @@ def _classify_edges(
 ) -> int:  # fmt: skip
     """Return the relation proven by the edges of (x, y) that end in corners first to last - 1.
 
-    APART where all corners lie beyond one.  Where some lie on its line and none before, the shapes can only
-    meet there: TOUCHING, or APART, as their ranges on the line tell.  Else OVERLAPPING for now; UNDECIDED
-    out of range.
+    APART where all corners of (p, q) lie beyond an edge.  Where some lie on the edge's line and none before it, the
+    shapes can meet only on that line: TOUCHING if their ranges on the line meet, else APART.  OVERLAPPING if no edge
+    clears, which is no proof while other edges remain; UNDECIDED where floats go out of range.
     """
     start = first - 1 if first > i0 else i1 - 1
     ex, ey = x[start], y[start]
@@ -248,7 +248,10 @@ def _certified_cross(ux: float, uy: float, vx: float, vy: float) -> float:
 
 @compiled
 def orient(px: float, py: float, qx: float, qy: float, rx: float, ry: float, terms: Array) -> int:
-    """Return the exact orientation of p, q, r, as exact_signs.orient does for arrays; UNKNOWN out of range."""
+    """Return the exact orientation of p, q, r: 1 left turn, -1 right turn, 0 collinear; UNKNOWN out of range.
+
+    `terms`: scratch, which is overwritten.
+    """
     left, right = (qx - px) * (ry - py), (qy - py) * (rx - px)
     size = abs(left) + abs(right)
     if abs(left - right) > ERRBOUND_A * size and size > MIN_SAFE_PRODUCT and size < MAX_SAFE_PRODUCT:
@@ -265,9 +268,9 @@ def orient(px: float, py: float, qx: float, qy: float, rx: float, ry: float, ter
     if size > MIN_SAFE_PRODUCT and size < MAX_SAFE_PRODUCT:
         # with the errors of the differences and products; error bound as in exact_signs._orient_adaptive
         (e, left), (f, right) = two_product(a, b), two_product(c, d)
-        turn = (left - right) + ((e - f) + ((a * eb + ea * b) - (c * ed + ec * d)))
-        if abs(turn) > ERRBOUND_C * size:
-            return 1 if turn > 0 else -1
+        orientation = (left - right) + ((e - f) + ((a * eb + ea * b) - (c * ed + ec * d)))
+        if abs(orientation) > ERRBOUND_C * size:
+            return 1 if orientation > 0 else -1
     # a product that overflows leaves an infinity among the terms, and then the sum has no certified sign
     if ea == 0 and eb == 0 and ec == 0 and ed == 0 and _is_product_exact(a, b) and _is_product_exact(c, d):
         terms[0], terms[2] = two_product(a, b)

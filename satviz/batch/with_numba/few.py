@@ -32,7 +32,7 @@ MIN_CELL = 2.0**-48  # of the farthest coordinate: smaller cells run together
 
 
 def colliding_pairs(shapes: Shapes) -> Pairs | None:
-    """Return the pairs i < j, in order, of the shapes that share a point; None where this way does not decide them."""
+    """Return the pairs i < j, in order, of the shapes that share a point; None for too many or an undecided pair."""
     runs = vars(shapes).get("runs")  # read once, since another thread may join them
     if runs is not None and len(runs) == 1:
         pairs, decided = _collide_block(runs[0].block)
@@ -49,7 +49,7 @@ NO_BLOCK = np.empty((2, 1, 0))
 
 @compiled
 def _collide_block(block: Array) -> tuple[Pairs, bool]:
-    """Return what `_collide` returns, for the shapes of a group's block: (2, corners, n), or 3 rows with radii."""
+    """Return what `_collide` returns, for the block of one CornerColumns: (2, V, n), or (3, 1, n) for circles."""
     _, corners, n = block.shape
     if n > MAX_SHAPES:
         return np.empty((0, 2), np.intp), False
@@ -59,14 +59,14 @@ def _collide_block(block: Array) -> tuple[Pairs, bool]:
             xy[0, i * corners + v], xy[1, i * corners + v] = block[0, v, i], block[1, v, i]
     for i in range(n + 1):
         start[i] = i * corners
-    if block.shape[0] == 3:
-        radius[:] = block[2, 0]
+        if i < n and block.shape[0] == 3:
+            radius[i] = block[2, 0, i]
     return _collide(xy[0], xy[1], start, radius)
 
 
 @compiled
 def _collide_blocks(a: Array, b: Array, c: Array, d: Array) -> tuple[Pairs, bool]:
-    """Return what `_collide` returns, for the shapes of four blocks of groups, in order."""
+    """Return what `_collide` returns, for the blocks of four CornerColumns, numbered through in this order."""
     n = a.shape[2] + b.shape[2] + c.shape[2] + d.shape[2]
     if n > MAX_SHAPES:
         return np.empty((0, 2), np.intp), False
@@ -104,7 +104,10 @@ def _collide(x: Array, y: Array, start: Indices, radius: Array) -> tuple[Pairs, 
 
 @compiled
 def _hits_in_order(first: Indices, second: Indices, found: Signs, n: int) -> tuple[Pairs, bool]:
-    """Return (the pairs that are not apart, in order, for n shapes; False if there is a pair that is not decided)."""
+    """Return ((K, 2) pairs that are not apart, sorted by i, then by j; False if a pair is undecided).
+
+    Pair k is (first[k], second[k]) with the relation found[k]; n is the number of shapes.
+    """
     start = np.zeros(n + 1, np.intp)
     for k in range(found.size):
         if found[k] == UNDECIDED:
@@ -254,7 +257,8 @@ def _all_pairs(bounds: Array) -> Pairs:
 def _longer(pairs: Pairs, found: SupportsIndex) -> Pairs:
     """Return an array of twice the length that begins with the first `found` pairs."""
     more = np.empty((2 * len(pairs), 2), np.intp)
-    more[:found] = pairs[:found]
+    for k in range(found):  # numba takes seconds to compile an assignment of a slice
+        more[k, 0], more[k, 1] = pairs[k, 0], pairs[k, 1]
     return more
 
 
@@ -305,16 +309,18 @@ def _sorted(values: Array) -> Indices:
     comparing takes over.
     """
     n = values.size
-    least, most = values.min(), values.max()
+    least, most = np.inf, -np.inf
+    for value in values:
+        least, most = min(least, value), max(most, value)
     per_unit = (n - 1) / (most - least)
     if not 0 < per_unit < np.inf:
-        return np.argsort(values)
+        return _merge_sorted(values)
     start, bucket = np.zeros(n + 2, np.int32), np.empty(n, np.int32)
     for i in range(n):
         bucket[i] = min(n - 1, int((values[i] - least) * per_unit))
         start[bucket[i] + 2] += 1
-    if start.max() > MAX_BUCKET:
-        return np.argsort(values)
+        if start[bucket[i] + 2] > MAX_BUCKET:
+            return _merge_sorted(values)
     for b in range(n):
         start[b + 2] += start[b + 1]
     order = np.empty(n, np.intp)
@@ -331,12 +337,44 @@ def _sorted(values: Array) -> Indices:
 
 
 @compiled
+def _merge_sorted(values: Array) -> Indices:
+    """Return the order of some values by merging ever longer sorted runs; numba takes seconds to compile `argsort`."""
+    n, width = values.size, 1
+    order, merged = np.arange(n), np.empty(n, np.intp)
+    by_rank, merged_values = values.copy(), np.empty(n)
+    while width < n:
+        for start in range(0, n, 2 * width):
+            i, middle, stop = start, min(start + width, n), min(start + 2 * width, n)
+            j = middle
+            for to in range(start, stop):
+                left = j == stop or (i < middle and by_rank[i] <= by_rank[j])
+                k = i if left else j
+                merged[to], merged_values[to] = order[k], by_rank[k]
+                i, j = i + left, j + (not left)
+        order, merged = merged, order
+        by_rank, merged_values = merged_values, by_rank
+        width *= 2
+    return order
+
+
+@compiled
 def _count_comparisons(bounds: Array, axis: int) -> int:
     """Return how many pairs of boxes a sweep along an axis compares."""
     n = len(bounds)
-    ends = np.searchsorted(np.sort(bounds[:, axis]), bounds[:, axis + 2], side="right")
-    count: int = ends.sum() - n * (n + 1) // 2
-    return count
+    order, low, count = _sorted(bounds[:, axis].copy()), np.empty(n), 0
+    for k in range(n):
+        low[k] = bounds[order[k], axis]
+    for k in range(n):
+        first, stop = k, n  # how many begin before this one ends
+        end = bounds[order[k], axis + 2]
+        while first < stop:
+            middle = (first + stop) // 2
+            if low[middle] <= end:
+                first = middle + 1
+            else:
+                stop = middle
+        count += first
+    return count - n * (n + 1) // 2
 
 
 @compiled

@@ -16,7 +16,7 @@ import numpy as np
 from ...engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
 from ...engine.relate import ERROR_FACTOR_F64, MAX_ERROR_BOUND, MIN_ERROR_BOUND
 from ..array_types import Array, Signs
-from ..arrays import TILE_SHAPES, Group
+from ..arrays import TILE_SHAPES, CornerColumns
 from ..codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
 from .jit_cache import compiled, inlined
 
@@ -24,12 +24,12 @@ MAX_DIRECT_SHAPES = 1 << 17  # shapes up to which the rows of 8 corners stay nea
 BLOCK_PAIRS = 1 << 17  # pairs a call: enough that the time spent in Python does not matter
 
 
-def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
+def polygons(a: CornerColumns, b: CornerColumns, first: int, out: Signs) -> None:
     """Fill `out` with the relations of columns from `first` on; UNDECIDED within the float64 error bound."""
     clearance_kernel(len(a.x), len(b.x))(a.x, a.y, b.x, b.y, first, error_bounds(a, b), out)
 
 
-def error_bounds(a: Group, b: Group) -> Array:
+def error_bounds(a: CornerColumns, b: CornerColumns) -> Array:
     """Return the float64 error bound of the clearances in each tile of columns; infinite where no bound is known."""
     with np.errstate(over="ignore"):
         found: Array = (a.tile_maxima.edge + b.tile_maxima.edge) * ERROR_FACTOR_F64
@@ -165,7 +165,7 @@ def _raise_clearance(
             best[i] = max(best[i], least[i] - (nx[i] * x0[i] + ny[i] * y0[i]))
 
 
-def boxes(a: Group, b: Group, first: int, out: Signs) -> None:
+def boxes(a: CornerColumns, b: CornerColumns, first: int, out: Signs) -> None:
     """Fill `out` with the exact relations of upright boxes, in columns from `first` on."""
     _boxes(a.x, a.y, b.x, b.y, first, out)
 
@@ -221,17 +221,18 @@ def circle_polygons(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first
 
 @inlined
 def _distance_from_edge(
-    x: float, y: float, u: float, z: float, dx: float, dy: float, turn_error: float
+    x: float, y: float, u: float, z: float, dx: float, dy: float, orientation_error: float
 ) -> tuple[float, bool, float]:
     """Return (squared distance of the origin from an edge, is it certainly left of it, the edge's squared length).
 
-    The edge leads from (x, y) to (u, z), by (dx, dy) as computed from coordinates that were not moved.
+    The edge leads from (x, y) to (u, z), and (dx, dy) is its vector, computed before the center was moved to the
+    origin.  `orientation_error`: the error bound of the orientation determinant, divided by |dx| + |dy|.
     """
-    turn = x * dy - y * dx
+    orientation = x * dy - y * dx
     along, square = -(x * dx + y * dy), dx * dx + dy * dy
-    foot = turn / square * turn
+    foot = orientation / square * orientation
     distance = x * x + y * y if along <= 0 else u * u + z * z if along >= square else foot
-    return distance, turn > (abs(dx) + abs(dy)) * turn_error, square
+    return distance, orientation > (abs(dx) + abs(dy)) * orientation_error, square
 
 
 def _circle_kernel(corners: int | None) -> Callable[..., None]:
@@ -247,14 +248,15 @@ def _circle_kernel(corners: int | None) -> Callable[..., None]:
             far = r
             for v in range(count):
                 far = max(far, max(abs(px[v, i] - x0), abs(py[v, i] - y0)))
-            error_bound, turn_error = far * far * 2.0**-46, far * 2.0**-48  # as relate._relate_circle_polygon derives
+            # error bounds as relate._relate_circle_polygon derives
+            error_bound, orientation_error = far * far * 2.0**-46, far * 2.0**-48
             safe = error_bound > MIN_SAFE_PRODUCT and error_bound < MAX_SAFE_PRODUCT * 2.0**-46
             inside, nearest = True, np.inf
             for v in range(count):
                 w = (v + 1) % count
                 dx, dy = px[w, i] - px[v, i], py[w, i] - py[v, i]
                 x, y, u, z = px[v, i] - x0, py[v, i] - y0, px[w, i] - x0, py[w, i] - y0
-                distance, left, square = _distance_from_edge(x, y, u, z, dx, dy, turn_error)
+                distance, left, square = _distance_from_edge(x, y, u, z, dx, dy, orientation_error)
                 safe = safe & (square > MIN_SAFE_PRODUCT)
                 inside = inside & left
                 nearest = min(nearest, distance)  # of edges that face away too: none lies nearer than the nearest
@@ -272,14 +274,14 @@ def relate_circle_polygon(x0: float, y0: float, r: float, px: Array, py: Array, 
     far = r
     for v in range(start, stop):
         far = max(far, max(abs(px[v] - x0), abs(py[v] - y0)))
-    error_bound, turn_error = far * far * 2.0**-46, far * 2.0**-48
+    error_bound, orientation_error = far * far * 2.0**-46, far * 2.0**-48
     safe = error_bound > MIN_SAFE_PRODUCT and error_bound < MAX_SAFE_PRODUCT * 2.0**-46
     inside, nearest = True, np.inf
     x, y = px[stop - 1] - x0, py[stop - 1] - y0
     for v in range(start, stop):
         dx, dy = px[v] - px[v - 1 if v > start else stop - 1], py[v] - py[v - 1 if v > start else stop - 1]
         u, z = px[v] - x0, py[v] - y0
-        distance, left, square = _distance_from_edge(x, y, u, z, dx, dy, turn_error)
+        distance, left, square = _distance_from_edge(x, y, u, z, dx, dy, orientation_error)
         safe = safe & (square > MIN_SAFE_PRODUCT)
         inside = inside & left
         nearest = min(nearest, distance)

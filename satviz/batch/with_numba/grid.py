@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from ..array_types import Array, Cell, Indices, Pairs
+from ..array_types import Array, CellSize, Indices, Pairs
 from .filter import range_gap
 from .jit_cache import compiled, inlined
 
@@ -22,11 +22,12 @@ ROUNDING_MARGIN = 2.0**-50  # relative: above the 3 * 2**-53 by which `_first_ce
 
 
 def meeting_pairs(
-    bounds: Array, one: Indices, other: Indices | None, cell: Cell, most: float
+    bounds: Array, one: Indices, other: Indices | None, cell: CellSize, most: float
 ) -> Iterator[Pairs] | None:
     """Return blocks of the pairs (i < j) of boxes that meet, of two sets or within one.
 
-    Return None where there are more than about `most` candidates, which are the pairs of boxes to compare.
+    bounds: (N, 4) boxes; one, other: indices of boxes, None for the pairs within `one`; cell: width and height of a
+    cell.  Return None where there are more than about `most` candidates, which are the pairs of boxes to compare.
     """
     stored = one if other is None else other
     size = 1 << int(3 * len(stored) // 2).bit_length()
@@ -39,7 +40,10 @@ def meeting_pairs(
 
 
 def _pair_blocks(queries: Ids, boxes: Array, same_set: bool, table: Table, block: int) -> Iterator[Pairs]:
-    """Yield the pairs of queries with stored boxes that meet; `same_set`: the queries are the stored boxes."""
+    """Yield arrays of the pairs (i < j) of queries and stored boxes that meet, of about `block` pairs each.
+
+    queries: (n,) numbers of boxes; boxes: (n, 4) their bounds; `same_set`: the queries are the stored boxes.
+    """
     first = 0
     while first < len(queries):
         out = np.empty((block + len(table[1]), 2), np.intp)  # no query finds more than all
@@ -55,7 +59,10 @@ def _cell_number(c: float, cells_per_unit: float) -> int:
 
 @compiled
 def build_table(bounds: Array, stored: Indices, cell_width: float, cell_height: float, size: int) -> Table:
-    """Return the boxes ordered by the cell of their lower left corner, and where each table entry begins.
+    """Return a hash table with `size` entries of the boxes `stored`, ordered by the cell of their lower left corner.
+
+    A Table is (where each entry begins, numbers of the boxes, their bounds, largest width and height, cells per unit
+    along x and y, columns of cells in a row, first column, first row).
 
     Cells are computed where they are needed: keeping them would take more time and memory.
     """
@@ -97,7 +104,10 @@ def _entry(x: float, y: float, per_x: float, per_y: float, stride: int, size: in
 
 @compiled
 def _first_cell(low: float, max_length: float, cells_per_unit: float, least: int) -> int:
-    """Return the first cell in which a box at most `max_length` long can begin that ends at `low` or later."""
+    """Return the first cell in which a box at most `max_length` long can begin that ends at `low` or later.
+
+    `least`: the first cell in which any stored box begins.
+    """
     return max(least, _cell_number(low - max_length - (abs(low) + max_length) * ROUNDING_MARGIN, cells_per_unit))
 
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from ...engine.relate import ERROR_FACTOR_F64, MAX_ERROR_BOUND, MIN_ERROR_BOUND
 from ..array_types import Array, Indices, Mask, Signs
-from ..arrays import TILE_SHAPES, Flat, Group
+from ..arrays import TILE_SHAPES, CornerColumns, Flat
 from ..codes import OVERLAPPING, UNDECIDED
 from ..ragged import MAX_LANE_CORNERS
 from .exact import MAX_TERMS, is_certainly_inside, relate_few_corners, relate_many_corners
@@ -40,14 +40,17 @@ def relations(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Signs) -> None:
     )
 
 
-def columns(a: Group, b: Group, first: int, out: Signs) -> None:
+def columns(a: CornerColumns, b: CornerColumns, first: int, out: Signs) -> None:
     """Replace UNDECIDED in `out` by exact relations, in columns from `first` on; some stay UNDECIDED."""
     _columns(a.x, a.y, b.x, b.y, first, a.tile_maxima.coordinate + b.tile_maxima.coordinate, out)
 
 
 @compiled
 def _columns(ax: Array, ay: Array, bx: Array, by: Array, first: int, max_coordinates: Array, out: Signs) -> None:
-    """Replace UNDECIDED in `out` by the exact relations, `max_coordinates`: the sum of both of a tile."""
+    """Replace UNDECIDED in `out` by the exact relations, in columns from `first` on.
+
+    `max_coordinates`: for each tile of columns, the sum of the largest absolute coordinates of A and of B.
+    """
     va, vb = ax.shape[0], bx.shape[0]
     x, y, p, q, terms = np.empty(va), np.empty(va), np.empty(vb), np.empty(vb), np.empty(MAX_TERMS)
     for k in range(out.size):
@@ -66,7 +69,11 @@ def fill_relations(
     bx: Array, by: Array, sb: Indices, rb: Array, box_b: Array, upright_b: Mask,
     ia: Indices, ib: Indices, out: Signs,
 ) -> None:  # fmt: skip
-    """Fill `out` with the relations of pairs (ia, ib): by boxes, then the float filter in lanes, then exactly."""
+    """Fill `out` with the relations of pairs (ia, ib): by boxes, then the float filter in lanes, then exactly.
+
+    For A (and B): ax, ay: (M,) corners of all shapes, one shape after another; sa: (N + 1,) the first corner of each
+    shape; ra: (N,) radii, 0 for polygons; box_a: (N, 4) bounding boxes; upright_a: (N,) mask of upright boxes.
+    """
     terms = np.empty(MAX_TERMS)
     waiting, many = np.empty(LANES, np.intp), 0  # pairs of up to eight corners
     for k in range(out.size):
@@ -165,7 +172,10 @@ def _evaluate_lanes(
     ax: Array, ay: Array, sa: Indices, box_a: Array, bx: Array, by: Array, sb: Indices, box_b: Array,
     ia: Indices, ib: Indices, which: Indices, out: Signs,
 ) -> None:  # fmt: skip
-    """Fill `out` at the pairs `which` by the float filter, side by side, each outline repeated up to as many edges."""
+    """Fill `out` at the pairs `which` (up to LANES) by the float filter, one pair in each lane.
+
+    An outline with fewer than MAX_LANE_CORNERS corners is repeated from its first corner.
+    """
     n, error_bounds, best = which.size, np.empty(LANES), np.empty(LANES)
     lanes = np.empty((4, MAX_LANE_CORNERS + 1, LANE_STRIDE))
     x, y, p, q = lanes[0], lanes[1], lanes[2], lanes[3]

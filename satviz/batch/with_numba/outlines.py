@@ -1,6 +1,7 @@
 """Outlines validated while they are copied, compiled with numba: finite, convex, counter-clockwise, without repeats.
 
-A turn counts only where a float64 error bound certifies its sign, which no NaN, infinity or underflow passes.
+The orientation at a corner counts only if a float64 error bound certifies its sign, which no NaN, infinity or
+underflow passes.
 What is not certified is left to `outlines.convex_rings`, which decides exactly.
 """
 
@@ -10,26 +11,26 @@ import numpy as np
 
 from ...engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
 from ..array_types import Array, Indices
-from ..arrays import TILE_SHAPES, Group
+from ..arrays import TILE_SHAPES, CornerColumns
 from ..exact_signs import ERRBOUND_A
-from ..ragged import Rings
+from ..ragged import RaggedRings
 from .jit_cache import compiled, inlined
 
 
-def certified_group(vertices: Array) -> Group | None:
+def certified_group(vertices: Array) -> CornerColumns | None:
     """Return (N, V, 2) outlines as a group, counter-clockwise; None if one is not certified convex."""
     n, corners, _ = vertices.shape
     columns, maxima = np.empty((2, corners, n)), np.empty((2, -(-n // TILE_SHAPES)))
     kernel = (_fill_columns_3, _fill_columns_4)[corners - 3] if corners <= 4 else _fill_columns
     if not kernel(vertices, columns, maxima):
         return None
-    return Group(columns, maxima)
+    return CornerColumns(columns, maxima)
 
 
-def certified_circles(centers: Array, radii: Array) -> Group | None:
+def certified_circles(centers: Array, radii: Array) -> CornerColumns | None:
     """Return circles from (N, 2) centers and (N,) radii as a group; None if a number is not finite or not positive."""
     block = np.empty((3, 1, len(centers)))
-    return Group(block) if _fill_circles(centers, radii, block) else None
+    return CornerColumns(block) if _fill_circles(centers, radii, block) else None
 
 
 @compiled
@@ -59,7 +60,7 @@ def _columns_kernel(fixed: int | None) -> Callable[[Array, Array, Array], bool]:
                     u = w + 1 if w + 1 < corners else 0
                     vx, vy, wx, wy = vertices[i, v, 0], vertices[i, v, 1], vertices[i, w, 0], vertices[i, w, 1]
                     dx, dy, ex, ey = wx - vx, wy - vy, vertices[i, u, 0] - wx, vertices[i, u, 1] - wy
-                    turn = _certified_turn(dx, dy, ex, ey)
+                    turn = _certified_orientation(dx, dy, ex, ey)
                     left += turn > 0
                     right += turn < 0
                     changes += _leads_right(dx, dy) != _leads_right(ex, ey)
@@ -80,8 +81,8 @@ def _columns_kernel(fixed: int | None) -> Callable[[Array, Array, Array], bool]:
 _fill_columns_3, _fill_columns_4, _fill_columns = map(_columns_kernel, (3, 4, None))
 
 
-def certified_rings(points: Array, start: Indices, accept_centers: bool = False) -> tuple[Rings, Indices]:
-    """Return (outlines without repeats, counter-clockwise, as Rings; the indices of those not certified convex).
+def certified_rings(points: Array, start: Indices, accept_centers: bool = False) -> tuple[RaggedRings, Indices]:
+    """Return (outlines without repeats, counter-clockwise, as RaggedRings; the indices of those not certified convex).
 
     points: (M, 2) corners, those of outline i from start[i] to start[i + 1].  `accept_centers`: a single finite
     corner is the center of a circle and certified too.  What is not certified has no corners.
@@ -92,15 +93,15 @@ def certified_rings(points: Array, start: Indices, accept_centers: bool = False)
     return _rings_of(x, y, kept), doubtful[:found]
 
 
-def _rings_of(x: Array, y: Array, kept: Indices) -> Rings:
-    """Return outlines as Rings: x and y cut off, in place, after the last corner."""
+def _rings_of(x: Array, y: Array, kept: Indices) -> RaggedRings:
+    """Return outlines as RaggedRings, after shrinking x and y in place to the corners that were filled in."""
     for c in (x, y):
         c.resize(int(kept[-1]), refcheck=False)  # a copy would double the memory
-    return Rings(x, y, kept)
+    return RaggedRings(x, y, kept)
 
 
-def certified_padded(corners: Array, counts: Indices, radii: Array) -> Rings | None:
-    """Return shapes in padded arrays, as `from_padded` takes them, as Rings; None if one is not certified."""
+def certified_padded(corners: Array, counts: Indices, radii: Array) -> RaggedRings | None:
+    """Return shapes in padded arrays, as `from_padded` takes them, as RaggedRings; None if one is not certified."""
     n, most, _ = corners.shape
     x, y, kept = np.empty(n * most), np.empty(n * most), np.empty(n + 1, np.intp)
     return _rings_of(x, y, kept) if _fill_padded(corners, counts, radii, x, y, kept) else None
@@ -108,7 +109,7 @@ def certified_padded(corners: Array, counts: Indices, radii: Array) -> Rings | N
 
 @compiled
 def _fill_padded(corners: Array, counts: Indices, radii: Array, x: Array, y: Array, kept: Indices) -> bool:
-    """Fill x and y with the corners of padded shapes, and `kept`, as `_fill_rings`; return False if one is in doubt."""
+    """Fill x, y and `kept` with padded shapes, as `_fill_rings` does; return False if one is not certified."""
     n, most, _ = corners.shape
     first, end = np.empty(n, np.intp), np.empty(n, np.intp)
     for i in range(n):
@@ -145,7 +146,7 @@ def _fill_rings(
             w = v + 1 if v + 1 < to else first
             u = w + 1 if w + 1 < to else first
             dx, dy, ex, ey = x[w] - x[v], y[w] - y[v], x[u] - x[w], y[u] - y[w]
-            turn = _certified_turn(dx, dy, ex, ey)
+            turn = _certified_orientation(dx, dy, ex, ey)
             left += turn > 0
             right += turn < 0
             changes += _leads_right(dx, dy) != _leads_right(ex, ey)
@@ -165,8 +166,8 @@ def _fill_rings(
 
 
 @inlined
-def _certified_turn(dx: float, dy: float, ex: float, ey: float) -> int:
-    """Return the sign of the turn from edge d to edge e, or 0 where rounding may hide it."""
+def _certified_orientation(dx: float, dy: float, ex: float, ey: float) -> int:
+    """Return 1 for a certain left turn from edge vector d to e, -1 for a right turn, 0 where rounding may hide it."""
     ahead, behind = dx * ey, dy * ex
     size = abs(ahead) + abs(behind)
     certified = (abs(ahead - behind) > ERRBOUND_A * size) & (size > MIN_SAFE_PRODUCT) & (size < MAX_SAFE_PRODUCT)
@@ -175,5 +176,5 @@ def _certified_turn(dx: float, dy: float, ex: float, ey: float) -> int:
 
 @inlined
 def _leads_right(dx: float, dy: float) -> bool:
-    """Return whether an edge goes to the right, or straight up."""
+    """Return whether an edge vector points to the right, or straight up."""
     return (dx > 0) | ((dx == 0) & (dy > 0))

@@ -1,11 +1,11 @@
 """Circles with polygons that the filter leaves undecided: exact signs, and only of what matters in each pair.
 
 The center is inside, or the nearest point is a corner or the foot on an edge.  Floats
-tell which of these can lie within the radius (mostly one), and only they are settled:
-in two floats, else exactly where no difference of coordinates was rounded, else (hardly
-ever) with integers.  No sign is of a degree above two: the turn about an edge is
-compared with the radius times the edge's length.  They can be equal only if the length
-is a ratio, and then it is nearly always a float.
+show which of these can lie within the radius (mostly one), and only they are decided:
+by sums of two floats, else exactly where no difference of coordinates was rounded, else
+(hardly ever) with integers.  No sign is of a degree above two: the orientation determinant
+of an edge and the center is compared with the radius times the edge's length.  They can be
+equal only if the length is rational, and then it is nearly always a float.
 """
 
 import numpy as np
@@ -22,7 +22,10 @@ MAX_INTEGER_PAIRS = 32  # pairs that integers settle sooner
 
 
 def gap_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array) -> Signs:
-    """Return the exact sign of (distance minus radius) for each circle and polygon; -1 if the center is inside."""
+    """Return the exact sign of (distance minus radius) for each circle and polygon; -1 if the center is inside.
+
+    cx, cy, cr: (n,) centers and radii; px, py: (V, n) corners, one polygon in each column.
+    """
     found = np.full(len(cx), UNKNOWN, np.int8)
     with np.errstate(all="ignore"):
         size = min(BLOCK_PAIRS, exact_signs.pairs_per_block(len(px)))
@@ -82,10 +85,11 @@ def _close_rings(c: Array) -> Array:
 def _features_within_radius(
     cx: Array, cy: Array, cr: Array, px: Array, py: Array
 ) -> tuple[Indices, Indices, Indices, Indices, Array]:
-    """Return flat indices of the corners, upright and slanted edges that may lie within the radius.
+    """Return (corners, axis-parallel edges, other edges, pairs, error bound) that may decide a pair.
 
-    Then the pairs whose center may be inside, and how far products of differences can be off: the bound
-    of filter.circle_polygons or up to twice that; infinite (and no places) out of range.
+    The first three are flat indices into (V, n) of what may lie within the radius; `pairs` are those whose center may
+    be inside; the error bound, (n,), is that of products of differences: the bound of filter.circle_polygons or up to
+    twice that.  Out of range it is infinite, and the pair has none of the others.  px, py: (V + 1, n), closed.
     """
     x, y = px[:-1] - cx, py[:-1] - cy
     distance = x * x
@@ -98,14 +102,14 @@ def _features_within_radius(
     lowest, shortest = np.full((2, len(cx)), np.inf)
     for i in range(len(x)):
         dx, dy = px[i + 1] - px[i], py[i + 1] - py[i]
-        turn, along, square = x[i] * dy, x[i] * dx, dx * dx
-        turn -= y[i] * dx
+        orientation, along, square = x[i] * dy, x[i] * dx, dx * dx
+        orientation -= y[i] * dx
         along += y[i] * dy
         square += dy * dy
-        near[i] = turn * (turn / square) <= within
+        near[i] = orientation * (orientation / square) <= within
         near[i] &= np.maximum(along, -square - along) < error_bound
         upright[i] = (dx == 0) | (dy == 0)
-        np.minimum(lowest, turn, out=lowest)
+        np.minimum(lowest, orientation, out=lowest)
         np.minimum(shortest, square, out=shortest)
     unsafe = np.flatnonzero(
         ~(
@@ -127,8 +131,8 @@ def _corner_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array) -> Sign
     or two, add up to no multiple of four: m is 0, and whole numbers up to the radius are floats.
     """
     (x, a), (y, b) = two_sum(px, -cx), two_sum(py, -cy)
-    more = x * a + y * b
-    return _signs_of_sums([(x, x), (y, y), (-cr, cr)], more + more, (a == 0) & (b == 0))
+    remainder = x * a + y * b
+    return _signs_of_sums([(x, x), (y, y), (-cr, cr)], remainder + remainder, (a == 0) & (b == 0))
 
 
 def _upright_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array, qx: Array, qy: Array) -> Signs:
@@ -147,7 +151,7 @@ def _upright_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array, qx: Ar
 def _foot_signs(
     cx: Array, cy: Array, cr: Array, px: Array, py: Array, qx: Array, qy: Array, *, error_bound: Array
 ) -> tuple[Signs, NDArray[np.bool_]]:
-    """Return (signs of the distance from each edge's line minus radius, mask: the foot may lie beyond the ends).
+    """Return (signs of distance from each edge's line minus radius, mask of feet that may lie beyond the edge's ends).
 
     The length is a float and what it misses: the difference of squares over twice the float, as
     its own square is too small.  In units of exact_signs.sum_with_error: what it misses is off by 41uu of the
@@ -155,23 +159,23 @@ def _foot_signs(
     function's own sums 88uuR in all, below the 256uuR of ERRBOUND_B.
     """
     (x, a), (y, b), (dx, f), (dy, g) = two_sum(px, -cx), two_sum(py, -cy), two_sum(qx, -px), two_sum(qy, -py)
-    turn, along, square = y * dx - x * dy, x * dx + y * dy, dx * dx + dy * dy
+    orientation, along, square = y * dx - x * dy, x * dx + y * dy, dx * dx + dy * dy
     doubtful = np.maximum(along, -square - along) >= -error_bound
     length = np.sqrt(square)
-    more = dx * f + dy * g
-    missing, off, terms = exact_signs.sum_with_error([(dx, dx), (dy, dy), (-length, length)], more + more)
+    remainder = dx * f + dy * g
+    missing, off, terms = exact_signs.sum_with_error([(dx, dx), (dy, dy), (-length, length)], remainder + remainder)
     exact = np.flatnonzero((np.abs(missing) <= off) & (off < np.inf) & (f == 0) & (g == 0))
     exact = exact[exact_signs.sign_of_sum(exact_signs.take_columns(terms, exact)) == 0]
     missing /= length + length
     missing[exact] = 0.0
-    plain = np.zeros(len(x), bool)
-    plain[exact] = (a[exact] == 0) & (b[exact] == 0)
-    side = np.copysign(1.0, turn)
-    unclear = np.flatnonzero(np.abs(turn) <= error_bound)
+    no_remainder = np.zeros(len(x), bool)
+    no_remainder[exact] = (a[exact] == 0) & (b[exact] == 0)
+    side = np.copysign(1.0, orientation)
+    unclear = np.flatnonzero(np.abs(orientation) <= error_bound)
     if unclear.size:
         side[unclear] = -exact_signs.orient(*(c[unclear] for c in (px, py, qx, qy, cx, cy)))
-    more = side * (b * dx + y * f - a * dy - x * g) - cr * missing
-    return _signs_of_sums([(side * y, dx), (-side * x, dy), (-cr, length)], more, plain), doubtful
+    remainder = side * (b * dx + y * f - a * dy - x * g) - cr * missing
+    return _signs_of_sums([(side * y, dx), (-side * x, dy), (-cr, length)], remainder, no_remainder), doubtful
 
 
 def _keep_inner_feet(
@@ -186,20 +190,23 @@ def _keep_inner_feet(
     inner = []
     for way, ends in ((-1.0, (px, py)), (1.0, (qx, qy))):
         (x, a), (y, b) = two_sum(ends[0], -cx), two_sum(ends[1], -cy)
-        more = way * (a * dx + x * f + b * dy + y * g)
-        plain = (a == 0) & (b == 0) & (f == 0) & (g == 0)
-        inner.append(_signs_of_sums([(way * x, dx), (way * y, dy)], more, plain))
+        remainder = way * (a * dx + x * f + b * dy + y * g)
+        no_remainder = (a == 0) & (b == 0) & (f == 0) & (g == 0)
+        inner.append(_signs_of_sums([(way * x, dx), (way * y, dy)], remainder, no_remainder))
     worst = np.minimum(*inner)
     return np.where(worst == UNKNOWN, UNKNOWN, np.where(worst > 0, least, 1))
 
 
-def _signs_of_sums(pairs: Products, more: Array, plain: NDArray[np.bool_]) -> Signs:
-    """Return the signs of products plus `more`, or UNKNOWN near 0; where the mask `plain` holds, `more` is 0."""
-    total, off, terms = exact_signs.sum_with_error(pairs, more)
+def _signs_of_sums(pairs: Products, remainder: Array, no_remainder: NDArray[np.bool_]) -> Signs:
+    """Return for each column the sign of the sum of all products and `remainder`; UNKNOWN within the error bound.
+
+    `remainder` is rounded; where the mask `no_remainder` is True it is exactly 0, so the sign is computed exactly.
+    """
+    total, off, terms = exact_signs.sum_with_error(pairs, remainder)
     found = exact_signs.certified_sign(total, off)
     rest = np.flatnonzero(found == 0)
     found[rest] = UNKNOWN
-    rest = rest[plain[rest] & (off[rest] < np.inf)]
+    rest = rest[no_remainder[rest] & (off[rest] < np.inf)]
     found[rest] = exact_signs.sign_of_sum(exact_signs.take_columns(terms, rest))
     return found
 

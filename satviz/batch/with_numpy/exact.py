@@ -7,7 +7,7 @@ import numpy as np
 from ...engine.relate import ERROR_FACTOR_F64, MAX_ERROR_BOUND, MIN_ERROR_BOUND
 from .. import exact_signs
 from ..array_types import Array, Indices, Signs
-from ..arrays import Group, upright_box_mask
+from ..arrays import CornerColumns, upright_box_mask
 from ..codes import APART, OVERLAPPING, TOUCHING
 from ..exact_signs import take_columns
 from . import circle_polygons
@@ -21,7 +21,7 @@ BLOCK_SIGNS = 1 << 15  # exact signs computed at a time: each takes some hundred
 RELATION_OF_SIGN = np.array([TOUCHING, APART, OVERLAPPING], np.int8)  # of 0, 1 and -1
 
 
-def relations(a: Group, ia: Indices, b: Group, ib: Indices) -> Signs:
+def relations(a: CornerColumns, ia: Indices, b: CornerColumns, ib: Indices) -> Signs:
     """Return the exact relations of column ia[k] of group a with column ib[k] of group b."""
     found = np.empty(len(ia), np.int8)
     corners = max(len(a.x), len(b.x))
@@ -35,7 +35,7 @@ def relations(a: Group, ia: Indices, b: Group, ib: Indices) -> Signs:
     return found
 
 
-def _relate_circles(a: Group, b: Group) -> Signs:
+def _relate_circles(a: CornerColumns, b: CornerColumns) -> Signs:
     """Return the exact relations of columns where one side or both are circles."""
     if a.r is not None and b.r is not None:
         return RELATION_OF_SIGN[exact_signs.circle_gap_signs(a.x[0], a.y[0], a.r, b.x[0], b.y[0], b.r)]
@@ -44,7 +44,7 @@ def _relate_circles(a: Group, b: Group) -> Signs:
     return RELATION_OF_SIGN[circle_polygons.gap_signs(circle.x[0], circle.y[0], radii, polygon.x, polygon.y)]
 
 
-def _relate_polygons(a: Group, b: Group) -> Signs:
+def _relate_polygons(a: CornerColumns, b: CornerColumns) -> Signs:
     """Return the exact relations of polygons: of upright boxes by their sides, of others by their edges."""
     upright = np.zeros(a.x.shape[1], bool)
     if len(a.x) == len(b.x) == 4:
@@ -57,7 +57,7 @@ def _relate_polygons(a: Group, b: Group) -> Signs:
     return found
 
 
-def _relate_boxes(a: Group, b: Group) -> Signs:
+def _relate_boxes(a: CornerColumns, b: CornerColumns) -> Signs:
     """Return the exact relations of upright boxes."""
     found = np.empty(a.x.shape[1], np.int8)
     boxes(a, b, 0, found)
@@ -76,7 +76,10 @@ class Edges(NamedTuple):
 
 
 def relate_edges(a: Edges, b: Edges) -> Signs:
-    """Return the exact relations of polygons by their edges: all for few corners, likeliest first for many."""
+    """Return the exact relations of polygons by their edges, column by column.
+
+    For few corners all edges are evaluated, for many those first that are likeliest to clear the other polygon.
+    """
     found = np.full(a.x.shape[1], OVERLAPPING, np.int8)
     factor = (_max_coordinates(a.x, a.y) + _max_coordinates(b.x, b.y)) * ERROR_FACTOR_F64
     most = max(a.edge_count, b.edge_count)
@@ -108,7 +111,10 @@ def _facing_corner(own: Edges, other: Edges) -> Indices:
 
 
 def _classify_numbered_edge(own: Edges, other: Edges, e: int, factor: Array) -> tuple[Indices, Signs]:
-    """Return (columns where no corner of `other` certainly lies before edge e, what e proves there)."""
+    """Return (columns where no corner of `other` certainly lies before edge e, the relation that e proves there).
+
+    `factor`: for each column the sum of both largest absolute coordinates, times ERROR_FACTOR_F64.
+    """
     f = (e + 1) % len(own.x)
     ex, ey, fx, fy = own.x[e], own.y[e], own.x[f], own.y[f]
     nx, ny = fy - ey, ex - fx
@@ -126,10 +132,11 @@ def _classify_numbered_edge(own: Edges, other: Edges, e: int, factor: Array) -> 
 
 
 def _classify_edges(own: Edges, other: Edges, start: Indices, left: Indices, factor: Array) -> Signs:
-    """Return the relation that edge `start` of `own` proves for each column in `left`; OVERLAPPING if none.
+    """Return the relation that one edge proves for each column in `left`; `start`: the number of the edge there.
 
-    APART where all corners lie beyond it.  Where some lie on its line and none before, the shapes can only
-    meet there: TOUCHING, or APART, as their ranges on the line tell.  OVERLAPPING for now where one lies before.
+    APART where all corners of `other` lie beyond the edge.  Where some lie on its line and none before, the shapes can
+    meet only on that line: TOUCHING if their ranges on the line meet, else APART.  OVERLAPPING where a corner lies
+    before it, which is no proof while other edges remain.  `factor`: as in `_classify_numbered_edge`.
     """
     end = (start + 1) % len(own.x)
     ex, ey, fx, fy = own.x[start, left], own.y[start, left], own.x[end, left], own.y[end, left]
@@ -151,14 +158,16 @@ def _classify_edges(own: Edges, other: Edges, start: Indices, left: Indices, fac
 
 
 def _classify_on_line(ex: Array, ey: Array, fx: Array, fy: Array, px: Array, py: Array, which: Indices) -> Signs:
-    """Return the relation that each edge e-f proves; `which`: the edge of each corner p.
+    """Return the relation that each edge e-f proves, by the exact orientation of some corners of the other polygon.
 
-    The corners p of an edge are all that are not certainly beyond its line."""
+    ex, ey, fx, fy: (n,) ends of the edges; px, py: (k,) all corners that are not certainly beyond the edge's line;
+    which: (k,) the edge of each of these corners.
+    """
     side = np.empty(len(which), np.int8)
     for start in range(0, len(which), BLOCK_SIGNS):
         part = slice(start, start + BLOCK_SIGNS)
         w = which[part]
-        # the turn from the edge's end over its start: what lies beyond is to the left
+        # the orientation from the edge's end over its start: what lies beyond is to the left
         side[part] = exact_signs.orient(fx[w], fy[w], ex[w], ey[w], px[part], py[part])
     least = np.ones(len(ex), np.int8)
     np.minimum.at(least, which, side)

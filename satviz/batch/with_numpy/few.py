@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from ...engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
 from ...engine.relate import ERROR_FACTOR_F64, MIN_ERROR_BOUND
 from ..array_types import Array, Indices, Pairs
-from ..arrays import Group, Shapes
+from ..arrays import CornerColumns, Shapes
 from ..broad_rule import ALL_PAIRS, GRID, MAX_ALL_PAIRS, MAX_SWEEP_COMPARISONS, MAX_SWEEP_NUMPY, SWEEP
 from ..codes import APART, UNDECIDED
 from .indexed import relations
@@ -284,7 +284,7 @@ def _closed_columns(shapes: Shapes) -> tuple[Complexes | None, Array | None]:
     return closed, shapes.radius if shapes.radius.any() else None
 
 
-def _closed_runs(runs: Sequence[Group]) -> tuple[Complexes | None, Array | None]:
+def _closed_runs(runs: Sequence[CornerColumns]) -> tuple[Complexes | None, Array | None]:
     """Return (corners, radii) in the form of `_closed_columns`, for the shapes of several groups, group after group."""
     most = max(run.block.shape[1] for run in runs)
     if most > MAX_CORNERS:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from ...engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
 from ..array_types import Array, Signs
-from ..arrays import TILE_SHAPES, Group
+from ..arrays import TILE_SHAPES, CornerColumns
 from ..codes import OVERLAPPING, TOUCHING, UNDECIDED
 from . import gjk
 
@@ -31,7 +31,7 @@ MAX_AT_ONCE = 1 << 13  # corners of circles' partners up to which all edges are 
 MAX_F32_CORNERS = 16  # corners; above it float32 decides few pairs, and evaluating every vertex is slow
 
 
-def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
+def polygons(a: CornerColumns, b: CornerColumns, first: int, out: Signs) -> None:
     """Fill `out` for columns from `first` on: by float32 clearances, or GJK above MAX_F32_CORNERS corners."""
     if max(len(a.x), len(b.x)) > MAX_F32_CORNERS:
         gjk.polygons(a, b, first, out)
@@ -42,7 +42,7 @@ def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
     classify_clearances(*evaluate_f32(ax, ay, bx, by, width), out)
 
 
-def _max_widths(group: Group, first: int, n: int) -> Array:
+def _max_widths(group: CornerColumns, first: int, n: int) -> Array:
     """Return an upper bound of the widths of n columns from `first` on: half of the edges of a tile laid end to end."""
     tiles = slice(first // TILE_SHAPES, (first + n - 1) // TILE_SHAPES + 1)
     widths: Array = np.repeat(group.tile_maxima.edge[tiles] * (len(group.x) // 2), TILE_SHAPES)
@@ -119,7 +119,7 @@ def classify_clearances(gap: Array32 | Array, error_bound: Array32 | Array, out:
     out += UNDECIDED
 
 
-def boxes(a: Group, b: Group, first: int, out: Signs) -> None:
+def boxes(a: CornerColumns, b: CornerColumns, first: int, out: Signs) -> None:
     """Classify upright boxes exactly by four comparisons of sides."""
     corners = ([c[k, first : first + out.size] for k in (0, 2) for c in (s.x, s.y)] for s in (a, b))
     gap = box_gap(*([*map(np.minimum, c[:2], c[2:]), *map(np.maximum, c[:2], c[2:])] for c in corners))
@@ -172,15 +172,15 @@ def circle_polygon_gaps(cx: Array, cy: Array, cr: Array, closed: Array) -> tuple
     for start in range(0, edges, rows):
         one, other = slice(start, start + rows), slice(start + 1, start + rows + 1)
         dx, dy = closed[0, other] - closed[0, one], closed[1, other] - closed[1, one]
-        turn = x[one] * dy - y[one] * dx
+        orientation = x[one] * dy - y[one] * dx
         tolerance = (np.abs(dx) + np.abs(dy)) * (far * 2.0**-48)
-        inside &= (turn > tolerance).all(axis=0)
+        inside &= (orientation > tolerance).all(axis=0)
         along, square = -(x[one] * dx + y[one] * dy), dx * dx + dy * dy
         safe &= (square > MIN_SAFE_PRODUCT).all(axis=0)
         distance = np.where(
             along <= 0,
             x[one] * x[one] + y[one] * y[one],
-            np.where(along >= square, x[other] * x[other] + y[other] * y[other], turn / square * turn),
+            np.where(along >= square, x[other] * x[other] + y[other] * y[other], orientation / square * orientation),
         )
         np.minimum(nearest, distance.min(axis=0), out=nearest)  # of edges that face away too: none lies nearer
     nearest -= cr * cr

@@ -5,7 +5,7 @@ import numpy as np
 from ...engine.predicates import MIN_SAFE_PRODUCT
 from ...engine.relate import ERROR_FACTOR_F64, MAX_ERROR_BOUND, MIN_ERROR_BOUND
 from ..array_types import Array, Signs
-from ..arrays import TILE_SHAPES, Group
+from ..arrays import TILE_SHAPES, CornerColumns
 from ..codes import APART, OVERLAPPING, UNDECIDED
 from ..exact_signs import ERRBOUND_A, take_columns
 
@@ -13,7 +13,7 @@ MAX_STEPS = 12  # steps of GJK before it gives up
 BLOCK_CORNERS = 1 << 16  # corners: they and the scratch arrays stay in the second-level cache
 
 
-def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
+def polygons(a: CornerColumns, b: CornerColumns, first: int, out: Signs) -> None:
     """Fill `out`: APART or OVERLAPPING where a few steps of GJK prove it, else UNDECIDED; columns from `first` on.
 
     The differences of B's corners and A's span a polygon about the origin if the shapes overlap: its lowest
@@ -29,7 +29,11 @@ def polygons(a: Group, b: Group, first: int, out: Signs) -> None:
 
 
 def gjk(x: Array, y: Array, p: Array, q: Array, factor: Array, out: Signs) -> None:
-    """Fill `out` for the columns (x, y), (p, q); factor: both largest coordinates, added, * ERROR_FACTOR_F64."""
+    """Run GJK on the difference B - A of each column; fill `out` with certified relations, else UNDECIDED.
+
+    (x, y): (V, N) corners of A; (p, q): (W, N) corners of B; out: (N,) APART or OVERLAPPING where certified; factor:
+    (N,) the sum of both shapes' largest absolute coordinates, times ERROR_FACTOR_F64.
+    """
     out.fill(UNDECIDED)
     left = np.arange(out.size)
     d = _mid_point(p, q) - _mid_point(x, y)
@@ -80,6 +84,6 @@ def _certified_cross(u: Array, v: Array) -> Array:
     """Return the cross products of u and v, or 0 where rounding may hide the sign."""
     left, right = u[0] * v[1], u[1] * v[0]
     size = np.abs(left) + np.abs(right)
-    turn: Array = left - right
-    turn[~((np.abs(turn) > ERRBOUND_A * size) & (size > MIN_SAFE_PRODUCT))] = 0.0
-    return turn
+    cross: Array = left - right
+    cross[~((np.abs(cross) > ERRBOUND_A * size) & (size > MIN_SAFE_PRODUCT))] = 0.0
+    return cross

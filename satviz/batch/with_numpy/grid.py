@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from ..array_types import Array, Cell, Indices, Pairs
+from ..array_types import Array, CellSize, Indices, Pairs
 
 Ranges = list[tuple[Indices, Indices, Indices]]  # which queries; where the stored boxes of each begin; how many
 
@@ -13,11 +13,12 @@ MAX_TABLE_CELLS_PER_BOX = 8  # up to so many a table of where each cell begins i
 
 
 def meeting_pairs(
-    bounds: Array, one: Indices, other: Indices | None, cell: Cell, most: float
+    bounds: Array, one: Indices, other: Indices | None, cell: CellSize, most: float
 ) -> Iterator[Pairs] | None:
     """Return blocks of the pairs (i < j) of boxes that meet, of two sets or within one.
 
-    Return None where there are more than `most` candidates, which are the pairs of boxes to compare.
+    bounds: (N, 4) boxes; one, other: indices of boxes, None for the pairs within `one`; cell: width and height of a
+    cell.  Return None where there are more than `most` candidates, which are the pairs of boxes to compare.
     Boxes are stored by the cell of their lower left corner, row after row.  The numbers of cells never
     decrease along an axis, so a box whose lower left corner lies between two coordinates is stored between
     the cells of these, however the division rounds.
@@ -51,7 +52,7 @@ def meeting_pairs(
 def _cell_ranges(
     bounds: Array, queries: Indices, stored: Indices, d: int, cell: float
 ) -> tuple[Indices, Indices, Indices]:
-    """Return for one axis the first and last cell that each query must search, and the cell of each stored box.
+    """Return for axis d the first and last cell that each query must search, and the cell of each stored box.
 
     A box that meets a query begins before the query ends, and not more than its own width before the
     query begins.  Numbers that would not fit, or lie so far out that those next to one another are many cells
@@ -74,7 +75,10 @@ def _cell_ranges(
 
 
 def _pair_blocks(bounds: Array, queries: Indices, stored: Indices, ranges: Ranges) -> Iterator[Pairs]:
-    """Yield the pairs of queries with stored boxes in their cell ranges whose boxes meet."""
+    """Yield arrays of the pairs (i < j) of queries and stored boxes that meet, among those in the given ranges.
+
+    ranges: for each row of cells (numbers of queries, first stored box to compare, how many of them).
+    """
     # in the order of the cells: the comparisons then run through memory nearly straight on
     theirs = bounds[stored].T.copy()
     own = theirs if queries is stored else bounds[queries].T.copy()

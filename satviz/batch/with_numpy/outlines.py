@@ -4,19 +4,21 @@ import numpy as np
 
 from ...engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
 from ..array_types import Array, Indices, Mask
-from ..arrays import Group
+from ..arrays import CornerColumns
 from ..exact_signs import ERRBOUND_A
-from ..ragged import Rings
+from ..ragged import RaggedRings
 
 BLOCK_CORNERS = 1 << 15  # corners at a time: they and the scratch arrays stay in the second-level cache
 TURN_ERROR = 2.0**-51  # |error| <= 3.1 u |edge| |next edge| (u = 2**-53), rounded up to 4 u
 MAX_PADDED_CORNERS = 1 << 15  # of padded arrays, which are checked all at once: few shapes
 
 
-def certified_group(vertices: Array) -> Group | None:
+def certified_group(vertices: Array) -> CornerColumns | None:
     """Return (N, V, 2) outlines as a group, counter-clockwise; None if one is not certified convex.
 
-    A turn counts only where a float64 error bound certifies its sign, which no NaN, infinity or underflow passes."""
+    The orientation at a corner counts only if a float64 error bound certifies its sign, which no NaN, infinity or
+    underflow passes.
+    """
     n, corners = vertices.shape[:2]
     columns = np.empty((2, corners, n))
     size = max(1, BLOCK_CORNERS // corners)
@@ -31,19 +33,19 @@ def certified_group(vertices: Array) -> Group | None:
                 part[:, :, right] = part[:, ::-1, right]
             if not (left | right).all():
                 return None
-    return Group(columns)
+    return CornerColumns(columns)
 
 
-def certified_circles(centers: Array, radii: Array) -> Group | None:
+def certified_circles(centers: Array, radii: Array) -> CornerColumns | None:
     """Return circles from (N, 2) centers and (N,) radii as a group; None if a number is not finite or not positive."""
     block = np.empty((3, 1, len(centers)))
     np.add(centers.T, 0.0, out=block[:2, 0])  # -0.0 becomes 0.0
     block[2, 0] = radii
-    return Group(block) if np.isfinite(block).all() and (radii > 0).all() else None
+    return CornerColumns(block) if np.isfinite(block).all() and (radii > 0).all() else None
 
 
-def certified_padded(corners: Array, counts: Indices, radii: Array) -> Rings | None:
-    """Return few shapes in padded arrays, as `from_padded` takes them, as Rings.
+def certified_padded(corners: Array, counts: Indices, radii: Array) -> RaggedRings | None:
+    """Return few shapes in padded arrays, as `from_padded` takes them, as RaggedRings.
 
     None for many, or if one is not certified: a circle, or counter-clockwise, convex and without repeats.
     """
@@ -68,7 +70,7 @@ def certified_padded(corners: Array, counts: Indices, radii: Array) -> Rings | N
     start = np.zeros(n + 1, np.intp)
     np.cumsum(counts, out=start[1:])
     kept = z[:most].T[own.T] + 0.0  # -0.0 becomes 0.0
-    return Rings(kept.real.copy(), kept.imag.copy(), start)
+    return RaggedRings(kept.real.copy(), kept.imag.copy(), start)
 
 
 def _turns_one_way(xy: Array) -> tuple[Mask, Mask] | None:

@@ -29,7 +29,7 @@ export class Table {
     this.pick = pick;
     this.head = element("tr");
     this.body = element("tbody");
-    this.element = element("table", { class: "sv-table" }, element("thead", {}, this.head), this.body);
+    this.element = element("table", { class: "sv-table", "aria-label": "the axes and their ranges" }, element("thead", {}, this.head), this.body);
     this.names = names;
     this.setNames(names);
   }

@@ -51,8 +51,8 @@ class Linear(NamedTuple):
 ZERO = Linear(0.0, Vec(0.0, 0.0))
 
 
-class Cell(NamedTuple):
-    """A convex polygon of moves in which B is pushed by `length` along `direction` (of length 1)."""
+class PushRegion(NamedTuple):
+    """A convex region of positions of B where the push has `length`, a linear function, along the unit `direction`."""
 
     ring: ConvexRing
     length: Linear
@@ -151,7 +151,7 @@ def region_of_pieces(
     layers = [[*_push_cells(a, b, window)]]
     for piece in split(a):
         (own,) = minkowski_difference(piece, b)
-        beyond = (Cell(rest, ZERO, ZERO.down) for rest in subtract(clip_to_window(ring, window), [own]))
+        beyond = (PushRegion(rest, ZERO, ZERO.down) for rest in subtract(clip_to_window(ring, window), [own]))
         layers.append([*_push_cells(piece, b, window), *beyond])
     far = max(abs(u) for p in (*ring, *window_ring(window)) for u in p)
     if not isfinite(far * far):
@@ -161,14 +161,14 @@ def region_of_pieces(
     return wrong_number_region(a, b, window, wrong)
 
 
-def _push_cells(a: Shape, b: Shape, window: Window) -> Iterator[Cell]:
+def _push_cells(a: Shape, b: Shape, window: Window) -> Iterator[PushRegion]:
     """Yield the moves for which the shapes meet, cut into cells: one for each edge of A - B, nearest to it."""
     every = [side for axis in needed(a, b).axes for side in overlaps(a, b, axis)]
     (ring,) = minkowski_difference(a, b)
     inside = clip_to_window(ring, window)
     for length, direction in every:
         if cell := _where_least(inside, length, [other for other, _ in every]):
-            yield Cell(cell, length, direction)
+            yield PushRegion(cell, length, direction)
 
 
 def _where_least(ring: ConvexRing, one: Linear, others: Sequence[Linear]) -> ConvexRing:
@@ -192,7 +192,7 @@ def _is_same(p: Linear, q: Linear) -> bool:
     return max(abs(p.rest - q.rest), *(abs(u - v) for u, v in zip(p.down, q.down, strict=True))) <= TOLERANCE * size
 
 
-def _overlay(layers: Sequence[Sequence[Cell]]) -> list[tuple[ConvexRing, list[Cell]]]:
+def _overlay(layers: Sequence[Sequence[PushRegion]]) -> list[tuple[ConvexRing, list[PushRegion]]]:
     """Return (ring, cells) for each non-empty intersection of one cell from every layer."""
     found = [(cell.ring, [cell]) for cell in layers[0]]
     for layer in layers[1:]:
@@ -213,7 +213,7 @@ def _intersection(ring: ConvexRing, other: ConvexRing) -> ConvexRing:
 
 
 def _pushes_agree(
-    ring: ConvexRing, cells: Sequence[Cell], error: Callable[[Vec, Vec], float], tolerance: float
+    ring: ConvexRing, cells: Sequence[PushRegion], error: Callable[[Vec, Vec], float], tolerance: float
 ) -> bool:
     """Return whether `error` of the summed pushes and the MTV is 0, within the tolerance, in the whole ring.
 

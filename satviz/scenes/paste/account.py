@@ -40,6 +40,7 @@ from .harmless import (
 from .notations import MOVES, SETTERS, SHAPE_STEMS, SHAPE_WORDS, SHIFTS, TURNS, TWO_SHAPES, key, notation
 from .statements import ADDERS, ATTACHERS, PEN_STARTS, PENS, owner_of
 from .tokens import CLOSE, FIELD, LINE, MARK, NAME, NUMBER, OPEN, OTHER, TEXT, Token, tokens
+from .tree import parts_of
 
 MAX_PARTS = 50  # that are not understood; fewer are named
 MAX_ARGUMENTS = 200  # words and signs in a call in which the names of shapes are looked for
@@ -69,9 +70,9 @@ class Part(NamedTuple):
     end: int
 
 
-class Frame(NamedTuple):
-    """A bracket of the text: where it begins, whether it holds data of a shape, statements, a shape to draw or to
-    test, or an index."""
+class BracketFrame(NamedTuple):
+    """The state of an open bracket: where it begins, and whether it holds data of a shape, statements, a shape to draw
+    or to test, or an index."""
 
     begin: int
     data: bool
@@ -92,15 +93,16 @@ class Account:
         known: Sequence[tuple[int, int]] = (),
         changed: Collection[str] = (),
         aliases: Mapping[str, str] = MappingProxyType({}),
+        counts: Collection[int] = (),
     ) -> None:
         """`shapes`: where the numbers of each shape end; `variables`: names of data, with their sizes; `known`: parts
         of a known form; `changed`: names with a value of which a field is set afterwards; `aliases`: names of other
-        things.
+        things; `counts`: where numbers end that say how a shape is read, such as how many columns a matrix has.
         """
         self.text = text
         removed = within(known, found)
         self.shapes = shapes
-        self.places = sorted(frozenset().union(*shapes))
+        self.places = sorted(frozenset(counts).union(*shapes))
         rows = [Token(NUMBER, "", start, end) for start, end in known if self.holds(start, end)]
         kept = [token for token in found if token not in removed]
         self.tokens = sorted([*kept, *rows], key=lambda token: token.start) if rows else kept
@@ -250,7 +252,7 @@ class Account:
         touches = before.end == token.start or token.text == "{"
         return before if touches and before.kind in (NAME, FIELD) else None
 
-    def frame(self, i: int) -> Frame:
+    def frame(self, i: int) -> BracketFrame:
         """Return the frame of the bracket at token i: whether it holds data, statements, a drawing or an index."""
         word = self.callee(i)
         end = self.close[i]
@@ -266,7 +268,7 @@ class Account:
         draws = word is not None and not data and bool(words(word.text) & DRAWS) and (call or word.text in DRAWS)
         draws = draws or (word is not None and is_test(word.text))
         index = self.at(i).text == "[" and word is not None and self.is_variable(word) and ":" not in self.between(i)
-        return Frame(
+        return BracketFrame(
             i,
             data and not block and not call and not index,
             block,
@@ -274,7 +276,7 @@ class Account:
             index,
         )
 
-    def frame_of(self, i: int, frame: Frame) -> Frame:
+    def frame_of(self, i: int, frame: BracketFrame) -> BracketFrame:
         """Return the frame around token i, which holds data between two numbers of one shape."""
         return frame._replace(data=True) if i in self._amid else frame
 
@@ -284,7 +286,7 @@ class Account:
 
     def run(self) -> list[Part]:
         """Return the parts of the text that are not understood."""
-        frames = [Frame(-1, False, True)]
+        frames = [BracketFrame(-1, False, True)]
         begins_in_block = True
         for i, token in enumerate(self.tokens):
             if len(self.parts) >= MAX_PARTS:
@@ -325,7 +327,7 @@ class Account:
         """Return whether a bracket with numbers of a shape is never closed, so that some can be missing."""
         return any(self.frame(i).data for i in self.unclosed)
 
-    def is_count(self, i: int, frame: Frame) -> bool:
+    def is_count(self, i: int, frame: BracketFrame) -> bool:
         """Return whether a number counts or names something: a label before a colon, a length, 4 corners, { 0 }."""
         before, after = self.at(i - 1), self.at(i + 1)
         shifts = before.text in ("<", ">") and self.at(i - 2).text == before.text
@@ -341,23 +343,28 @@ class Account:
             return after.text in (":", "|")
         if before.text == "{" and after.text == "}":
             return self.at(i).value == 0
-        if before.text == "," and after.text == ")":  # ST_GeomFromText('POLYGON(...)', 4326), polygon.Set(points, 4)
-            data = self.at(i - 2)
-            size = self.variables.get(data.text, -1)
-            return (data.kind == TEXT and self.holds(data.start, data.end)) or self.at(i).value == size
+        if before.text in ",(" and after.text in ",)" and "," in (before.text, after.text):
+            beside = (self.at(i - 2), self.at(i + 2))  # cpPolyShapeNew(body, 4, verts, cpvzero), polygon.Set(points, 4)
+            if any(self.variables.get(each.text) == self.at(i).value for each in beside):
+                return True
+            data = beside[0]  # ST_GeomFromText('POLYGON(...)', 4326)
+            return after.text == ")" and data.kind == TEXT and self.holds(data.start, data.end)
         if before.text == "(" and after.text == ")" and self.at(i + 2).text == "[":
             return True
         if after.text.lower() in COUNTED:
-            return not self.holds(*self.span(i + 2)) if self.at(i + 2).kind == OPEN else True
-        return before.text.lower() in LABELS and (after.kind == LINE or after.text in (":", ",", "at", "is", "of", ""))
+            touches = self.at(i + 2).kind == OPEN and self.at(i + 2).start == after.end
+            return not (touches and self.holds(*self.span(i + 2)))
+        return before.text.lower() in LABELS and (
+            after.kind == LINE or after.text in (":", ",", "at", "is", "of", "has", "with", "")
+        )
 
-    def is_color(self, i: int, frame: Frame) -> bool:
+    def is_color(self, i: int, frame: BracketFrame) -> bool:
         """Return whether a bracket in a call that draws holds a color: draw.circle(screen, (255, 0, 0), (4, 4), 9)."""
         word = self.callee(frame.begin)
         if word is None or "draw" not in words(word.text) or self.callee(i) or self.holds(*self.span(i)):
             return False
         parts = [token for token in self.tokens[i + 1 : self.close[i]] if token.text != ","]
-        return len(parts) in (3, 4) and all(token.text.isdigit() and int(token.text) < 256 for token in parts)
+        return len(parts) in (3, 4) and all(t.kind == NUMBER and t.text.isdigit() and int(t.text) < 256 for t in parts)
 
     def is_row(self, i: int) -> bool:
         """Return whether a number is that of a row in a table whose shape is in WKT."""
@@ -417,7 +424,7 @@ class Account:
         if makes or not known:
             self.miss(i - 1, i)
 
-    def check_name(self, i: int, frame: Frame) -> None:
+    def check_name(self, i: int, frame: BracketFrame) -> None:
         """Name a word among the numbers of a shape that is on no list."""
         token, after = self.at(i), self.at(i + 1)
         if after.kind == OPEN and self.callee(i + 1) is token:
@@ -429,7 +436,7 @@ class Account:
         if token.text.startswith("is") and after.text in ASSIGNS and self.at(i + 2).text in ("true", "false"):
             return  # isBox2: true
         changes = token.text.lower() in {*CHANGING_CALLS, "not"} and (after.kind == OPEN or not after.text)
-        if changes and self.is_data(i + 1):
+        if changes and (self.is_data(i + 1) or self.at(i + 2).kind == NUMBER):
             self.miss(i, i)  # POLYGON mirror ((0 0, 4 0, 0 3))
             return
         if self.is_variable(token):
@@ -556,7 +563,7 @@ class Account:
             i += 1
         return self.at(i).end
 
-    def check_field(self, i: int, frame: Frame) -> None:
+    def check_field(self, i: int, frame: BracketFrame) -> None:
         """Name an unknown field or method behind a shape."""
         before, after = self.at(i - 1), self.at(i + 1)
         name = self.at(i).text.lstrip(".->:")
@@ -577,7 +584,7 @@ class Account:
         elif not (name.lower() in KEYS - {"x", "y"} or is_call(name) or (after.text in ASSIGNS and key(name))):
             self.miss(i, i)
 
-    def check_text(self, i: int, frame: Frame) -> None:
+    def check_text(self, i: int, frame: BracketFrame) -> None:
         """Name a text in quotes among the numbers of a shape that is on no list; look into one with such numbers."""
         token = self.at(i)
         inner = token.text[1:-1]
@@ -602,7 +609,7 @@ class Account:
         elif not (words(inner) & INSIDE or self.is_value(i) or inner[0] == "#" or STYLE.fullmatch(inner)):
             self.miss(i, i)
 
-    def check_sign(self, i: int, frame: Frame) -> None:
+    def check_sign(self, i: int, frame: BracketFrame) -> None:
         """Name a sign among the numbers of a shape, or beside one."""
         token, before = self.at(i), self.at(i - 1)
         if token.text == "'" and self.transposes(i):
@@ -639,7 +646,7 @@ class Account:
         row = before.kind == NUMBER and self.holds(before.start, before.end)
         return self.is_variable(before) or row or (before.kind == CLOSE and self.is_data(i - 1))
 
-    def is_of_code(self, i: int, frame: Frame) -> bool:
+    def is_of_code(self, i: int, frame: BracketFrame) -> bool:
         """Return whether a sign is a reference, a bullet, or a mark of a language that changes no value."""
         token, before, after = self.at(i), self.at(i - 1), self.at(i + 1)
         tight = token.end == after.start
@@ -717,12 +724,12 @@ def within(spans: Sequence[tuple[int, int]], values: Sequence[Any]) -> set[Any]:
 
 def last_of(name: str) -> str:
     """Return the last part of a name."""
-    return name.replace("->", ".").replace("::", ".").split(".")[-1]
+    return parts_of(name)[-1]
 
 
 def root(name: str) -> str:
     """Return the first part of a name, and the second one behind `this` or `self`: player of this.player.x."""
-    parts = name.replace("->", ".").replace("::", ".").split(".")
+    parts = parts_of(name)
     return parts[1] if parts[0] in ("this", "self") and len(parts) > 1 else parts[0]
 
 

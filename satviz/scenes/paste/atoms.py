@@ -5,40 +5,17 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
+from .harmless import listed
 from .tokens import MARK, NAME, OTHER, Token, number
 from .tree import Group, Name, Num
 
 NUMERAL = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
-IGNORED_NAMES = frozenset(  # words of a language before a value
-    [
-        "new",
-        "const",
-        "constexpr",
-        "let",
-        "var",
-        "val",
-        "auto",
-        "mut",
-        "final",
-        "static",
-        "return",
-        "ref",
-        "in",
-        "out",
-        "pub",
-        "private",
-        "public",
-        "readonly",
-        "local",
-        "struct",
-        "boxed",
-        "await",
-        "export",
-        "default",
-        "def",
-        "type",
-        "with",
-    ]
+# words of a language before a value
+IGNORED_NAMES = listed(
+    """
+    new const constexpr let var val auto mut final static return ref in out pub
+    private public readonly local struct boxed await export default def type with
+    """
 )
 # An angle in terms of pi: its names are a closed list, and nothing else is worked out.
 _PI = r"(?:(?:[Mm]ath[fF]?|np|numpy|std::f(?:64|32)::consts)(?:\.|::))?(?:PI|pi|Pi)|M_PI|b2_pi|\u03c0"

@@ -20,20 +20,20 @@ def other_names(name: str) -> Iterator[str]:
 
 
 def pairs_of_lists(fields: Mapping[str | int, Any]) -> Iterator[tuple[str, Group, Group]]:
-    """Yield (name, list of x, list of y) for the variables or keys that belong together."""
+    """Yield (name, list of x, list of y) for the variables or keys that belong together; one can be too short."""
     for name, value in fields.items():
-        if is_flat(value) and isinstance(name, str):
-            other = next((fields[n] for n in other_names(name) if n in fields and is_flat(fields[n])), None)
-            if other is not None:
+        if is_flat(value, 1) and isinstance(name, str):
+            other = next((fields[n] for n in other_names(name) if n in fields and is_flat(fields[n], 1)), None)
+            if other is not None and (is_flat(value) or is_flat(other)):
                 yield name, value, other
 
 
-def is_flat(value: Any) -> bool:
-    """Return whether a value is a list of three numbers or more, and nothing else."""
+def is_flat(value: Any, least: int = LEAST) -> bool:
+    """Return whether a value is a list of so many numbers or more, and nothing else."""
     inner = value.items if isinstance(value, Group) else []
     if len(inner) == 1 and isinstance(inner[0], Group) and not inner[0].name:  # np.array([0, 1]), [0 1 2]
         inner = inner[0].items
-    return len(inner) >= LEAST and all(isinstance(v, Num) for v in inner)
+    return len(inner) >= least and all(isinstance(v, Num) for v in inner)
 
 
 def numbers_of(value: Group) -> list[Num]:
@@ -48,6 +48,13 @@ def joined(x: Group, y: Group, count: int | None = None) -> Group | None:
         return None
     points = [Group(px.start, px.end, [px, py], "(") for px, py in zip(xs[:count], ys[:count], strict=True)]
     return Group(min(x.start, y.start), max(x.end, y.end), points, "[")
+
+
+def lengths(x: Group, y: Group, count: int | None = None) -> str:
+    """Return why two lists are not those of the corners of one shape."""
+    sizes = f"{len(numbers_of(x))} and {len(numbers_of(y))} numbers"
+    corners = "" if count is None else f", and the call says {count} corners"
+    return f"the lists of x and y have {sizes}{corners}: each corner needs one of both"
 
 
 def are_axes(given: Sequence[Any], values: Sequence[Any], name: str) -> bool:

@@ -48,6 +48,7 @@ ALL_CHOICES = (*(choice for choices in CHOICES.values() for choice in choices), 
 FULL_TURN = Fraction(63, 10)  # an angle beyond a full turn in radians is in degrees
 ONLY_IF_IT_MATTERS = (TURN, ORDER, ROUND)  # asked only where the answer changes
 CENTER_KEYS = ("center", "centre", "centroid", "middle", "cx", "xc", "centerx", "xcenter")
+BY_RADIUS, BY_DIAMETER = "a circle by its center and radius", "a circle by its center and diameter"
 AT_ORIGIN = ", at the origin"  # of a shape for which the text gives no position
 FORM_WORDS = {
     CORNER_SIZE: "a box by a corner and its size",
@@ -269,9 +270,16 @@ class Boxes(Points):
         named_corner = get("corner") is not None or get("x0") is not None
         if named_center or named_corner:
             return [*place, *size], CENTER_SIZE if named_center else CORNER_SIZE
-        if row and row.form in CORNER_OR_CENTER:
-            return [*place, *size], self._overridden(row.form)
+        form = (row.form if row.form in CORNER_OR_CENTER else row.keyed) if row else ""
+        if form:
+            return [*place, *size], self._overridden(form)
         return [*place, *size], self._choose(BOX_FORM, CORNER_OR_CENTER)
+
+
+def circle(center: Pt, radius: Fraction, at: Value, label: str, said: str = BY_RADIUS, *also: Fraction) -> Read:
+    """Return a circle that stands at a part of the text; `also`: other numbers of the text that it has."""
+    used = places(*center, radius, *also)
+    return Read((center,), radius, said, at.start, at.end, label, used=used)
 
 
 def moved(shape: Read, move: Pt) -> Read:

@@ -6,15 +6,18 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
-from .axis_lists import are_axes, joined
+from .axis_lists import are_axes, joined, lengths
 from .boxes import (
     AT_ORIGIN,
     BOX_FORM,
+    BY_DIAMETER,
+    BY_RADIUS,
     CHOICES,
     DIAMETER,
     RADIUS,
     ROUND,
     Read,
+    circle,
     moved,
     unit_of,
 )
@@ -35,7 +38,7 @@ from .notations import (
     notation,
 )
 from .points import ZERO, Pt, angle_of, places
-from .tree import Bad, Group, Name, Num, Pair
+from .tree import Bad, Group, Name, Num, Pair, parts_of
 
 FULL_TURNS = frozenset(["2*pi", "pi*2", "2pi", "tau", "two_pi", "360", "6.283185307179586"])
 
@@ -60,7 +63,7 @@ class Calls(Keyed):
         for item in named.rest:
             value = self.resolve(item)
             if isinstance(value, (Name, Bad)) and not (isinstance(value, Bad) and value.inside):
-                if isinstance(value, Bad) or key(value.text.replace("->", ".").split(".")[-1]):
+                if isinstance(value, Bad) or key(parts_of(value.text)[-1]):
                     kept.append(item)  # player.x, width: a number that is not in the text
                 continue  # null, a body, options
             if isinstance(value, Group) and not value.items and not value.name:
@@ -101,9 +104,10 @@ class Calls(Keyed):
         values = [self.resolve(a) for a in arguments]
         if are_axes(arguments, values, group.name):
             count = values[2] if len(values) > 2 else None
-            points = joined(values[0], values[1], int(count.value or 0) if isinstance(count, Num) else None)
+            corners = int(count.value or 0) if isinstance(count, Num) else None
+            points = joined(values[0], values[1], corners)
             if points is None:
-                raise Unreadable("the lists of x and y, and the number of corners, do not fit together")
+                raise Unreadable(lengths(values[0], values[1], corners))
             self.consume(arguments)
             made = self._outline(self._points(points.items) or [], group, label)
             return [replace(made, used=made.used | ({count.end} if count else set()))]
@@ -115,14 +119,12 @@ class Calls(Keyed):
         loose = Group(group.start, group.end, arguments, group.bracket, group.name)
         outline = self.ring(loose)
         taken = arguments
-        count_of_position = 0
         given: frozenset[int] = frozenset()
         if outline is None and len(arguments) > 1:
             first = self.point(arguments[0], origin=True)
             rest = self.ring(arguments[1])
             if first is None and len(arguments) > 2 and self.numbers(arguments[:2]):
                 first = self.point(Group(group.start, group.end, arguments[:2], "("))
-                count_of_position = 2
                 rest = self.ring(arguments[2])
             if first is not None and rest is not None:
                 place, outline = first, rest
@@ -145,9 +147,6 @@ class Calls(Keyed):
             outline = hull(outline) if len(hull(outline)) < len(set(outline)) else outline
         if any(not key(name) and self.point(value) is not None for name, value in named.fields.items()):
             raise Unreadable("a list of corners holds something that is not a corner")
-        beside = sum(self._is_number(a) for a in arguments)
-        if beside and not (outline is not None and self.numbers(arguments)) and beside != count_of_position:
-            self.remark("numbers beside a list of corners were left out")
         shift = place or ZERO
         how = f", the convex hull of {count} points" if len(outline) < count else ""
         made = self._outline(outline, group, label, shift, f"{how} and a position" if shift != ZERO else how)
@@ -182,20 +181,20 @@ class Calls(Keyed):
             flat = [self.number(named.get("radius"))]
         if not flat:
             self._refuse_names(arguments)
-            raise Unreadable("a circle without a radius")
+            raise Unreadable("a circle without a radius: write it behind the center")
         x, y = points[0] if points else ZERO
-        said = "a circle by its center and radius" if points or place else f"a circle by its radius{AT_ORIGIN}"
+        said = BY_RADIUS if points or place else f"a circle by its radius{AT_ORIGIN}"
         row = notation(group.name)
         if row and row.alone and len(flat) == 1 and not points and not place:  # SFML's: the corner of its box is there
             x, y, said = flat[0], flat[0], f"a circle by its radius{AT_ORIGIN}"
-        used = places(x, y, *(place or ()), flat[0])
+        given = x, y, *(place or ()), flat[0]
         bare = group.name == "circle" and len(group.items) == 3 and all(isinstance(v, Num) for v in group.items)
         if self.mode(group) not in ("", CENTER_SIZE):
             raise Unreadable("an ellipseMode other than CENTER: write the center and the diameter")
         if bare and self._choose(ROUND, CHOICES[ROUND], sure=DIAMETER if self.sketch else "") == DIAMETER:
-            flat[0], said = flat[0] / 2, "a circle by its center and diameter"
+            flat[0], said = flat[0] / 2, BY_DIAMETER
         x, y = (x + place[0], y + place[1]) if place else (x, y)
-        return [Read(((x, y),), flat[0], said, group.start, group.end, label, used=used)]
+        return [circle((x, y), flat[0], group, label, said, *given)]
 
     def _refuse_expressions(self, arguments: Sequence[Any]) -> None:
         """Raise Unreadable for a call before a number that is no point and no color: Circle(sqrt(4), 0, 1)."""
@@ -222,19 +221,18 @@ class Calls(Keyed):
         if {"cx", "cy", "rx", "ry"} <= set(keys):
             x, y, radius, other = (self.number(keys[name]) for name in ("cx", "cy", "rx", "ry"))
             if radius == other:
-                said, used = "a circle by its center and radius", places(x, y, radius, other)
-                return [Read(((x, y),), radius, said, group.start, group.end, label, used=used)]
+                return [circle((x, y), radius, group, label, BY_RADIUS, other)]
         if self.mode(group) not in ("", CENTER_SIZE):
             raise Unreadable("an ellipseMode other than CENTER: write the center and the diameter")
         flat = self.numbers(group.items) or []
         if len(flat) not in (3, 4) or flat[2] != flat[-1]:
             raise Unreadable("an ellipse: satviz takes polygons and circles")
-        said, used, radius = "a circle by its center and diameter", places(*flat), flat[2] / 2
+        said, radius = BY_DIAMETER, flat[2] / 2
         sure = DIAMETER if self.sketch or row.form else ""
         if len(flat) == 4 and self._choose(ROUND, (DIAMETER, RADIUS), sure=sure) == RADIUS:
-            said, radius = "a circle by its center and radius", flat[2]
+            said, radius = BY_RADIUS, flat[2]
         x, y = (flat[0] + radius, flat[1] + radius) if row.form == CORNER_SIZE else (flat[0], flat[1])
-        return [Read(((x, y),), radius, said, group.start, group.end, label, used=used)]
+        return [circle((x, y), radius, group, label, said, *flat)]
 
     def _box(self, group: Group, row: Notation, label: str) -> list[Read]:
         """Return the box of a call, in the form that `row` gives to its numbers, or that the user chose."""
@@ -296,9 +294,7 @@ class Calls(Keyed):
         center: Pt | None = None
         for item in items:
             if center is not None and self._is_number(item):
-                radius = self.number(item)
-                said, used = "a circle by its center and radius", places(*center, radius)
-                found.append(Read((center,), radius, said, item.start, item.end, label, used=used))
+                found.append(circle(center, self.number(item), item, label))
                 center = None
             elif (center := self.point(item)) is None:
                 rest.append(item)

@@ -20,7 +20,7 @@ CALLS = listed(
     area centroid perimeter len size str repr format fmt display show plot run solve select where crosses covers
     relate manifold contact contacts contour cout trace report out in addshape body static fixture figure
     subplots from text wkt geojson json loads vs compare against detect detection query raycast cast throw return if
-    while switch and or not valid simple empty require emit call given when then
+    while switch and or not sfc valid simple empty require emit call given when then
     """
 )
 # Words in the name of a call that give another shape than those in its brackets.
@@ -110,7 +110,7 @@ OTHER_NUMBERS = listed(
     """
 )
 # Words of a line that can say how another shape differs.
-DIFFERENCES = listed("left right up down above below larger smaller bigger wider taller narrower times same apart")
+DIFFERENCES = listed("left right up down above below larger smaller bigger wider taller narrower times same")
 # Words that change a shape on the line of one, and say nothing on another line: double k = 2, the sum of the radii
 _NEEDS_A_SHAPE = listed(
     "double sum dot cross zip map mapped filter slice convert eval apply repeat project projected normalize normalized"
@@ -137,7 +137,8 @@ LABELS = listed(
 )
 COUNTED = listed(
     """
-    rows row corners points vertices verts pts shapes polygons circles boxes ms fps times people users
+    rows row corner corners point points vertex vertices verts pts edge edges shapes polygons circles boxes ms fps
+    times people users
     """
 )
 # Words that say that the numbers behind them hold only sometimes, or several times.

@@ -3,14 +3,16 @@
 from dataclasses import replace
 from typing import Any
 
-from .axis_lists import is_flat, joined, pairs_of_lists
+from .axis_lists import is_flat, joined, lengths, pairs_of_lists
 from .boxes import (
     ABSOLUTE,
     AT_ORIGIN,
+    BY_RADIUS,
     CHOICES,
     CORNERS,
     Boxes,
     Read,
+    circle,
     moved,
     origin_of,
     unit_of,
@@ -56,8 +58,6 @@ class Keyed(Boxes):
         if isinstance(center, Bad):
             self.number(center)  # says that it is not evaluated
         many = sum(is_flat(self.resolve(obj.get(name))) for name in "xy")  # lists of coordinates
-        if many == 1 and obj.get("x") is not None and obj.get("y") is not None:
-            raise Unreadable("x and y have different lengths")
         if place is None and not many and obj.get("x") is not None and obj.get("y") is not None:
             place = (self.number(obj.get("x")), self.number(obj.get("y")))
         if place is None:
@@ -76,7 +76,7 @@ class Keyed(Boxes):
         if outline is None and (lists := list(pairs_of_lists(obj.fields))):
             joint = joined(*lists[0][1:])
             if joint is None or len(lists) > 1:
-                raise Unreadable("x and y have different lengths")
+                raise Unreadable(lengths(*lists[0][1:]))
             outline = self.ring(joint)
         if outline is not None and len(outline) > 2:
             shift, given = place or ZERO, places(*(place or ()))
@@ -110,7 +110,8 @@ class Keyed(Boxes):
         inner = [s for v in obj.rest if not isinstance(v, Name) for s in self.shapes(v, label)]
         for name, value in obj.fields.items():
             hole = inner and str(name).lower() in ("holes", "interiors")
-            if not hole and not (isinstance(kind, Name) and name in ("bbox", "properties")):
+            aside = name in ("bbox", "properties") and (isinstance(kind, Name) or "segmentation" in obj.fields)
+            if not hole and not aside:
                 wrapper = isinstance(name, int) or name in ("geometry", "features", "geometries", "shape")
                 held = str(name).lower() in BODY_SHAPES
                 found = self.shapes(value, label if wrapper or held else str(name).split(" (")[0])
@@ -149,13 +150,13 @@ class Keyed(Boxes):
             raise Unreadable("a regular polygon given by its radius: write its corners")
         given = obj.get("radius")
         size = self.number(given if given is not None else obj.get("diameter"))
-        used = places(*(place or ()), size)
+        given_numbers = [*(place or ()), size]
         radius = size if given is not None else size / 2
         keys = {str(k).lower(): v for k, v in obj.fields.items()}
-        said = "a circle by its center and radius" if place else f"a circle by its radius{AT_ORIGIN}"
+        said = BY_RADIUS if place else f"a circle by its radius{AT_ORIGIN}"
         if place is None and "left" in keys and "top" in keys:
             place = self.number(keys["left"]), self.number(keys["top"])
-            used |= places(*place)
+            given_numbers += place
             origins = origin_of(obj, "originx", "left"), origin_of(obj, "originy", "top")
             if origins == ("left", "top"):
                 place, said = (
@@ -166,7 +167,7 @@ class Keyed(Boxes):
                 raise Unreadable("the origin of the circle is neither its corner nor its center: write the center")
         if given is None:
             said = said.replace("radius", "diameter")
-        return Read((place or ZERO,), radius, said, obj.start, obj.end, label, used=used)
+        return circle(place or ZERO, radius, obj, label, said, *given_numbers)
 
 
 def _placed(shape: Read, obj: Obj, place: Pt) -> Read:

@@ -12,7 +12,7 @@ from .tables import tables
 from .tokens import CLOSE, FIELD, MARK, MAX_TOKENS, NAME, NUMBER, OPEN, TOO_MANY, Token, tokens
 
 _QUOTED = r"\"[^\"<>]*\"|'[^'<>]*'"
-_ELEMENT = re.compile(rf"<(circle|ellipse|rect|polygon|polyline|path)(?=[\s/>])((?:[^<>\"']|{_QUOTED})*)>")
+_ELEMENT = re.compile(rf"<(circle|ellipse|rect|polygon|polyline|path|area)(?=[\s/>])((?:[^<>\"']|{_QUOTED})*)>")
 # of Tiled: the corners of a polygon are relative to the object that holds it
 _OBJECT = re.compile(rf"<object\b((?:[^<>\"']|{_QUOTED})*)>\s*(?=<(?:polygon|polyline|ellipse)\b)")
 _ATTRIBUTE = re.compile(rf"([\w:-]+)[ \t\r\n]*=[ \t\r\n]*({_QUOTED})")
@@ -28,7 +28,9 @@ _OTHER = re.compile(
     r"|\b(?:interface|struct|type|record)\s+\w+\s*(?:=\s*)?\{[^{}()\d]*\}"
     r"|\bsizeof\s*\([^()]*\)\s*/\s*sizeof\s*\([^()]*\)|(?P<quote>['\"])[012FT*]{9}(?P=quote)"
     r"|(?<![\w/.-])[\w/.-]{1,80}\.(?:py|js|ts|cs|cpp|cc|c|h|hpp|rs|go|java|rb|lua|gd|kt|swift|m):\d+(?::\d+)?|TopologyException:[^\n]*"
-    r"|\bversion\W{1,6}\d+(?:\.\d+)+|\bv\d+\.\d+\.\d+"
+    r"|\bversion\W{1,6}\d+(?:\.\d+)+"
+    r"|\b(?:Windows|macOS|Ubuntu|Android|iOS|Python|Node|Java|Chrome|Firefox) \d+(?:\.\d+)*"
+    r"|(?:\bv|\b(?:Using|using|with|on|in|of) \w+ v?)\d+\.\d+\.\d+\w*"
     r"|\bEigen::Matrix\w+ +\w+\(\d+, *\d+\)|^\s*size\(\d+, *\d+\);",
     re.IGNORECASE | re.MULTILINE,
 )
@@ -38,6 +40,8 @@ _NUMBERS = {
     "ellipse": ("cx", "cy", "rx", "ry"),
     "rect": ("x", "y", "width", "height", "rx", "ry"),
 }
+# The areas of an image map: a box by two corners, a circle by its center and radius, or corners.
+_AREAS = {"rect": "ltrb", "circle": "c2circle", "poly": "svg.polygon"}
 _PLACES = frozenset(["x", "y", "cx", "cy"])
 
 
@@ -102,8 +106,12 @@ def _element(match: re.Match[str], holder: dict[str, tuple[str, int]]) -> Iterat
     tag = match[1]
     found = _attributes(match[2], match.start(2))
     round_ = tag == "ellipse" and {"x", "y", "width", "height"} <= set(holder)
+    name = "tiled.ellipse" if round_ else f"svg.{tag}"
+    if tag == "area":
+        tag, name = "polygon", _AREAS.get(found.get("shape", ("", 0))[0], "svg.polygon")
+        found["points"] = found.get("coords", ("", match.start()))
     yield _mark(MARK, ";", match.start())
-    yield Token(NAME, "tiled.ellipse" if round_ else f"svg.{tag}", match.start(), match.start())
+    yield Token(NAME, name, match.start(), match.start())
     yield _mark(OPEN, "(", match.start())
     if round_:
         for name in ("x", "y", "width", "height"):
@@ -171,13 +179,13 @@ def _inner(text: str, at: int) -> list[Token]:
 
 
 def _number(text: str, at: int) -> list[Token]:
-    """Return the number of an attribute, or one that says why it is none."""
+    """Return the NUMBER token of an attribute, or a token with the reason why the attribute is not a number."""
     found = _inner(text, at)
     return found if len(found) == 1 and found[0].text == text.strip() else [_broken(text, at)] if found else []
 
 
 def _broken(text: str, at: int) -> Token:
-    """Return a number without a value for what is none."""
+    """Return a NUMBER token without a value, with the reason, for text that is not a number."""
     return Token(NUMBER, text, at, at + len(text), None, f"{text[:40]!r} is not a number")
 
 

@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from .notations import BOX, CIRCLE, OTHER_SHAPE, key, notation
-from .tree import Bad, Group, Name, Num, Pair, Value
+from .tree import Bad, Group, Name, Num, Pair, Value, parts_of
 
 _ZERO = re.compile(r"(?:\.|::)zero$|^cpvzero$|^b2Vec2_zero$", re.IGNORECASE)
 
@@ -92,7 +92,7 @@ class Names:
             if not isinstance(value, Name):
                 break
             node: Any = self.env
-            for part in value.text.replace("->", ".").replace("::", ".").split("."):
+            for part in parts_of(value.text):
                 if isinstance(node, Group) and any(isinstance(item, Pair) for item in node.items):
                     node = self.as_object(node).get(key(part)) if key(part) in ("x", "y") else None
                 else:

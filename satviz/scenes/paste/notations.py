@@ -7,6 +7,8 @@ before "rectangle" because the longer ending comes first.
 import re
 from typing import NamedTuple
 
+from .tree import parts_of
+
 POINT, RING, CIRCLE, BOX, MANY, MOVE, ARC = "point", "ring", "circle", "box", "many", "move", "arc"
 ELLIPSE, OTHER_SHAPE, ON_THE_GLOBE, TABLE = "ellipse", "other", "globe", "table"
 # How the four numbers of a box are meant, in the words of `--as`.
@@ -23,6 +25,7 @@ class Notation(NamedTuple):
     form: str = ""
     ask: tuple[str, ...] = ()
     unit: str = ""
+    keyed: str = ""  # the form of a box with the keys x, y, width and height
     alone: bool = False  # of a box or circle given by its size: its corner, not its center, is where its body is
 
 
@@ -31,86 +34,75 @@ CORNER_OR_CENTER = (CORNER_SIZE, CENTER_SIZE)
 
 NOTATIONS = (
     Notation(
-        "vector vector2 vector2f vector2d vector2i vec vec2 vec2f dvec2 point point2 point2d pointf point2f dpoint "
-        "coord coordinate position c2v b2vec2 cpv v2 v pt xy float2 double2 make_point make_float2 pvector "
-        "vector.create point! coord! cgpoint qpoint qpointf offset latlng vector3 vector3f vec3 point3d "
-        "cgsize qsize qsizef size size2 vector! vertex ccp point64 pointd intpoint offset.new vec2.new "
-        "vector.new pointsingle corner pvec2 makepoint st_point st_makepoint p point_2 fvector2d",
+        "vector vector2 vector2f vector2d vector2i vec vec2 vec2f dvec2 point point2 point2d pointf point2f "
+        "dpoint coord coordinate position c2v b2vec2 cpv v2 v pt xy float2 double2 make_point make_float2 pvector "
+        "vector.create cgpoint qpoint qpointf offset latlng vector3 vector3f vec3 point3d cgsize qsize qsizef "
+        "size size2 vertex ccp point64 pointd intpoint pointsingle corner pvec2 makepoint st_point st_makepoint p "
+        "point_2 fvector2d",
         POINT,
     ),
     # polygons, and the lists that hold their points
     Notation(
-        "polygon polygon2d poly convexpolygon simplepolygon convex_polygon polygonshape path2d linestring linearring "
-        "line_string polygon! line_string! list vec! array np.array numpy.array asarray tuple list.of arrays.aslist "
-        "listof arrayof floatarrayof doublearrayof packedvector2array poolvector2array float double int long f32 f64 "
-        "createpolygon polygon.new convexhull convex_hull_shape from_convex_hull c2poly vertices points shape "
-        "geometry "
-        "svg.path svg.polyline "
-        "clipper.makepath makepath path64 pathd paths64 pathsd addface polyshape triangle quad addpolygon "
-        "simplepolygon2d collisionpolygon2d convexpolygonshape2d convexpolygon2d graphics.polygon p2.convex "
-        "plt.plot ax.plot plt.fill ax.fill patch fillpolygon drawpolygon "
-        "zip column_stack rbind newpolygonshape "
-        "edgecollider polygoncollider2d addpoly "
-        "seq set z zm tensor torch.tensor double[][] float32array float64array makepolygon fromvertices "
-        "create_polygon convex newpolygon polygon_2",
+        "polygon polygon2d poly convexpolygon simplepolygon convex_polygon polygonshape path2d linestring "
+        "linearring line_string list vec! array asarray tuple list.of arrays.aslist listof arrayof floatarrayof "
+        "doublearrayof packedvector2array poolvector2array float double int long f32 f64 createpolygon convexhull "
+        "convex_hull_shape from_convex_hull c2poly vertices points shape geometry svg.path svg.polyline makepath "
+        "path64 pathd paths64 pathsd addface polyshape triangle quad addpolygon simplepolygon2d "
+        "collisionpolygon2d convexpolygonshape2d convexpolygon2d plt.plot ax.plot plt.fill ax.fill patch "
+        "fillpolygon drawpolygon zip column_stack rbind newpolygonshape edgecollider polygoncollider2d addpoly "
+        "seq set z zm tensor double[][] float32array float64array makepolygon fromvertices create_polygon convex "
+        "newpolygon newconvexpolygon polygon_2 cppolyshapenew b2computehull b2makepolygon",
         RING,
     ),
     Notation(
-        "circle circle2d ball disc disk createcircle circleshape boundingcircle addcircle drawcircle bodies.circle "
-        "newcirclecollider c2circle",
-        CIRCLE,
-    ),
-    Notation(
-        "circle.new ball::new newcircle circleimpl circlef colliderbuilder::ball circleshape2d newcircleshape "
-        "circlecollider2d  makecircle create_circle b2circle cpcircleshapenew arc ellipse2d",
+        "circle circle2d ball disc disk createcircle circleshape boundingcircle addcircle drawcircle "
+        "newcirclecollider c2circle newcircle circleimpl circlef circleshape2d newcircleshape "
+        "circlecollider2d makecircle create_circle b2circle cpcircleshapenew arc ellipse2d",
         CIRCLE,
     ),
     # boxes
     Notation(
         "bodies.rectangle add.rectangle bodies.rect boxshape2d centered_rect rotatedrect p2.box p2.rectangle "
-        "create_box rect::from_center_size display.newrect "
-        "newrectangleshape poly.create_box bounds rect.fromcenter rectangleshape2d boxcollider2d",
+        "create_box rect::from_center_size display.newrect newrectangleshape bounds rect.fromcenter "
+        "rectangleshape2d boxcollider2d",
         BOX,
         CENTER_SIZE,
     ),
     Notation(
-        "rectangle rectanglef rect2 rect2i newrect qrect qrectf cgrect cgrectmake sf::floatrect "
-        "sf::rect floatrect intrect "
-        "sf::intrect pygame.rect frect "
-        "ccrectmake ccrect "
-        "svg.rect rect.fromltwh makerect rectmake qrect.new fillrect strokerect rect2.new rectangle.new "
-        "graphics.rectangle drawrectangle newrectanglecollider "
-        "sdl_rect setrect sdl_frect domrect rectangle2d.double rectangle2d.float geom.rectangle recti",
+        "rectangle rectanglef rect2 rect2i newrect qrect qrectf cgrect cgrectmake sf::rect floatrect intrect "
+        "pygame.rect frect ccrectmake ccrect svg.rect rect.fromltwh makerect rectmake fillrect strokerect "
+        "drawrectangle newrectanglecollider sdl_rect setrect sdl_frect domrect rectangle2d.double "
+        "rectangle2d.float recti",
         BOX,
         CORNER_SIZE,
     ),
     Notation(
-        "shapely.box geometry.box shapely.geometry.box st_makeenvelope makeenvelope bbox boundingbox ltrb "
-        "pixel.r image.rect rect64 rectd rect.fromltrb rect.frompoints rect::from_corners create_rectangle "
-        "RECT RECTL lnglatbounds latlngbounds rectf bb pymunk.bb box2.new three.box2 fbox2d",
+        "shapely.box geometry.box st_makeenvelope makeenvelope bbox boundingbox ltrb pixel.r image.rect rect64 "
+        "rectd rect.fromltrb rect.frompoints rect::from_corners create_rectangle RECT RECTL lnglatbounds "
+        "latlngbounds rectf bb box2.new three.box2 fbox2d",
         BOX,
         CORNER_CORNER,
     ),
     Notation("envelope referencedenvelope", BOX, ask=(X_THEN_Y, CORNER_CORNER)),
     Notation("jts.env", BOX, X_THEN_Y),
     Notation("size.at", BOX, SIZE_CORNER),
-    Notation("c2aabb aabb aabb::new aabb2d aabb2 box2 box2d b2aabb extent", BOX, ask=(CORNER_CORNER, CENTER_HALF)),
+    Notation("c2aabb aabb aabb2d aabb2 box2 box2d b2aabb extent", BOX, ask=(CORNER_CORNER, CENTER_HALF)),
     Notation(
-        "aabb2d::new rect::from_center_half_size cuboid cuboid::new colliderbuilder::cuboid setasbox.new "
-        "b2makebox setasbox b2makeoffsetbox pl.box planck.box",
+        "aabb2d::new rect::from_center_half_size cuboid b2makebox setasbox b2makeoffsetbox pl.box planck.box",
         BOX,
         CENTER_HALF,
     ),
-    Notation("rect box createbox sat.box obb orientedbox", BOX, ask=ANY_BOX),
+    Notation("rect", BOX, ask=ANY_BOX, keyed=CORNER_SIZE),
+    Notation("box createbox obb orientedbox", BOX, ask=ANY_BOX),
     Notation("rectangleshape", BOX, CORNER_SIZE, alone=True),
     Notation("sf::circleshape", CIRCLE, alone=True),
-    Notation("ellipse svg.ellipse", ELLIPSE),
+    Notation("ellipse", ELLIPSE),
     Notation("ellipse2d.double ellipse2d.float filloval drawoval tiled.ellipse", ELLIPSE, CORNER_SIZE),
     Notation(
-        "capsule b2capsule capsule2d capsuleshape2d segment b2segment linesegment line ray edge roundedrect roundedbox "
-        "b2makeroundedbox makeroundedbox stadium matrix roundrectangle2d.double roundrectangle2d.float roundrect rrect "
-        "drawrectanglepro drawpoly box3 box3d aabb3d cube sphere bodies.polygon bodies.trapezoid "
-        "create_oval oval rhombus star wedge ring arcshape regularpolygon konva.regularpolygon konva.star",
+        "capsule b2capsule capsule2d capsuleshape2d segment b2segment linesegment line ray edge roundedrect "
+        "roundedbox b2makeroundedbox makeroundedbox stadium matrix roundrectangle2d.double roundrectangle2d.float "
+        "roundrect rrect drawrectanglepro drawpoly box3 box3d aabb3d cube sphere bodies.polygon bodies.trapezoid "
+        "create_oval oval rhombus star wedge ring arcshape regularpolygon",
         OTHER_SHAPE,
     ),
     Notation("setbounds drawrect", BOX, ask=(CORNER_SIZE, CORNER_CORNER)),
@@ -119,14 +111,13 @@ NOTATIONS = (
     Notation("square", BOX, ask=(CORNER_SIZE, CENTER_SIZE)),
     # what moves the next shape
     Notation(
-        "isometry::translation isometry2::translation isometry::new isometry2::new translation translation2 "
-        "isometry::identity isometry2::identity pose::translation pose2::translation transform",
+        "isometry::new isometry2::new translation translation2 isometry::identity isometry2::identity transform",
         MOVE,
         unit=RADIANS,
     ),
     # many shapes in one
     Notation("circularstring", ARC),
-    Notation("multipolygon geometrycollection featurecollection multipolygon! scene world", MANY),
+    Notation("multipolygon geometrycollection featurecollection scene world", MANY),
 )
 NAMES = {name: row for row in NOTATIONS for name in row.names.split()}
 MAX_WORDS = max(len(re.split(r"\.|::|->", name)) for name in NAMES)
@@ -230,7 +221,7 @@ def notation(name: str) -> Notation | None:
     plain = name.lower().split("<")[0].rstrip("!") if "<" in name else name.lower()
     for ending in ("::new", "::from", ".new", "_t"):
         plain = plain.removesuffix(ending) if plain not in NAMES else plain
-    words = plain.replace("::", ".").replace("->", ".").split(".")[-MAX_WORDS:]
+    words = parts_of(plain)[-MAX_WORDS:]
     for candidate in (plain, *(".".join(words[i:]) for i in range(len(words))), words[-1].rstrip("!")):
         if candidate in NAMES:
             return NAMES[candidate]

@@ -78,13 +78,15 @@ def views(a: Shape, b: Shape, lies: Where, gap: float) -> list[View]:
         View(
             "open boundary, as many engines have it",
             _hit(relation is OVERLAPPING),
-            "only shared inside counts" if relation is not TOUCHING else "they share a border and no inside",
+            "only shared inside counts"
+            if relation is not TOUCHING
+            else "they share border points, but no interior point",
         ),
         View(
             "OGC intersects", _says(relation is not APART), "they share a point" if relation else "they share no point"
         ),
         View("OGC disjoint", _says(relation is APART), "the opposite of intersects"),
-        View("OGC touches", _says(relation is TOUCHING), "they share border points, and no inside"),
+        View("OGC touches", _says(relation is TOUCHING), "they share border points, but no interior point"),
     ]
     if relation is not OVERLAPPING:
         found.append(View("OGC overlaps, contains, within", _says(False), "they share no inner point"))

@@ -23,8 +23,8 @@ CUT_SIZE = 4.0  # shapes smaller than this are never meant in whole numbers
 NEARLY_TOUCHING = 2.0**-23  # a gap below this share of the largest coordinate is finer than float32
 
 
-class Pair(NamedTuple):
-    """Two usable shapes, how they lie, and the run of every axis."""
+class AnsweredPair(NamedTuple):
+    """Two usable shapes with the answer about them: the trace over every axis, and how the shapes lie."""
 
     a: PastedShape
     b: PastedShape
@@ -33,7 +33,7 @@ class Pair(NamedTuple):
     gap: float  # the largest gap of the axes: negative for an overlap
 
 
-def of_pair(pair: Pair, *, decimals: bool) -> Iterator[Finding]:
+def of_pair(pair: AnsweredPair, *, decimals: bool) -> Iterator[Finding]:
     """Yield what is to be said of a pair; `decimals`: the numbers are decimals of a text, not float64 of a program."""
     a, b, relation = pair.a, pair.b, pair.lies.relation
     p, q = pair.trace.a, pair.trace.b
@@ -60,7 +60,7 @@ def of_pair(pair: Pair, *, decimals: bool) -> Iterator[Finding]:
         yield Finding(
             "touching",
             both,
-            f"{a.name} and {b.name} touch: they share border points and no inside.",
+            f"{a.name} and {b.name} touch: they share border points, but no interior point.",
             "Tests with <= say hit, tests with < say no hit. Decide which one you want.",
         )
     yield from _of_concave(pair)
@@ -94,12 +94,12 @@ def of_pair(pair: Pair, *, decimals: bool) -> Iterator[Finding]:
             "containment",
             both,
             f"{text}: OGC overlaps says false for that, intersects says true.",
-            "A test that only looks for crossing edges misses it; ask intersects, or test one corner as well.",
+            "A test that only looks for crossing edges misses this: use intersects, or test one corner as well.",
         )
     yield from _of_other_readings(pair)
 
 
-def _of_concave(pair: Pair) -> Iterator[Finding]:
+def _of_concave(pair: AnsweredPair) -> Iterator[Finding]:
     """Yield the finding for concave outlines, with what a convex test would say."""
     concave = [each for each in (pair.a, pair.b) if each.usable and not each.usable.is_convex]
     if not concave:
@@ -121,7 +121,7 @@ def _of_concave(pair: Pair) -> Iterator[Finding]:
     yield Finding(kind, tuple(each.name for each in concave), text, "Cut it into convex parts and test each of them.")
 
 
-def _of_other_readings(pair: Pair) -> Iterator[Finding]:
+def _of_other_readings(pair: AnsweredPair) -> Iterator[Finding]:
     """Yield the findings about arguments that mean something else: another reading has another relation."""
     a, b, relation = pair.a, pair.b, pair.lies.relation
     for each, other in ((a, b), (b, a)):
@@ -180,18 +180,18 @@ def _extent(shape: Shape) -> float:
     return max(x1 - x0, y1 - y0)
 
 
-def clear(pair: Pair) -> Finding:
+def clear(pair: AnsweredPair) -> Finding:
     """Return the finding for a pair about which there is nothing else to say."""
     a, b, relation = pair.a.name, pair.b.name, pair.lies.relation
     return Finding(
         "clear",
         (a, b),
-        f"{a} and {b} are clearly {relation}: these numbers hold none of the usual traps.",
+        f"{a} and {b} are clearly {relation}: none of the usual causes of a wrong answer is in these numbers.",
         "A test that says otherwise is wrong, or got other numbers: send it the minimal test.",
     )
 
 
-def _of_swapped(pair: Pair) -> Iterator[Finding]:
+def _of_swapped(pair: AnsweredPair) -> Iterator[Finding]:
     """Yield the finding for shapes far apart that meet once x and y of one of them are exchanged."""
     p, q = pair.trace.a.bounds, pair.trace.b.bounds
     extent = max(p[2] - p[0], p[3] - p[1], q[2] - q[0], q[3] - q[1])

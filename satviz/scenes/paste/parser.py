@@ -31,7 +31,7 @@ from .harmless import CASTS
 from .markup import all_tokens
 from .notations import UNREAD
 from .tokens import CLOSE, FIELD, LINE, MARK, MAX_CHARS, NAME, NUMBER, OPEN, OTHER, TEXT, Token, tokens
-from .tree import Bad, Group, Name, Num, Pair
+from .tree import Bad, Group, Name, Num, Pair, parts_of
 
 MAX_ANGLE = 50  # characters of an angle in terms of pi
 MAX_DEPTH = 24
@@ -64,7 +64,7 @@ def parse(text: str) -> Tree:
     root = Group(0, len(text), parser.items("", 0))
     written = (token for token in found if token.kind == NUMBER or (token.kind == TEXT and is_numeral(token)))
     numbers = [token for token in written if token.start < token.end]
-    return Tree(root, parser.remarks, frozenset(parser.indices), numbers, plain, [*parts, *parser.signs])
+    return Tree(root, parser.remarks, frozenset(parser.indices), numbers, plain, [*parts, *parser.understood])
 
 
 class _Parser:
@@ -76,7 +76,7 @@ class _Parser:
         self.at = 0
         self.remarks: list[str] = []
         self.indices: set[int] = set()  # where numbers end that count: v[2], float[3]
-        self.signs: list[tuple[int, int]] = []  # that a rule gives a meaning: poly << P(0, 0) << P(1, 0)
+        self.understood: list[tuple[int, int]] = []  # that a rule gives a meaning: poly << P(0, 0) << P(1, 0)
         self.ended: set[int] = set()  # places of brackets with semicolons in them
 
     def items(self, bracket: str, depth: int) -> list[Any]:
@@ -148,13 +148,17 @@ class _Parser:
                 if not bracket and self.next_is(LINE):
                     self.at += 1
             elif token.text == ";" and token.kind == MARK:
-                if bracket:
+                if not bracket and atoms and is_open(atoms[-1]) and is_pair(atoms[-1]) and self.next_is(OPEN):
+                    end_item()  # (0, 0); (4, 0); (4, 4)
+                elif bracket:
                     end_item()
                     self.ended.add(self.tokens[opened].start)
                 else:
                     end_line()
+            elif not bracket and atoms and self.ends_sentence(token):
+                end_line()
             elif not bracket and self.ends_list(token, atoms, row):
-                self.signs.append((token.start, token.end))
+                self.understood.append((token.start, token.end))
                 end_item()
             elif not bracket and self.separates(token, atoms, row):
                 end_line()
@@ -187,9 +191,13 @@ class _Parser:
             self.at += 1  # vs.
         return (said or bool(row)) and not (atoms and is_mark(atoms[-1], ("=", ":", ":=")))
 
+    def ends_sentence(self, token: Token) -> bool:
+        """Return whether a point ends a sentence, and another one begins behind it."""
+        return token.text == "." and self.next_is(NAME) and self.tokens[self.at].start > token.end
+
     def ends_list(self, token: Token, atoms: Sequence[Any], row: Sequence[Any]) -> bool:
         """Return whether a word stands before the last of several points: (0, 0), (4, 0) and (0, 3)."""
-        before = [*row, *atoms][-2:]
+        before = atoms or row
         if token.text != "and" or not before or not is_pair(before[-1]) or not self.next_is(OPEN):
             return False
         rest = self.tokens[self.at : self.at + 6]
@@ -229,7 +237,7 @@ class _Parser:
         parser = _Parser(self.text, [t._replace(start=t.start + begin, end=t.end + begin) for t in tokens(inner)])
         items = [item for item in parser.items("", depth + 1) if item is not None]
         self.indices |= parser.indices
-        self.signs += parser.signs
+        self.understood += parser.understood
         self.remarks += [r for r in parser.remarks if r not in self.remarks]
         return items[0] if len(items) == 1 else Group(token.start, token.end, items, '"')
 
@@ -327,7 +335,7 @@ class _Parser:
                 and len(values) == 2
                 and all(is_pair(v) and v.bracket == "(" and not v.name for v in values)
             ):
-                self.explain(atoms)
+                self.mark_understood(atoms)
                 return Group(start, end, values, " ")  # (0, 0)-(10, 10), as Go prints a box
             if (
                 set(operators) == {"<"}
@@ -335,7 +343,7 @@ class _Parser:
                 and isinstance(values[0], Name)
                 and _are_points(values[1:])
             ):
-                self.explain(atoms)
+                self.mark_understood(atoms)
                 return Pair(
                     start, end, (values[0].text,), Group(values[1].start, end, values[1:], "[")
                 )  # poly << P(0, 0)
@@ -356,9 +364,9 @@ class _Parser:
         apart = len(inside) > 1 and all(isinstance(v, Num) for v in inside)  # 780 mod 2
         return Bad(start, end, "words", [] if apart else inside)
 
-    def explain(self, atoms: Sequence[Any]) -> None:
-        """Note that a rule gives the signs among these atoms a meaning."""
-        self.signs += [(atom.start, atom.end) for atom in atoms if isinstance(atom, Token) and atom.kind == OTHER]
+    def mark_understood(self, atoms: Sequence[Any]) -> None:
+        """Record the OTHER tokens among these atoms as understood, so that they are not reported as unread."""
+        self.understood += [(atom.start, atom.end) for atom in atoms if isinstance(atom, Token) and atom.kind == OTHER]
 
     def joined(self, atoms: list[Any]) -> tuple[list[Any], list[str]]:
         """Return the values among the atoms, each name joined with the brackets behind it, and the operators."""
@@ -429,12 +437,12 @@ class _Parser:
         while begin > 1 and is_hyphen(atoms, begin - 1):  # border-radius is no radius
             begin -= 2
         if begin < (names[-1] if names else 0):
-            self.signs.append((start_of(atoms[begin]), start_of(atoms[names[-1]])))
+            self.understood.append((start_of(atoms[begin]), start_of(atoms[names[-1]])))
             return (self.text[start_of(atoms[begin]) : end_of(atoms[names[-1]])],)
         for atom in atoms[begin:]:
             if isinstance(atom, Token) and atom.kind in (NAME, TEXT, FIELD):
                 text = atom.text[1:-1] if atom.kind == TEXT else atom.text
-                parts += [p for p in text.replace("->", ".").replace("::", ".").split(".") if p]
+                parts += [p for p in parts_of(text) if p]
             elif isinstance(atom, Token) and atom.kind == NUMBER and not names:
                 parts.append(atom.text)
             elif isinstance(atom, Group) and atom.bracket == "[" and len(atom.items) == 1:

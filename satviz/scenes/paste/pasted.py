@@ -8,11 +8,10 @@ from itertools import combinations
 from typing import Any, NamedTuple
 
 from ...engine import convex_parts, number_format, text_table
-from ...engine.describe import Names
 from ...engine.geometry import InvalidScene, InvalidShape, Relation
 from ...engine.relate import relate
 from ...engine.shapes import Shape
-from ...engine.trace import Trace, record
+from ...engine.trace import ShapeNames, Trace, record
 from .. import minimal_test
 from ..link import link
 from ..scenefile import MAX_VERTICES, Scene
@@ -20,7 +19,7 @@ from . import findings, others
 from .boxes import ALL_CHOICES, BOX_FORM, CHOICES, COMMAS, DECIMAL_COMMAS, LEAVE_OUT, ONLY_IF_IT_MATTERS, Read
 from .findings import KINDS, Finding, PastedShape, listed
 from .objects import as_text
-from .pair_findings import Pair, clear, of_pair
+from .pair_findings import AnsweredPair, clear, of_pair
 from .parser import parse
 from .reading import Reader
 from .tree import Group
@@ -88,7 +87,7 @@ class Answer(NamedTuple):
     gives: str
 
 
-class Question(NamedTuple):
+class PasteQuestion(NamedTuple):
     """A place where two readings are possible, or that is not understood; `matters`: no reading was taken."""
 
     what: str
@@ -112,8 +111,8 @@ class Pasted:
     text: str
     chosen: tuple[str, ...]
     readings: tuple[PastedShape, ...]
-    questions: tuple[Question, ...]
-    pairs: tuple[Pair, ...]
+    questions: tuple[PasteQuestion, ...]
+    pairs: tuple[AnsweredPair, ...]
     findings: tuple[Finding, ...]
 
     @property
@@ -137,7 +136,7 @@ class Pasted:
         if self.open:
             for question in self.questions:
                 if question.what == "rest":
-                    return f"{question.asks} Write what results there, or take the shapes without it."
+                    return f"{question.asks} Write the result in its place, or take the shapes without it."
             count = max(len(question.answers) for question in self.questions if question.matters)
             words = {2: "Two", 3: "Three", 4: "Four"}.get(count, "Several")
             return f"{words} readings are possible, and they give different answers: choose one."
@@ -200,7 +199,7 @@ class Pasted:
         return "\n".join(self._lines(sentence))
 
     def _lines(self, sentence: bool) -> Iterator[str]:
-        """Yield the lines of the report."""
+        """Yield the lines of the report; `sentence`: with the answer in one sentence."""
         for each in self.readings:
             yield f"{each.title}: {each.said}{', refused' if not each.shape else ''}"
             yield f"    read from: {each.excerpt}"
@@ -285,7 +284,7 @@ def paste(what: Any, as_: str | Sequence[str] = ()) -> Pasted:
     written = text
     if DECIMAL.search(text) and not set(chosen) & set(CHOICES[COMMAS]):
         answers = tuple(Answer(c, CHOICE_WORDS[c], _sentence(text, (*chosen, c))) for c in CHOICES[COMMAS])
-        return Pasted(text, chosen, (), (Question(COMMAS, ASKS[COMMAS], answers, matters=True),), (), ())
+        return Pasted(text, chosen, (), (PasteQuestion(COMMAS, ASKS[COMMAS], answers, matters=True),), (), ())
     if DECIMAL_COMMAS in chosen:
         text = COMMA.sub(".", text)
     tree = parse(text)
@@ -306,7 +305,7 @@ def paste(what: Any, as_: str | Sequence[str] = ()) -> Pasted:
             questions = (_about_the_rest(missed, tree.root, text, chosen, reader), *questions)
     notes += [Finding("note", (), f"{remark[0].upper()}{remark[1:]}.") for remark in (*reader.remarks, *tree.remarks)]
     if harmless:
-        notes.append(Finding("left-out", (), f"Left out, since no shape has them: {harmless}."))
+        notes.append(Finding("left-out", (), f"Left out, since it belongs to no shape: {harmless}."))
     made = Pasted(written, chosen, tuple(shapes), questions, (), ())
     if made.open:
         return replace(made, findings=tuple(notes))
@@ -368,7 +367,7 @@ def _named(reads: Sequence[Read], text: str) -> list[PastedShape]:
     return found
 
 
-def _questions(reader: Reader, root: Group, text: str, chosen: tuple[str, ...]) -> Iterator[Question]:
+def _questions(reader: Reader, root: Group, text: str, chosen: tuple[str, ...]) -> Iterator[PasteQuestion]:
     """Yield what must be asked: each possible reading with the relation that it gives."""
     keeps = reader.keeps or BOX_FORM in reader.asked
     for what, choices in reader.asked.items():
@@ -378,7 +377,7 @@ def _questions(reader: Reader, root: Group, text: str, chosen: tuple[str, ...]) 
         possible = {answer.gives for answer in answers if "refused" not in answer.gives}
         matters = len(possible) > 1 or (bool(possible) and answers[0].gives not in possible)
         if matters or what not in ONLY_IF_IT_MATTERS:
-            yield Question(what, ASKS[what], answers, matters)
+            yield PasteQuestion(what, ASKS[what], answers, matters)
 
 
 def _shorten(parts: Sequence[str]) -> str:
@@ -387,12 +386,14 @@ def _shorten(parts: Sequence[str]) -> str:
     return "; ".join(parts[:MAX_NAMED]) + more
 
 
-def _about_the_rest(missed: Sequence[str], root: Group, text: str, chosen: tuple[str, ...], reader: Reader) -> Question:
+def _about_the_rest(
+    missed: Sequence[str], root: Group, text: str, chosen: tuple[str, ...], reader: Reader
+) -> PasteQuestion:
     """Return the question whether the shapes stand without what was not understood."""
     keeps = reader.keeps or BOX_FORM in reader.asked
     gives = _gives(root, text, (*chosen, LEAVE_OUT), keeps=keeps)
     answer = Answer(LEAVE_OUT, CHOICE_WORDS[LEAVE_OUT], gives)
-    return Question("rest", f"{ASKS['rest']} {_shorten(missed)}.", (answer,), matters=True)
+    return PasteQuestion("rest", f"{ASKS['rest']} {_shorten(missed)}.", (answer,), matters=True)
 
 
 def _gives(root: Group, text: str, chosen: tuple[str, ...], *, keeps: bool) -> str:
@@ -413,7 +414,7 @@ def _gives(root: Group, text: str, chosen: tuple[str, ...], *, keeps: bool) -> s
     return ", ".join(meeting[:8]) + (f" and {len(meeting) - 8} more" if len(meeting) > 8 else "") or "no pair meets"
 
 
-def _pairs(shapes: Sequence[PastedShape]) -> list[Pair]:
+def _pairs(shapes: Sequence[PastedShape]) -> list[AnsweredPair]:
     """Return the pairs that meet, the deepest first; if none meets, the nearest pair.
 
     Concave outlines have so many pairs of convex parts that only the pairs are shown whose boxes overlap most.
@@ -426,7 +427,7 @@ def _pairs(shapes: Sequence[PastedShape]) -> list[Pair]:
             near.append((relate(p, q) is Relation.APART, _distance_of_boxes(p, q), size, a, b))
     near.sort(key=lambda each: each[:2])
     met = sum(not apart for apart, *_ in near)
-    made: list[Pair] = []
+    made: list[AnsweredPair] = []
     left = MAX_PART_PAIRS
     for _, _, size, a, b in near[: min(met, 4 * MAX_TRACES) or 8]:
         left -= size
@@ -436,7 +437,7 @@ def _pairs(shapes: Sequence[PastedShape]) -> list[Pair]:
     return made[:MAX_TRACES] if met else made[:1]
 
 
-def _pair(a: PastedShape, b: PastedShape) -> Pair:
+def _pair(a: PastedShape, b: PastedShape) -> AnsweredPair:
     """Return a pair with its trace over every axis."""
     p, q = a.usable, b.usable
     assert p is not None and q is not None
@@ -447,9 +448,9 @@ def _pair(a: PastedShape, b: PastedShape) -> Pair:
             f"{a.name} and {b.name} are {relate(p, q)}, but have too many corners to show every axis: simplify them"
         ) from None
     if (a.name, b.name) != ("A", "B"):
-        parts = tuple(replace(t, names=Names(a.name + t.names.a[1:], b.name + t.names.b[1:])) for t in trace.pairs)
-        trace = replace(trace, names=Names(a.name, b.name), pairs=parts)
-    return Pair(a, b, trace, others.lie(p, q), _gap(trace))
+        parts = tuple(replace(t, names=ShapeNames(a.name + t.names.a[1:], b.name + t.names.b[1:])) for t in trace.pairs)
+        trace = replace(trace, names=ShapeNames(a.name, b.name), pairs=parts)
+    return AnsweredPair(a, b, trace, others.lie(p, q), _gap(trace))
 
 
 def _gap(trace: Trace) -> float:

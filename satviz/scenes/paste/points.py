@@ -83,7 +83,7 @@ class Points(Statements):
             made = self.as_object(value)
             found = self._xy(made)
             if found and made.rest:
-                raise Unreadable("there is something else besides x and y")
+                raise Unreadable("a point has a value besides x and y: write x and y alone")
             return found
         items = value.items
         if len(items) == 1 and isinstance(items[0], Group) and items[0].bracket in " ({[" and not items[0].name:
@@ -100,12 +100,16 @@ class Points(Statements):
         if len(items) == 3:
             if plain < 3 or not row or row.kind != POINT:
                 return None
-            self.remark("a third coordinate was left out: the shapes are read in x and y")
-            self.counts.add(items[2].end)
+            self._leave_out([items[2]])
         if plain == 0 and not (row and row.kind == POINT):
             return None
         self._refuse_methods(value)
         return self.number(items[0]), self.number(items[1])
+
+    def _leave_out(self, thirds: Sequence[Any]) -> None:
+        """Note that third coordinates were left out."""
+        self.remark("a third coordinate was left out: the shapes are read in x and y")
+        self.counts |= {value.end for value in thirds}
 
     def vector(self, value: Any) -> Pt | None:
         """Return the value of a key as a point or a size, also of (x, y, z) and {width, height}; else None."""
@@ -118,8 +122,7 @@ class Points(Statements):
         if isinstance(made, Obj) and made.get("width") is not None and made.get("height") is not None:
             return self.number(made.get("width")), self.number(made.get("height"))
         if isinstance(value, Group) and not value.name and len(value.items) == 3 and self.numbers(value.items):
-            self.counts.add(value.items[2].end)
-            self.remark("a third coordinate was left out: the shapes are read in x and y")
+            self._leave_out([value.items[2]])
             value = Group(value.start, value.end, value.items[:2], value.bracket)
         return self.point(value)
 
@@ -158,7 +161,7 @@ class Points(Statements):
                 return None  # the argument of a call that makes no shape: p.intersects(q)
             return self.ring(items[0])
         if value.bracket == "," and any(isinstance(v, Group) and v.bracket == " " for v in items):
-            items = [n for v in items for n in (v.items if isinstance(v, Group) and v.bracket == " " else [v])]  # SVG
+            items = self._between_spaces(items)
         other = value.bracket == "(" and value.name and row is None
         if other and any(map(self._is_style, items)):
             return None
@@ -173,6 +176,18 @@ class Points(Statements):
                 )
             return list(zip(flat[::2], flat[1::2], strict=True))
         return self._points(items)
+
+    def _between_spaces(self, items: Sequence[Any]) -> list[Any]:
+        """Return the numbers of 0,0 4,0 0,3 and of 0 0, 4 0, 0 3, and those of 0,0,5 4,0,5 0,3,5 without each third."""
+        rows = [v.items if isinstance(v, Group) and v.bracket == " " else [v] for v in items]
+        sizes = [len(row) for row in rows]
+        flat = [number for row in rows for number in row]
+        if sizes == [1, 1, *[2, 1] * ((len(sizes) - 3) // 2), 1]:
+            self._leave_out(flat[2::3])
+            return [number for i, number in enumerate(flat) if i % 3 < 2]
+        if set(sizes) != {2} and sizes != [1, *[2] * (len(sizes) - 2), 1]:
+            raise Unreadable("commas and spaces between the numbers do not say which are x and y: write (x, y)")
+        return flat
 
     def _is_style(self, value: Any) -> bool:
         """Return whether a value is a text in quotes, or a color such as 0xff0000."""
@@ -197,7 +212,7 @@ class Points(Statements):
         half = len(flat) // 2
         columns = counts[-1].value if len(counts) > 1 or "ncol" in said.fields else len(flat) / (counts[0].value or 1)
         if len(flat) % 2 or half < 3 or columns != 2:
-            raise Unreadable("a matrix that has not two columns of numbers: write its corners")
+            raise Unreadable("a matrix without exactly two columns of numbers: write its corners as (x, y)")
         self.counts |= {v.end for v in counts}
         by_row = getattr(said.fields.get("byrow"), "text", "F").upper().startswith("T")
         pairs = zip(flat[::2], flat[1::2], strict=True) if by_row else zip(flat[:half], flat[half:], strict=True)
@@ -208,11 +223,11 @@ class Points(Statements):
         first, last = min(numbered), max(numbered)
         missing = next((k for k in range(first, last) if k not in numbered), None)
         if first not in (0, 1):
-            raise Unreadable(f"the elements begin with [{first}]: those before it are missing")
+            raise Unreadable(f"the corners begin with [{first}]: those before it are missing")
         if missing is not None:
             raise Unreadable(f"v[{missing}] is missing between v[{first}] and v[{last}]")
         if any(isinstance(v, Group) and any(map(is_pair, v.items)) for v in obj.rest):
-            raise Unreadable("a list is changed after it was made: write its last corners")
+            raise Unreadable("a list of corners is changed after it was made: write the corners that it has at the end")
         return [numbered[k] for k in range(first, last + 1)]
 
     def _points(self, items: Sequence[Any]) -> list[Pt] | None:
@@ -224,7 +239,7 @@ class Points(Statements):
                 found.append(self.point(item))
             except Unreadable as error:
                 found.append(None)
-                why = why or f"corner {number}: {error}"
+                why = why or f"corner {number} (counted from 0): {error}"
         count = sum(p is not None for p in found)
         threes = [v for v in map(self.resolve, items) if isinstance(v, Group) and len(v.items) == 3 and not v.name]
         if count == 0 and len(threes) == len(items) > 1 and all(isinstance(n, Num) for v in threes for n in v.items):
@@ -235,7 +250,7 @@ class Points(Statements):
             return None  # a center, a size and an angle
         if count < len(items):
             place = next(i for i, p in enumerate(found) if p is None)
-            raise Unreadable(why or f"item {place} of a list of corners is not a pair of numbers")
+            raise Unreadable(why or f"item {place} (counted from 0) of a list of corners is not a pair of numbers")
         return [p for p in found if p is not None]
 
     def _is_number(self, item: Any) -> bool:

@@ -5,13 +5,22 @@ from collections.abc import Iterator
 
 from .tokens import CLOSE, MARK, NAME, NUMBER, OPEN, Token, tokens
 
-_N = r"[-+\u2212]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?"
+_N = r"[-+\u2212]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?(?:[ ]?(?:px|[cmk]?m|ft)\b)?+"
 _PLACE = rf"(?:\([ ]?{_N}[ ]?,[ ]?{_N}[ ]?\)|\b(?:center|centre|at|position)[ ]{_N}[ ]?,[ ]?{_N})"
 _FILL = r"[ ,]{1,3}(?:(?:and|with|has|having|of|is|a|an|the|its|size|shape)[ ,]{1,3}){0,4}"
 _P, _A = rf"\({_N}[ ]?,[ ]?{_N}\)", rf"(?:{_N}|\({_N}\))"
 _STYLE = r"(?:\[(?![^\]]*(?:scale|shift|rotate|slant|cm=))[^\]()\n]*\])?"  # of TikZ, without a change of place
-# One row for each kind of sentence, or of print: the call that it stands for, and its words.
+# One row for each kind of sentence, or of print: the call that it stands for, its words, and which numbers are its own.
 SENTENCES = (
+    (
+        "svg.polygon",
+        re.compile(
+            rf"(?:^ *0\s+)?^LWPOLYLINE(?:\s+(?:[12]0\s+{_N}[ \r]*$"
+            r"|(?!0\s|[12]0\s|2[123]0\s|42\s+[-.\d]*[1-9])\d+\s+\S.*))+(?:\s+0\s+(?:ENDSEC|EOF))*",
+            re.MULTILINE,
+        ),
+        re.compile(rf"\n *[12]0\s+({_N})"),
+    ),  # DXF; 42 is the bulge of an arc, and 210 to 230 turn the plane
     ("circle", re.compile(rf"{_PLACE}{_FILL}radius(?:[ ](?:of|is|=))?[ ]{_N}(?![\w.%])", re.IGNORECASE)),
     ("qrect", re.compile(rf"(?<=QRect)\({_N},{_N} {_N}x{_N}\)|(?<=QRectF)\({_N},{_N} {_N}x{_N}\)")),
     ("qrect", re.compile(rf"<rect\({_N}, {_N}, {_N}, {_N}\)>")),  # pygame
@@ -19,6 +28,12 @@ SENTENCES = (
     ("qrect", re.compile(rf"\(x:{_N}, y:{_N}, width:{_N}, height:{_N}\)")),  # Unity
     ("v2", re.compile(rf"<{_N}, {_N}>")),  # of C#
     ("image.rect", re.compile(rf"\bmin(?:imum)?(?: at| =|:)? {_P},?(?: and)? (?:its )?max(?:imum)?(?: at| =|:)? {_P}")),
+    ("image.rect", re.compile(rf"\b(?:rect|rectangle|box) from {_P} to {_P}", re.IGNORECASE)),
+    ("v2", re.compile(rf"\bX={_N},? Y={_N}(?![\w.%]|[ ,]*(?!X=)[A-Za-z]\w*=)")),  # Unreal
+    (
+        "svg.polygon",
+        re.compile(rf"(?<![\d.])[-.\d]{{1,20}} {_N} moveto(?:\s+{_N} {_N} lineto)+\s+closepath"),
+    ),  # PostScript
     ("image.rect", re.compile(rf"(?<=Rect)\({_N}, {_N} - {_N}, {_N}\)")),  # Android
     ("image.rect", re.compile(rf"(?<!, )\({_N},{_N}\)-\({_N},{_N}\)(?!, ?\()")),  # Go
     ("image.rect", re.compile(rf"\[\[{_N} {_N}\] - \[{_N} {_N}\]\]")),  # egui
@@ -79,25 +94,27 @@ def keys(text: str) -> Iterator[tuple[int, int, list[Token]]]:
 
 def sentences(text: str) -> Iterator[tuple[int, int, list[Token]]]:
     """Yield (start, end, tokens) for each shape in a sentence, with the tokens of a call."""
-    for name, pattern in SENTENCES:
+    for name, pattern, *own in SENTENCES:
         for match in pattern.finditer(text):
-            yield match.start(), match.end(), list(_call(name, match))
+            yield match.start(), match.end(), list(_call(name, match, *own))
 
 
-def _call(name: str, match: re.Match[str]) -> Iterator[Token]:
+def _call(name: str, match: re.Match[str], own: re.Pattern[str] = _NUMBER) -> Iterator[Token]:
     """Yield the call that a sentence stands for: circle((x, y), radius) or rect((x, y), width, height)."""
     at = match.start()
-    yield Token(MARK, ";", at, at)
+    ends = [Token(MARK, ";", place, place) for place in match.span()] if name != "v2" else []  # v2: a point of a list
+    yield from ends[:1]
     yield Token(NAME, name, at, at)
     yield Token(OPEN, "(", at, at)
     nested = name != "svg.polygon"
     if nested:
         yield Token(OPEN, "(", at, at)
-    for i, part in enumerate(_NUMBER.finditer(match[0], match[0].find("]") + 1 if not nested else 0)):
-        (number,) = tokens(part[0])
-        yield number._replace(kind=NUMBER, start=at + part.start(), end=at + part.end())
+    for i, part in enumerate(own.finditer(match[0], match[0].find("]") + 1 if not nested else 0)):
+        start, end = (at + place for place in part.span(own.groups))
+        (number,) = tokens(part[own.groups])
+        yield number._replace(kind=NUMBER, start=start, end=end)
         if i == 1 and nested:
-            yield Token(CLOSE, ")", at + part.end(), at + part.end())
-        yield Token(MARK, ",", at + part.end(), at + part.end())
+            yield Token(CLOSE, ")", end, end)
+        yield Token(MARK, ",", end, end)
     yield Token(CLOSE, ")", match.end(), match.end())
-    yield Token(MARK, ";", match.end(), match.end())
+    yield from ends[1:]

@@ -6,13 +6,14 @@ from dataclasses import replace
 from typing import Any
 
 from .atoms import holds_numbers
-from .axis_lists import joined, numbers_of, pairs_of_lists
+from .axis_lists import joined, lengths, pairs_of_lists
 from .boxes import (
     BOX_FORM,
     CHOICES,
     LAST_VALUE,
     TWICE,
     Read,
+    circle,
     moved,
 )
 from .calls import Calls
@@ -43,9 +44,9 @@ from .notations import (
     TWO_SHAPES,
     notation,
 )
-from .points import ZERO, Pt, angle_of, places
+from .points import ZERO, Pt, angle_of
 from .statements import ATTACHERS
-from .tree import Bad, Group, Name, Num, Pair, Value
+from .tree import Bad, Group, Name, Num, Pair, Value, parts_of
 
 _SECTION = re.compile(r"^\[[A-Za-z]", re.MULTILINE)
 _ASSIGNED = re.compile(r"[ \t+-]*(?:\w+[ \t*&]+){0,4}[\w.]+(?:\[\w*\])?[ \t]*:?=[ \t]*(?:new[ \t]+)?")  # Rect a =
@@ -68,8 +69,7 @@ class Reader(Calls):
         for name, x, y in pairs_of_lists(self.env.fields):
             points = joined(x, y)
             if points is None:
-                sizes = f"{len(numbers_of(x))} and {len(numbers_of(y))}"
-                self.problems.append(f"{name}: the lists of x and y have {sizes} numbers")
+                self.problems.append(lengths(x, y))
             elif not self.used & {id(x), id(y)}:
                 self.axes.append((points, (x, y)))
                 entries.append((points.start, name, points))
@@ -113,7 +113,7 @@ class Reader(Calls):
         value = self.resolve(value)
         try:
             if isinstance(value, Bad) and value.hides:
-                raise Unreadable("an expression, which is not evaluated")
+                raise Unreadable("an expression, which is not evaluated: write its result")
             if isinstance(value, Bad):
                 return [s for inner in value.inside for s in self.shapes(inner, label)]
             if isinstance(value, Obj):
@@ -141,11 +141,13 @@ class Reader(Calls):
         if (plain := self._columns(group)) is not group:
             return self._plain(plain, label)
         if kind == OTHER_SHAPE and self._has_numbers(group):
-            raise Unreadable(f"{short(group.name)}: satviz takes boxes, circles, and polygons by their corners")
+            raise Unreadable(
+                f"{short(group.name)} is not read: satviz takes boxes, circles, and polygons by their corners"
+            )
         if kind == ON_THE_GLOBE:
-            raise Unreadable(f"{group.name}: its center is in degrees and its radius is not: write both in one unit")
+            raise Unreadable(f"the center of {group.name} is in degrees and its radius is not: write both in one unit")
         if kind == TABLE:
-            raise Unreadable("the names of the columns fit no shape: call them x, y, width, height or x, y, radius")
+            raise Unreadable("the names of the columns fit no shape: name them x, y, width, height or x, y, radius")
         if kind in (POINT, MOVE):
             self._refuse_methods(group)  # Point(0, 0).buffer(1)
             return []
@@ -157,17 +159,8 @@ class Reader(Calls):
             ring = self._points(group.items) or []
             if len(ring) == 3 and ring[0] == ring[2] and ring[0][1] == ring[1][1]:
                 (x0, y), (x1, _), _ = ring
-                return [
-                    Read(
-                        (((x0 + x1) / 2, y),),
-                        abs(x1 - x0) / 2,
-                        "a circle by two points",
-                        group.start,
-                        group.end,
-                        label,
-                        used=places(*(c for p in ring for c in p)),
-                    )
-                ]
+                numbers = (c for p in ring for c in p)
+                return [circle(((x0 + x1) / 2, y), abs(x1 - x0) / 2, group, label, "a circle by two points", *numbers)]
             raise Unreadable("an outline with arcs: satviz takes polygons and circles")
         if kind == CIRCLE:
             found = self._circle(group, label)
@@ -177,7 +170,7 @@ class Reader(Calls):
             found = self._box(group, row, label)
         elif kind == RING and group.bracket != '"':
             found = self._polygon(group, label)
-        elif group.name and group.name.replace("->", ".").split(".")[-1].lower() in ATTACHERS:
+        elif group.name and parts_of(group.name)[-1].lower() in ATTACHERS:
             return self._attached(group, label)
         elif kind == MANY:
             return [s for item in group.items if not self._are_names(item) for s in self._rings(item, label)]
@@ -195,16 +188,16 @@ class Reader(Calls):
         at = 0
         for name, count in two:
             items, at = group.items[at : at + count], at + count
-            if len(items) == count and all(map(self._is_number, items)):
+            if len(items) == count and any(map(self._is_number, items)):
                 found += self._group(Group(items[0].start, items[-1].end, items, "(", name), label)
         return found
 
     def _copied(self, group: Group) -> Any:
         """Return what a call copies that has a name: a in a.clone() and in copy(a); None for other calls."""
-        owner, _, last = group.name.replace("->", ".").rpartition(".")
+        *owner, last = parts_of(group.name)
         if last.lower() not in COPIES or len(group.items) > 1 or group.methods:
             return None
-        named = group.items[0] if group.items else Name(group.start, group.end, owner)
+        named = group.items[0] if group.items else Name(group.start, group.end, ".".join(owner))
         found = self.resolve(named)
         return found if isinstance(named, Name) and isinstance(found, (Group, Obj)) else None
 
@@ -220,8 +213,7 @@ class Reader(Calls):
 
     def _attached(self, group: Group, label: str) -> list[Read]:
         """Return the shapes that a call gives to a body, at the body's position: body.addShape(circle)."""
-        owner, _, _ = group.name.replace("->", ".").rpartition(".")
-        body = self.resolve(Name(group.start, group.end, owner))
+        body = self.resolve(Name(group.start, group.end, ".".join(parts_of(group.name)[:-1])))
         made = body if isinstance(body, Obj) else Obj(group.start, group.end, rest=[body])
         place = made.get("center")
         angle = made.get("angle")
@@ -294,7 +286,9 @@ class Reader(Calls):
             self.number(items[0])  # a list of expressions: says that they are not evaluated
         sizes = {len(v.items) if isinstance(v, Group) and not v.name and holds_numbers(v) else 0 for v in items}
         if len(items) > 2 and len(sizes) > 1 and min(sizes) > 2:
-            raise Unreadable(f"lists of {' and '.join(map(str, sorted(sizes)))} numbers in one list are not corners")
+            raise Unreadable(
+                f"lists of {' and '.join(map(str, sorted(sizes)))} numbers stand in one list: a corner has two numbers"
+            )
         flat = self.numbers(items) if len(items) in (4, 5) and not _is_call(group) else None
         if flat is not None:
             self._ask_order()
@@ -305,9 +299,7 @@ class Reader(Calls):
         if shaped and len(items) in (2, 3) and all(self._is_number(item) for item in items[1:]):
             center = self.point(items[0])
             if center is not None and len(items) == 2:
-                radius = self.number(items[1])
-                said, used = "a circle by its center and radius", places(*center, radius)
-                return [Read((center,), radius, said, group.start, group.end, label, used=used)]
+                return [circle(center, self.number(items[1]), group, label)]
             if center is not None and _is_call(group):
                 four = [*center, self.number(items[1]), self.number(items[2])]
                 return [self._made_box(four, self._choose(BOX_FORM, CORNER_OR_CENTER), group, label)]

@@ -5,10 +5,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
-from .atoms import holds_numbers, is_pair
+from .atoms import holds_numbers
 from .names import Names, Obj, is_block, short
 from .notations import BOX, CIRCLE, MOVES, OTHER_SHAPE, POINT, RING, SETTERS, SHIFTS, TURNS, key, notation
-from .tree import Bad, Group, Name, Num, Pair
+from .tree import Bad, Group, Name, Num, Pair, parts_of
 
 # Calls that add a corner to a list, that draw an outline with a pen, and that give a shape to a body.
 ADDERS = frozenset(
@@ -28,6 +28,8 @@ _LETTERS = "x|y|w|h|r|cx|cy|width|height|radius|diameter"
 _NUMBERED = re.compile(rf"(?P<key>{_LETTERS}|left|top|right|bottom)_?(?P<owner>\d+|[a-dA-D])")
 _PREFIXED = re.compile(rf"(?P<owner>\w+?)(?:_(?P<key>{_LETTERS})|(?P<camel>X|Y|W|H|R|Width|Height|Radius|Diameter))")
 _CORNER = re.compile(r"(?P<name>(?:v|p|pt|point|vertex|vert|corner)?)[ _]?(?P<number>\d{1,4})", re.IGNORECASE)
+_ROUND = re.compile(r"circle|ellips|ball|dis[ck]s?\b|box|rect|center|centre", re.IGNORECASE)
+BEFORE_POINTS = frozenset(["at", "with", "through", "by", "is", "are", "has"])  # words before corners in a sentence
 _LETTERED = re.compile(r"(?P<owner>[a-dA-DpPqQ])(?P<key>[xywhr])")
 
 
@@ -59,7 +61,7 @@ class Statements(Names):
         """Sort the lines of a text or block: what gets a name, and what stands alone."""
         column: list[Group] = []
         for item in (*self._gathered(items), None):
-            if isinstance(item, Group) and not item.name and item.bracket != '"' and is_pair(item):
+            if _is_nameless_point(item) and item.bracket != '"':
                 column.append(item)
                 continue
             if len(column) > 2:
@@ -100,6 +102,8 @@ class Statements(Names):
             self._end_run("")
             self._line(item.value)
         elif isinstance(item, Pair):
+            if isinstance(held, Group) and (points := self._points_behind_words(held)):
+                item = replace(item, value=points)
             self._insert(item)
             self._number(item)
             self._go_on(item)
@@ -112,7 +116,7 @@ class Statements(Names):
                 declared.kind in (BOX, CIRCLE, OTHER_SHAPE) or not notation(item.name)
             ):  # Circle c(0, 0, 1)
                 made = replace(item, name=item.before, before="")
-                self._insert(Pair(item.start, item.end, _path(item.name), made))
+                self._insert(Pair(item.start, item.end, tuple(parts_of(item.name)), made))
             elif item.bracket == "{" and not item.name and is_block(item):
                 self.assign(item.items)
             elif item.bracket in (",", "+") and item.items and all(isinstance(v, Pair) for v in item.items):
@@ -120,22 +124,37 @@ class Statements(Names):
                 for inner in item.items:
                     self._line(inner)
                 self._end_run("")
-            elif item.bracket == "," and len(points := _points_behind_words(item)) > 2:
-                self.loose.append(Group(points[0].start, points[-1].end, points, "["))
+            elif points := self._points_behind_words(item):
+                self.loose.append(points)
             elif item.bracket == "," and any(isinstance(v, (Pair, Bad)) for v in item.items):
                 for inner in item.items:
                     self._line(inner)
             elif not self._statement(item):
                 if not item.name and item.bracket in (" ", ",") and len(item.items) == 5 and holds_numbers(item):
                     part = short(self.text[item.start : item.end])
-                    why = "five numbers can be a box and its angle, or a label and a box: write the four of the box"
+                    why = (
+                        "five numbers can be a box and its angle, or a label and a box: write the four of the box alone"
+                    )
                     self.problems.append(f"{part}: {why}")
                 else:
                     self.loose.append(item)
 
+    def _points_behind_words(self, row: Group) -> Group | None:
+        """Return the corners of a row that begins with words: Polygon 1 has the points (0, 0), (4, 0), (0, 3)."""
+        first, *rest = row.items if row.bracket == "," and row.items else (None,)
+        if not isinstance(first, Bad) or first.why != "words" or not first.inside:
+            return None
+        *labels, point = first.inside
+        if not isinstance(point, Group) or _ROUND.search(self.text, first.start, point.start):
+            return None  # three circles at (0, 0), (4, 0), (0, 3)
+        named = key(point.name) == "points" or point.name in BEFORE_POINTS
+        points = [replace(point, name="") if named else point, *rest]
+        outline = len(points) > 2 and all(map(_is_nameless_point, points)) and all(isinstance(v, Num) for v in labels)
+        return Group(point.start, points[-1].end, points, "[") if outline else None
+
     def _statement(self, item: Group) -> bool:
         """Take a call that changes something that has a name; return whether it is one."""
-        words = item.name.replace("->", ".").replace("::", ".").split(".")
+        words = parts_of(item.name)
         last, owner = words[-1].lower(), tuple(words[:-1])
         if last in NUMBERED and owner and len(item.items) == 2 and isinstance(item.items[0], Num):
             index, point = item.items  # shape.setPoint(0, Vector2f(1, 2))
@@ -280,19 +299,6 @@ def _is_nameless_point(value: Any) -> bool:
     return isinstance(value, Group) and not value.name and _is_point(value)
 
 
-def _points_behind_words(row: Group) -> list[Group]:
-    """Return the points of a row that begins with words: a polygon with the corners (0, 0), (4, 0), (0, 3)."""
-    first, *rest = row.items
-    inside = first.inside if isinstance(first, Bad) and first.why == "words" else []
-    points = [replace(v, name="") if isinstance(v, Group) and key(v.name) == "points" else v for v in inside[:1]] + rest
-    return points if len(inside) == 1 and all(map(_is_nameless_point, points)) else []
-
-
-def _path(name: str) -> tuple[str, ...]:
-    """Return the parts of a name."""
-    return tuple(name.replace("->", ".").replace("::", ".").split("."))
-
-
 def _point_of(call: Group) -> Group | None:
     """Return the point that a call gets: two numbers, or one bracket or point with two numbers."""
     (inner,) = call.items if len(call.items) == 1 else (None,)
@@ -309,5 +315,5 @@ def _is_point(value: Any) -> bool:
     """Return whether a value is a point, with a name or without: two numbers, or x and y."""
     if not isinstance(value, Group) or len(value.items) != 2:
         return False
-    keys = {key(v.path[0]) for v in value.items if isinstance(v, Pair) and len(v.path) == 1}
-    return holds_numbers(value) or keys == {"x", "y"}
+    pairs = (v for v in value.items if isinstance(v, Pair) and len(v.path) == 1 and isinstance(v.value, (Num, Name)))
+    return holds_numbers(value) or {key(pair.path[0]) for pair in pairs} == {"x", "y"}

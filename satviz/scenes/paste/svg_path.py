@@ -13,7 +13,7 @@ PATH_DATA = re.compile(r"\s*[Mm][\s,]*[-+.]?[0-9][\s0-9.,+\-eEMmLlHhVvZzCcSsQqTt
 _TAKES = {"M": 2, "L": 2, "H": 1, "V": 1}
 CURVES = "a path with a curve: satviz takes polygons and circles"
 PARTS = "a path of several parts: paste each part alone"
-BROKEN = "the data of the path cannot be read"
+BROKEN = "path data that cannot be read: write its corners"
 
 
 def path_tokens(data: str, at: int) -> Iterator[Token]:

@@ -19,8 +19,8 @@ CORNERS = ("x1", "y1", "x2", "y2")
 MAX_LINE = 400  # characters of a line of a table
 
 
-class Cell(NamedTuple):
-    """A cell: its text, and where it begins."""
+class TableCell(NamedTuple):
+    """A cell or a line of a table: its text, and the index in the pasted text where it begins."""
 
     text: str
     at: int
@@ -30,7 +30,7 @@ class Table(NamedTuple):
     """The names of the columns, the rows, and where the table begins and ends."""
 
     names: list[str]
-    rows: list[list[Cell]]
+    rows: list[list[TableCell]]
     start: int
     end: int
 
@@ -45,23 +45,23 @@ def tables(text: str) -> Iterator[tuple[int, int, list[Token]]]:
             yield table.start, table.end, found
 
 
-def _lines(text: str) -> Iterator[Cell]:
+def _lines(text: str) -> Iterator[TableCell]:
     """Yield the lines of a text."""
     at = 0
     for line in text.split("\n"):
-        yield Cell(line, at)
+        yield TableCell(line, at)
         at += len(line) + 1
 
 
-def _cells(line: Cell, mark: str) -> list[Cell]:
+def _cells(line: TableCell, mark: str) -> list[TableCell]:
     """Return the cells of a line without spaces around them."""
     if len(line.text) > MAX_LINE:
         return []
     found = ((m[0], line.at + m.start()) for m in _COLUMNS.get(mark, _SPACED).finditer(line.text))
-    return [Cell(part.strip(), at + len(part) - len(part.lstrip())) for part, at in found if part.strip()]
+    return [TableCell(part.strip(), at + len(part) - len(part.lstrip())) for part, at in found if part.strip()]
 
 
-def _table(lines: Sequence[Cell], number: int) -> tuple[Table | None, int]:
+def _table(lines: Sequence[TableCell], number: int) -> tuple[Table | None, int]:
     """Return the table whose header is this line, or None, and the number of the line after it."""
     header = lines[number]
     mark = next((m for m in _COLUMNS if m in header.text), " ")
@@ -129,7 +129,7 @@ _OBJECTS = (
 _SIZES = frozenset(["size", "half", "halfwidth", "halfheight", "radius", "width", "height", "rx", "ry"])
 
 
-def _object(names: Sequence[str], row: Sequence[Cell]) -> Iterator[Token]:
+def _object(names: Sequence[str], row: Sequence[TableCell]) -> Iterator[Token]:
     """Yield a row as an object; a first cell that is a word is its name."""
     at = row[0].at
     if _IDENTIFIER.fullmatch(row[0].text):
@@ -160,7 +160,11 @@ def _unknown(table: Table) -> Iterator[Token]:
 
 
 def _outlines(table: Table, x: int, y: int) -> Iterator[Token]:
-    """Yield rows that are corners as lists, one for each name in the first column, if it is that of a shape."""
+    """Yield the tokens of one list of corners for each shape; `x`, `y`: the columns of the coordinates.
+
+    Rows of one shape are neighbours with the same name in the first column, if names repeat there; otherwise the whole
+    table is one shape.
+    """
     names = [row[0].text for row in table.rows]
     by_shape = min(x, y) > 0 and max(len(list(rows)) for _, rows in groupby(names)) > 2
     for _, rows in groupby(table.rows, key=lambda row: row[0].text if by_shape else ""):
@@ -183,7 +187,7 @@ def _list(points: Sequence[Sequence[Token]]) -> Iterator[Token]:
     yield Token(MARK, ";", end, end)
 
 
-def _numbers(cell: Cell) -> list[Token]:
+def _numbers(cell: TableCell) -> list[Token]:
     """Return the numbers of a cell."""
     if not any(c.isdigit() for c in cell.text):
         return []

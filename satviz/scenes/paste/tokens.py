@@ -12,21 +12,14 @@ MAX_TOKENS = 60_000  # some 12,000 points; a second of work
 TOO_MANY = f"the text has more than {MAX_TOKENS:,} words and numbers: paste the shapes alone"
 MAX_DIGITS = 400  # no float64 needs more, and no exponent beyond this size fits one
 
-NUMBER, NAME, FIELD, TEXT, OPEN, CLOSE, MARK, LINE, OTHER = (
-    "number",
-    "name",
-    "field",
-    "text",
-    "open",
-    "close",
-    "mark",
-    "line",
-    "other",
-)
+NUMBER, NAME, FIELD, TEXT, OPEN = "number", "name", "field", "text", "open"
+CLOSE, MARK, LINE, OTHER = "close", "mark", "line", "other"
 
+# Units of length.  They may follow a number after a space, and one text has only one of them.
+LENGTHS = ("px", "mm", "cm", "m", "km", "ft")
 # What may follow a number directly: the suffixes of C, C++, C#, Java, Rust, Scala, and units.
 SUFFIXES = frozenset(
-    ["", "f", "d", "l", "u", "m", "f32", "f64", "i32", "i64", "u32", "ll", "ul", "ull", "px", "deg", "rad", "°"]
+    ["", "f", "d", "l", "u", "f32", "f64", "i32", "i64", "u32", "ll", "ul", "ull", "deg", "rad", "°", *LENGTHS]
 )
 
 _TOKEN = re.compile(
@@ -35,11 +28,11 @@ _TOKEN = re.compile(
   | (?P<comment>(?<![\d)\]])(?!(?<=[\d)\]fx][ ])//[ ]?[-.\d])//[^\n]*|\#(?![\w-]+[ ]*\{)[^\n]*
      |(?<![\d)\]])(?!(?<=[)][ ])--[ ](?:[-+(\d]|cycle\b))--(?=[ \[])[^\n]*|/\*.*?\*/|<!--.*?-->)
   | (?P<line>\n)
-  | (?P<tag>/>|(?<=["'])>|</[A-Za-z][\w:.-]*>|(?<![\w>])<[A-Za-z][\w:.-]*>)
+  | (?P<tag>/>|(?<=["'])>|</[A-Za-z][\w:.-]*>|(?<![\w>])<[A-Za-z][\w:.-]*>|(?<=>)<[A-Za-z]\w*>(?=\s*<))
   | (?P<number>(?:(?<![\w)\].])[+\-\u2212])?
         (?:0[xX][0-9a-fA-F]+(?:\.[0-9a-fA-F]*)?(?:[pP][+-]?[0-9]+)?
          |(?:[0-9][0-9_]*(?:'[0-9]{3})*(?:\.(?!\.)[0-9_]*)?|\.[0-9][0-9_]*)(?:[eEdD][+\-\u2212]?[0-9]+)?)
-        (?P<suffix>[A-Za-z_%°\u2032][\w]*)?)
+        (?P<suffix>[A-Za-z_%°\u2032][\w]*|[ ](?:px|[cmk]?m|ft)\b(?![ ]?[(\[.=:*+/-]))?)
   | (?P<name>(?![\u00b2\u00b3\u00b9])[^\W\d][\w$]*(?:(?:\.|::|->)[^\W\d][\w$]*)*
         (?:(?:::)?<[A-Za-z_][\w ,.:\[\]&]*>(?:(?:\.|::)[^\W\d]\w*)*)?(?:!(?=[\[({]))?|\$\w+)
   | (?P<text>"(?:[^"\\\n]|\\.)*"|(?<!\w)'(?:[^'\\\n]|\\.)*'|`[^`]*`)
@@ -55,16 +48,16 @@ _TOKEN = re.compile(
 _PROMPT = re.compile(r"^[ \t]*(?:>>>|\.\.\.:?|In \[\d+\]:|Out\[\d+\]:)(?=\s)", re.MULTILINE)
 
 # what a log or a list writes before a shape: a date and a time, a level, a source, a number
-_STAMP = (
-    r"\d{4}[-/]\d\d[-/]\d\d(?:[T ]\d\d:\d\d(?::\d\d(?:[.,]\d+)?)?(?:Z|[+-]\d\d:?\d\d)?)?|\d\d:\d\d:\d\d(?:[.,]\d+)?"
-)
+_TIME = r"\d\d:\d\d:\d\d(?:[.,]\d+)?"
+_STAMP = rf"\d{{4}}[-/]\d\d[-/]\d\d(?:[T ](?:{_TIME}|\d\d:\d\d)(?:Z|[+-]\d\d:?\d\d)?)?|(?:\d\d-\d\d[ ])?{_TIME}"
 # what says all of a shape: three keys with numbers (but not x, y and z), or two with points
 _KEYED = r"[A-Za-z_][\w-]*[ \t]?=[ \t]?"
 _SCALAR, _POINT, _GAP = rf"{_KEYED}[-+]?[\d.]+", rf"{_KEYED}\([^()\n]*\)", r"[ \t,;]+"
 _KEYS = rf"{_SCALAR}{_GAP}{_SCALAR}{_GAP}(?![zZ]\b){_SCALAR}|{_POINT}{_GAP}{_POINT}"
 _PREFIX = re.compile(
     rf"""^[ \t]*(?:[\[(<]?(?:{_STAMP})(?!\d)[\])>]?[ \t:|,-]*)?
-    (?:(?:\[[A-Za-z][\w\ ./:\#-]*\]|\b(?:TRACE|DEBUG|INFO|WARN|WARNING|ERROR|FATAL)\b)[ \t:|-]+)*
+    (?:(?:\[[A-Za-z][\w\ ./:\#-]*\]|\b(?:TRACE|DEBUG|INFO|WARN|WARNING|ERROR|FATAL)\b
+       |[VDIWEF]/[\w.-]+(?:\([ \d]+\))?:)[ \t:|-]+)*
     (?:\d{{1,3}}[.)][ \t]+(?=[A-Za-z(\[{{]))?
     (?:[A-Za-z_][\w.\#-]*:[ \t]+(?={_KEYS}))?
     (?:(?:>[ ])?\d*[ \t]+\|(?=[ \t]+(?:[A-Za-z]|\^)))?""",
@@ -92,7 +85,13 @@ def tokens(text: str) -> list[Token]:
             f"the text has {len(text):,} characters: the limit is {MAX_CHARS:,}, so paste the shapes alone"
         )
     found: list[Token] = []
+    units: set[str] = set()
     for token in _scan(_without_open_comments(_PREFIX.sub(_blank, _PROMPT.sub(_blank, text)))):
+        if token.kind == NUMBER and token.text.endswith(LENGTHS):
+            units.add(token.text.lstrip("-+.0123456789eE_ "))
+            if len(units) > 1:
+                mixed = " and ".join(sorted(units))
+                token = token._replace(value=None, why=f"the lengths are in {mixed}: write all of them in one unit")
         found.append(token)
         if len(found) > MAX_TOKENS:
             raise InvalidScene(TOO_MANY)
@@ -131,7 +130,7 @@ def _scan(text: str) -> Iterator[Token]:
         suffix = match["suffix"] or ""
         digits = match[0][: len(match[0]) - len(suffix)]
         value, why = number(digits)
-        if suffix.lower().lstrip("_") not in SUFFIXES:
+        if suffix.lower().lstrip("_ ") not in SUFFIXES:
             value, why = None, f"{_short(match[0])} is not a number"
         yield Token(NUMBER, match[0], match.start(), match.end(), value, why)
 
@@ -149,14 +148,14 @@ def number(text: str) -> tuple[Fraction | None, str]:
         mantissa, _, exponent = plain[2:].partition("p")
         whole, _, part = mantissa.partition(".")
         if abs(int(exponent)) > 2 * MAX_DIGITS + 400:
-            return None, f"{_short(text)} is beyond float64"
+            return None, f"{_short(text)} is too large or too small for float64"
         return sign * Fraction(int(whole + part, 16)) * Fraction(2) ** (int(exponent) - 4 * len(part)), ""
     mantissa, _, exponent = plain.replace("d", "e").partition("e")  # 3.0d0 is Fortran's
     whole, _, part = mantissa.partition(".")
     power = int(exponent or 0) - len(part)
     digits = int(whole + part)
     if digits and not -MAX_DIGITS < power + len(whole + part) < 310:
-        return None, f"{_short(text)} is beyond float64"
+        return None, f"{_short(text)} is too large or too small for float64"
     return sign * (
         Fraction(digits * 10**power) if power >= 0 else Fraction(digits, 10**-power)
     ) if digits else Fraction(0), ""

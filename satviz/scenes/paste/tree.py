@@ -58,3 +58,8 @@ class Group(Value):
     methods: list[tuple[str, "Group"]] = field(default_factory=list)  # calls behind it: .rotate(45)
     before: str = ""  # the word before its name, such as the type in `Circle c(0, 0, 1)`
     ended: bool = False  # by semicolons, as statements are
+
+
+def parts_of(name: str) -> list[str]:
+    """Return the parts of a name with dots, arrows or colons: this and x of this.x, this->x and this::x."""
+    return name.replace("->", ".").replace("::", ".").split(".")

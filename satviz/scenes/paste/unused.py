@@ -11,10 +11,10 @@ from .account import Account, Part, root, within
 from .boxes import Read
 from .harmless import CHANGING_CALLS, CHANGING_NUMBERS, OTHER_NUMBERS, words
 from .names import Names, Obj, short
-from .notations import POINT, SHAPE_STEMS, key, notation
+from .notations import POINT, RING, SHAPE_STEMS, key, notation
 from .parser import Tree
 from .tokens import NAME, NUMBER
-from .tree import Bad, Group, Num, Pair
+from .tree import Bad, Group, Name, Num, Pair
 
 MIN_SAID = 12  # characters of a part that says enough without its line
 MAX_NAMED = 6  # keys that are named in a line, and numbers without a key
@@ -48,6 +48,7 @@ def rest(tree: Tree, reads: Sequence[Read], text: str, reader: Names) -> Rest:
     named = [(root(path.split(" ")[0]), value) for path, value in _paths(reader.env.fields)]
     names = dict(named)
     variables = {name: _size(value) for name, value in named if _holds(places, value)}
+    variables |= {name: 0 for name, value in named if _is_made_of(variables, value)}
     labels = {read.label for read in reads if not (key(read.label) or words(read.label) & CHANGING_CALLS)}
     variables |= dict.fromkeys(labels - set(variables), 0)
     objects = ((name, value) for name, value in names.items() if isinstance(value, Obj))
@@ -58,7 +59,9 @@ def rest(tree: Tree, reads: Sequence[Read], text: str, reader: Names) -> Rest:
         if isinstance(said := getattr(value, "text", getattr(value, "name", "")), str)
     }
     shapes = [read.used - tree.indices for read in reads]
-    account = Account(text, tree.tokens, shapes, variables, [*tree.parts, *reader.parts], changed, aliases)
+    account = Account(
+        text, tree.tokens, shapes, variables, [*tree.parts, *reader.parts], changed, aliases, reader.counts
+    )
     parts = account.run()
     quoted = within(reader.named, parts)
     parts = [part for part in parts if part not in quoted]
@@ -99,6 +102,12 @@ def _size(value: Any) -> int:
     return len(value.fields) if isinstance(value, Obj) else len(value.items) if isinstance(value, Group) else 0
 
 
+def _is_made_of(names: Mapping[str, int], value: Any) -> bool:
+    """Return whether a value is a known call with one of these names in it: hull = b2ComputeHull(points, 3)."""
+    inner = value.items if isinstance(value, Group) and value.name and notation(value.name) else ()
+    return any(isinstance(item, Name) and root(item.text) in names for item in inner)
+
+
 def _holds(places: Sequence[int], value: Any) -> bool:
     """Return whether one of these places lies within a value."""
     if isinstance(value, Obj):
@@ -136,7 +145,9 @@ def _is_harmless(left: Left) -> bool:
     said, last = words(left.key.removeprefix("svg.")), words(left.key.split(".")[-1])
     path = left.key.split(".")
     aside = not {"bounds", "properties"}.isdisjoint(path) and key(path[-1]) not in ("center", "half", "size")
-    if "moment" in said or left.key == "pymunk.Body" or aside:
+    row = notation(left.key)
+    no_radius = left.value == 0 and row is not None and row.kind == RING  # b2MakePolygon(&hull, 0.0f)
+    if "moment" in said or left.key == "pymunk.Body" or aside or no_radius:
         return True
     if any(word.startswith(SHAPE_STEMS) for word in last) and not last & CHANGING_NUMBERS:
         return "count" in last

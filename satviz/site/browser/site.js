@@ -1,4 +1,4 @@
-// The pages: players start at once, explorers when Python is there.  Both are the notebook's widgets.
+// The pages: players start when they are near, explorers when Python is there, too.  Both are the notebook's widgets.
 
 import { arrowKeys } from "../../render/browser/arrows.js";
 import { element } from "../../render/browser/elements.js";
@@ -22,14 +22,6 @@ async function unpackedShows(root) {
   return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw"))).json();
 }
 
-for (const root of document.querySelectorAll(".player")) {
-  unpackedShows(root).then(({ shows, ...options }) => {
-    const made = element("div");
-    arrowKeys(new Player(made, shows, { ...options, site: SITE }));
-    root.replaceChildren(made);
-  });
-}
-
 for (const list of document.querySelectorAll(/** @type {"ul"} */ ("ul.choices"))) judgedChoices(list);
 for (const chapter of document.querySelectorAll(/** @type {"article"} */ (".chapter article"))) waitForAnswers(chapter);
 for (const place of document.querySelectorAll(/** @type {"div"} */ (".frames"))) slidingFrames(place);
@@ -37,20 +29,28 @@ for (const stage of document.querySelectorAll(/** @type {"section"} */ (".front 
 for (const place of document.querySelectorAll(/** @type {"p"} */ (".progress"))) showSolved(place);
 
 /**
- * A scene is opened when it is less than a screen away, so that a long page does not draw all of them at once.
- * @param {ScenePlace[]} places
+ * A scene is opened, and a player is made, when it is less than a screen away: a long page does not draw all at once.
+ * @param {Iterable<Element>} roots
+ * @param {(root: Element) => void} start
  */
-function openWhenNear(places) {
+function whenNear(roots, start) {
   const observer = new IntersectionObserver((entries) => {
     for (const { isIntersecting, target } of entries) {
       if (!isIntersecting) continue;
       observer.unobserve(target);
-      const place = places.find(({ root }) => root === target);
-      if (place && !place.widget && !place.opening) place.open();
+      start(target);
     }
   }, { rootMargin: "100%" });
-  for (const { root } of places) observer.observe(root);
+  for (const root of roots) observer.observe(root);
 }
+
+whenNear(document.querySelectorAll(".player"), (root) => {
+  unpackedShows(root).then(({ shows, ...options }) => {
+    const made = element("div");
+    arrowKeys(new Player(made, shows, { ...options, site: SITE }));
+    root.replaceChildren(made);
+  });
+});
 
 /** @type {HTMLElement[]} */
 const scenes = [...document.querySelectorAll(/** @type {"div"} */ (".live"))];
@@ -79,7 +79,12 @@ else if (scenes.length) {
   const check = /** @type {HTMLElement | null} */ (document.querySelector(".check"));
   if (check) new CheckPage(check, python, workerScript, places[0]);
   if (linked) for (const place of places) place.open();
-  else openWhenNear(places);
+  else {
+    whenNear(scenes, (root) => {
+      const place = places[scenes.indexOf(/** @type {HTMLElement} */ (root))];
+      if (!place.widget && !place.opening) place.open();
+    });
+  }
 }
 if (document.body.classList.contains("embed")) fitFrame();
 if (isSecureContext && "serviceWorker" in navigator) navigator.serviceWorker.register(new URL("sw.js", script.src)).catch(() => {});

@@ -22,7 +22,6 @@ from ...safe_write import MADE_BY, write
 from .machine import machine_facts
 
 ROOT = Path(__file__).parents[2]
-JsonRow = dict[str, Any]  # one row of a cell's result or of a chart: plain JSON values by the name of their column
 
 
 class Settings(NamedTuple):
@@ -100,7 +99,7 @@ def run_cells(
 
 
 def _attempt(work: Callable[..., Any], arguments: tuple[Any, ...]) -> Any:
-    """Return the result of the work after a round trip through JSON, as if read from disk; or a Failure."""
+    """Do the work; return its result after a round trip through JSON, as if read from disk, or a Failure."""
     try:
         return json.loads(json.dumps(work(*arguments), allow_nan=False))
     except Exception as error:

@@ -14,7 +14,8 @@ from time import thread_time
 from typing import Any
 
 from ...advice.timing import time_in_turn
-from .cells import Cell, JsonRow, Settings
+from ...render.chart import JsonRow
+from .cells import Cell, Settings
 
 BUSY_SPREAD = 0.25  # processes further apart than this share of their median: the machine was busy
 
@@ -48,10 +49,11 @@ def time_jobs(jobs: Mapping[str, Callable[[], Any]], rounds: int, items: Mapping
 
 
 def over_processes(found: Mapping[str, Any], name: str, columns: Sequence[str] = ("ns",)) -> list[JsonRow]:
-    """Return the rows of one process with the times of all: `ns` is the median over processes, `ns_low` and `ns_high`
-    the least and the largest, `ns_runs` all of them.
+    """Merge the rows of all processes into one set of rows with the median time and the spread.
 
-    found: the rows of all cells by the cell's name; name: of the cells, which are called name-0-times and so on.
+    A column `ns` gets the median over processes, `ns_low` and `ns_high` the least and the largest, `ns_runs` all.
+    found: the rows of all cells by the cell's name; name: the cells are called name-0-times, name-1-times ...;
+    columns: the names of the columns that hold times.
     """
     runs = [rows for cell, rows in found.items() if cell.startswith(f"{name}-") and cell.endswith("-times")]
     merged = []
@@ -76,7 +78,7 @@ def ratio_interval(own: Sequence[float], other: Sequence[float]) -> tuple[float,
 
 
 def interval_in_words(processes: int) -> str:
-    """Return which interval `ratio_interval` gives from so many processes: "the 97 % interval over 6 processes"."""
+    """Return the confidence of `ratio_interval` in words: "the 97 % interval over 6 processes"."""
     return f"the {1 - 2 / 2**processes:.0%} interval over {processes} processes".replace("%", " %")
 
 

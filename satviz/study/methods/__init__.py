@@ -20,6 +20,7 @@ from .. import truth
 from ..harness.machine import is_installed
 from ..workloads.generators import Side, unpadded_rings
 from . import libraries, numpy_rivals, python_rivals
+from .libraries import one_by_one, pymunk_hit, shapely_hit
 
 COMPILED, NUMPY, PYTHON = "compiled", "NumPy", "Python"
 TOLERANCE = 1e-9  # scene units
@@ -133,7 +134,7 @@ def _numba_methods() -> Iterator[Method]:
         return on_columns(name, family, kernel_for, dtype)
 
     def on_bounds(name: str, bound: Callable[[int | None], Callable[..., Any]], kernel: Callable[..., None]) -> Method:
-        """Return the Method of a kernel on bounding volumes, which `bound(corners)(x, y)` makes of columns."""
+        """Return the Method of a kernel on bounding volumes; `bound(corners)(x, y)` makes these from columns."""
 
         def prepare(side: Side) -> Any:
             """Return the bounding volumes of a workload's side."""
@@ -165,15 +166,16 @@ def _numba_methods() -> Iterator[Method]:
     yield sat("SAT, tolerance 1e-9", "tolerance", numba_rivals.WITH_TOLERANCE, TOLERANCE)
     pair_by_pair, views = on_columns("GJK", "GJK", gjk), numpy_rivals.as_columns  # it reads the arrays as they lie
     yield pair_by_pair._replace(at_once=lambda a, b: pair_by_pair.hits(views(a), views(b)))
-    yield on_bounds("bounding circles", numba_rivals.enclosing_circles, numba_rivals.circles_hit)
-    yield on_bounds("AABB", numba_rivals.upright_boxes, numba_rivals.boxes_hit)
+    yield on_bounds("bounding circles", numba_rivals.bounding_circles, numba_rivals.circles_hit)
+    yield on_bounds("AABB", numba_rivals.bounding_boxes, numba_rivals.boxes_hit)
     yield on_bounds("oriented boxes", numba_rivals.oriented_boxes, numba_rivals.oriented_boxes_hit)
 
 
 def _in_tiles(a: Any, b: Any, kernel_for: Callable[[int, int], Any], dtype: type = np.float64) -> Answers:
-    """Return the answers of a kernel on columns for raw arrays, whose corners it gets a tile of pairs at a time.
+    """Return the answers of a kernel on columns for raw (N, V, 2) arrays, copied into columns TILE_PAIRS at a time.
 
-    So the columns stay in the cache, and the kernel computes several pairs at a time.
+    So the columns stay in the cache, and the kernel computes several pairs at once.  `kernel_for(va, vb)` returns the
+    kernel for these numbers of corners; `dtype`: the float format of the columns.
     """
     from . import numba_rivals
 
@@ -202,7 +204,6 @@ def _python_methods() -> Iterator[Method]:
         """Return each shape of a workload's side as points and a radius."""
         return [python_rivals.points_and_radius(shape) for shape in engine_shapes(side)]
 
-    one_by_one = libraries.one_by_one
     yield Method("satviz", PYTHON, "exact", engine_shapes, one_by_one(relate), circles=True)
     yield Method("GJK", PYTHON, "GJK", points, one_by_one(python_rivals.gjk), circles=True)
 
@@ -212,20 +213,6 @@ def _library_methods() -> Iterator[Method]:
     if is_installed("shapely"):
         yield Method("shapely", COMPILED, "library", libraries.shapely_geometries, libraries.shapely_hits, circles=True)
         yield Method("shapely, prepared", COMPILED, "library", libraries.prepared_geometries, libraries.shapely_hits)
-        yield Method(
-            "shapely",
-            PYTHON,
-            "library",
-            libraries.geometry_list,
-            libraries.one_by_one(libraries.shapely_hit),
-            circles=True,
-        )
+        yield Method("shapely", PYTHON, "library", libraries.geometry_list, one_by_one(shapely_hit), circles=True)
     if is_installed("pymunk"):
-        yield Method(
-            "pymunk",
-            PYTHON,
-            "library",
-            libraries.pymunk_shapes,
-            libraries.one_by_one(libraries.pymunk_hit),
-            circles=True,
-        )
+        yield Method("pymunk", PYTHON, "library", libraries.pymunk_shapes, one_by_one(pymunk_hit), circles=True)

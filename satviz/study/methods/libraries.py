@@ -10,7 +10,7 @@ from ..workloads.generators import Side, is_padded, unpadded_rings
 
 
 def one_by_one(ask: Callable[[Any, Any], Any]) -> Callable[[list[Any], list[Any]], list[Any]]:
-    """Return a function of two lists that calls `ask` on each pair in turn and returns the list of answers."""
+    """Return a function of two lists that calls `ask(a[k], b[k])` for each k and returns the list of answers."""
     return lambda a, b: [ask(p, q) for p, q in zip(a, b, strict=True)]
 
 

@@ -24,6 +24,7 @@ from numba import njit
 from numpy.typing import NDArray
 
 from ...batch.arrays import TILE_SHAPES
+from ...batch.codes import APART
 from ...batch.with_numba.filter import clearance_kernel
 from ...batch.with_numba.jit_cache import compiled, inlined
 
@@ -82,12 +83,15 @@ def corners_kernel(corners: int | None) -> Callable[..., None]:
 
 
 @cache
-def enclosing_circles(corners: int | None) -> Callable[..., Array]:
-    """Return a kernel(x, y) that returns rows (center x, center y, radius): circles about the corners' means."""
+def bounding_circles(corners: int | None) -> Callable[..., Array]:
+    """Return a kernel(x, y) that returns (3, N) center x, center y, radius of bounding circles.
+
+    A center is the mean of the corners.  `corners`: their number, None for any; x, y: (V, N) columns.
+    """
 
     @compiled
     def kernel(x: Array, y: Array) -> Array:
-        """Return the circle about each polygon."""
+        """Return the (3, N) bounding circles of the polygons."""
         count, kept = x.shape[0] if corners is None else corners, np.empty((3, x.shape[1]))
         for k in range(x.shape[1]):
             i = np.uintp(k)
@@ -106,19 +110,22 @@ def enclosing_circles(corners: int | None) -> Callable[..., Array]:
 
 @compiled
 def circles_hit(a: Array, b: Array, out: Out) -> None:
-    """Write for each pair whether its circles hit: centers no further apart than the sum of the radii."""
+    """Write for each pair whether its bounding circles hit: centers no further apart than the sum of the radii."""
     for i in range(out.size):
         dx, dy, radius_sum = a[0, i] - b[0, i], a[1, i] - b[1, i], a[2, i] + b[2, i]
         out[i] = dx * dx + dy * dy <= radius_sum * radius_sum
 
 
 @cache
-def upright_boxes(corners: int | None) -> Callable[..., Array]:
-    """Return a kernel(x, y) that returns rows (low x, high x, low y, high y): each polygon's upright box."""
+def bounding_boxes(corners: int | None) -> Callable[..., Array]:
+    """Return a kernel(x, y) that returns (4, N) low x, high x, low y, high y: each polygon's bounding box.
+
+    `corners`: the number of corners, None for any; x, y: (V, N) columns.
+    """
 
     @compiled
     def kernel(x: Array, y: Array) -> Array:
-        """Return the box about each polygon."""
+        """Return the bounding boxes of the polygons in this form."""
         count, kept = x.shape[0] if corners is None else corners, np.empty((4, x.shape[1]))
         for k in range(x.shape[1]):
             i = np.uintp(k)
@@ -135,20 +142,22 @@ def upright_boxes(corners: int | None) -> Callable[..., Array]:
 
 @compiled
 def boxes_hit(a: Array, b: Array, out: Out) -> None:
-    """Write for each pair whether its prepared ranges on x and y meet; a loop without branches vectorises."""
+    """Write for each pair whether its (4, N) bounding boxes meet; a loop without branches vectorises."""
     for i in range(out.size):
         out[i] = (a[1, i] >= b[0, i]) & (b[1, i] >= a[0, i]) & (a[3, i] >= b[2, i]) & (b[3, i] >= a[2, i])
 
 
 @cache
 def oriented_boxes(corners: int | None) -> Callable[..., Array]:
-    """Return a kernel(x, y) that returns boxes along the longest edges, as rows (center x, center y, axis x, axis y,
-    half length, half width).
+    """Return a kernel(x, y) that returns oriented bounding boxes along each polygon's longest edge.
+
+    They are (6, N): center x, center y, axis x, axis y (a unit vector), half length, half width.  `corners`: the number
+    of corners, None for any; x, y: (V, N) columns.
     """
 
     @compiled
     def kernel(x: Array, y: Array) -> Array:
-        """Return the box about each polygon."""
+        """Return the bounding boxes of the polygons in this form."""
         count, kept = x.shape[0] if corners is None else corners, np.empty((6, x.shape[1]))
         for k in range(x.shape[1]):
             i = np.uintp(k)
@@ -174,7 +183,10 @@ def oriented_boxes(corners: int | None) -> Callable[..., Array]:
 
 @compiled
 def oriented_boxes_hit(a: Array, b: Array, out: Out) -> None:
-    """Write for each pair whether its boxes meet on their four axes (Gottschalk, Lin and Manocha 1996)."""
+    """Write for each pair whether its oriented bounding boxes meet on their four axes.
+
+    Source: Gottschalk, Lin and Manocha (1996).
+    """
     for i in range(out.size):
         dx, dy = b[0, i] - a[0, i], b[1, i] - a[1, i]
         ux, uy, vx, vy = a[2, i], a[3, i], b[2, i], b[3, i]
@@ -194,10 +206,15 @@ def unrolled(corners: int) -> int | None:
 
 
 @_merged
-def _largest_gap(
+def _largest_clearance(
     x: Array, y: Array, p: Array, q: Array, i: Any, corners: int, others: int, form: int, tolerance: float
 ) -> float:
-    """Return how far the other polygon lies beyond that edge of polygon i which is best for this; below 0: nowhere."""
+    """Return the largest clearance of the other polygon over the edges of polygon i; positive if an edge separates.
+
+    x, y: the edges' owner, p, q: the other polygon, with `corners` and `others` corners.  `form`: UNIT clearances are
+    in scene units; PLAIN and WITH_TOLERANCE ones are multiplied by the edge's length, the latter after `tolerance`
+    scene units are taken off.
+    """
     best = x.dtype.type(0)  # all numbers have the format of the columns
     for e in range(corners):
         f = (e + 1) % corners
@@ -230,8 +247,8 @@ def sat_kernel(va: int | None, vb: int | None, form: int) -> Callable[..., None]
         count_a, count_b = ax.shape[0] if va is None else va, bx.shape[0] if vb is None else vb
         for k in range(out.size):
             i = np.uintp(k)  # unsigned: numba need not ask whether it counts from the end
-            gap_a = _largest_gap(ax, ay, bx, by, i, count_a, count_b, form, tolerance)
-            gap_b = _largest_gap(bx, by, ax, ay, i, count_b, count_a, form, tolerance)
+            gap_a = _largest_clearance(ax, ay, bx, by, i, count_a, count_b, form, tolerance)
+            gap_b = _largest_clearance(bx, by, ax, ay, i, count_b, count_a, form, tolerance)
             out[i] = max(gap_a, gap_b) <= 0
 
     return kernel
@@ -248,9 +265,9 @@ def plain_sat(va: int, vb: int) -> Callable[..., None]:
     gaps = clearance_kernel(va, vb)
 
     def hits(ax: Array, ay: Array, bx: Array, by: Array, out: Out) -> None:
-        """Write for each pair whether no clearance is above 0."""
+        """Write for each pair whether no clearance is above 0; a touching pair is a hit, as in `sat_kernel`."""
         gaps(ax, ay, bx, by, 0, np.zeros(-(-out.size // TILE_SHAPES)), out)
-        out[:] = out > 0
+        out[:] = out != APART
 
     return hits
 
@@ -319,14 +336,14 @@ def gjk_kernel(va: int | None, vb: int | None) -> Callable[..., None]:
 
 @compiled
 def support_search_sat(ax: Array, ay: Array, bx: Array, by: Array, out: Out) -> None:
-    """Write hits by SAT that finds the lowest corner along each normal by binary search: V log V steps."""
+    """Write for each pair whether it hits, by SAT that finds support points by binary search: V log V steps."""
     for i in range(out.size):
         out[i] = not (_edge_clears_lowest(ax, ay, bx, by, i) or _edge_clears_lowest(bx, by, ax, ay, i))
 
 
 @compiled
 def _edge_clears_lowest(x: Array, y: Array, p: Array, q: Array, i: int) -> bool:
-    """Return whether the lowest corner of (p, q), and so each, lies strictly beyond some edge of (x, y)."""
+    """Return whether some edge of (x, y) clears (p, q): the lowest corner of (p, q) along its normal lies beyond it."""
     for e in range(x.shape[0]):
         f = e + 1 if e + 1 < x.shape[0] else 0
         nx, ny = y[f, i] - y[e, i], x[e, i] - x[f, i]
@@ -368,7 +385,7 @@ def _lowest_corner(p: Array, q: Array, i: int, nx: float, ny: float) -> int:
 
 @compiled
 def calipers(ax: Array, ay: Array, bx: Array, by: Array, out: Out) -> None:
-    """Write hits by rotating calipers: go around both outlines once, in the order of the edges' angles.
+    """Write for each pair whether it hits, by rotating calipers: once around both outlines in order of edge angles.
 
     This visits the edges of the difference A - B in order; the shapes hit where the origin lies inside all of them.
     """

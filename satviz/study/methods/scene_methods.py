@@ -62,7 +62,7 @@ def batch_of(sides: Sequence[Side]) -> batch.Shapes:
 
 
 def _satviz_pairs(frame: Frame, engine: str) -> NDArray[np.intp]:
-    """Return the pairs that satviz finds; shapes of several kinds are read from the rivals' padded arrays."""
+    """Return the (K, 2) pairs that satviz finds; shapes of several kinds are read from the padded arrays."""
     made = batch.from_padded(*frame.padded) if len(frame.sides) > 1 else batch_of(frame.sides)
     return batch.colliding_pairs(made, engine=engine)
 
@@ -74,19 +74,19 @@ class MovedBatch:
         self.shapes, self.engine = batch_of(scene.frames[0].sides), engine
 
     def pairs(self, frame: Frame) -> NDArray[np.intp]:
-        """Return the pairs that satviz finds."""
+        """Move the batch to the coordinates of a frame and return the (K, 2) pairs that satviz finds."""
         return batch.colliding_pairs(batch.move(self.shapes, frame.corners), engine=self.engine)
 
 
 def _numba_pairs(frame: Frame, kind: int, sweep: bool) -> NDArray[np.int64]:
-    """Return the pairs that a rival in numba finds."""
+    """Return the (K, 2) pairs that `scene_rivals.colliding_pairs` finds; `kind` and `sweep` as there."""
     from .scene_rivals import colliding_pairs
 
     return colliding_pairs(*frame.padded, kind=kind, sweep=sweep)
 
 
 def _short_sweep_pairs(frame: Frame, kind: int) -> NDArray[np.int64]:
-    """Return the pairs that a short program in numba finds."""
+    """Return the (K, 2) pairs that `scene_rivals.short_sweep` finds; `kind` as in `colliding_pairs` there."""
     from .scene_rivals import short_sweep
 
     return short_sweep(kind)(*frame.padded)
@@ -163,7 +163,10 @@ class Box2DWorld:
 
 
 class FrameJob:
-    """Find the pairs of both frames in turn, `repeats` times a call; `frame` and `answer` are those of the last."""
+    """A job that finds the pairs of both frames alternately, `repeats` times a call.
+
+    `frame`: the number of the last frame (0 or 1), `answer`: the pairs that were found in it.
+    """
 
     def __init__(self, find: FindPairs, scene: MovingScene, repeats: int) -> None:
         self.find, self.scene, self.repeats, self.frame = find, scene, repeats, 0
@@ -192,7 +195,7 @@ class FrameSample:
         self.right = {(i, j) for i, j in tested if truth.agreed(shapes[i], shapes[j])}
 
     def wrong(self, answer: Any) -> int:
-        """Return how many pairs of the sample an answer lacks, or has too many."""
+        """Return the number of mistakes of an answer in the sample: missing pairs plus wrong pairs."""
         pairs = np.array(list(answer) if isinstance(answer, set) else answer, dtype=np.intp).reshape(-1, 2)
         own = pairs[np.isin(pairs, self.chosen).all(axis=1)]
         return len(self.right ^ set(map(tuple, np.sort(own, axis=1).tolist())))

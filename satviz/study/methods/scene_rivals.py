@@ -37,7 +37,7 @@ def colliding_pairs(corners: Array, counts: Ints, radii: Array, *, kind: int, sw
 
 @compiled
 def bounds_of(corners: Array, radii: Array) -> Array:
-    """Return the (4, N) bounds of the shapes' boxes."""
+    """Return the (4, N) bounding boxes of the shapes: low x, high x, low y, high y."""
     bounds = np.empty((4, len(corners)))
     for i in range(len(corners)):
         x0 = x1 = corners[i, 0, 0]
@@ -56,11 +56,14 @@ def bounds_of(corners: Array, radii: Array) -> Array:
 
 @cache
 def _scene_kernel(kind: int, sweep: bool) -> Callable[..., Ints]:
-    """Return the compiled search for pairs of shapes in a given order, row by row."""
+    """Return the compiled search for colliding pairs; `kind` and `sweep` as in `colliding_pairs`."""
 
     @compiled
     def kernel(bounds: Array, order: Ints, corners: Array, counts: Ints, radii: Array) -> Ints:
-        """Return the colliding pairs.  Shapes are first copied into their order, so that neighbours lie close by."""
+        """Return the (K, 2) colliding pairs; `order`: the shapes in the order in which they are compared.
+
+        Shapes are first copied into this order, so that neighbours lie close by in memory.
+        """
         n = len(order)
         x0, x1, y0, y1 = np.empty(n), np.empty(n), np.empty(n), np.empty(n)
         near, near_counts, near_radii = np.empty_like(corners), np.empty_like(counts), np.empty_like(radii)
@@ -107,14 +110,14 @@ def _scene_kernel(kind: int, sweep: bool) -> Callable[..., Ints]:
 
 @cache
 def short_sweep(kind: int) -> Callable[[Array, Ints, Array], Ints]:
-    """Return a sort and sweep as one writes it in some 40 lines: boxes, their order along x, then pair by pair.
+    """Return a kernel for sort and sweep as one writes it in some 40 lines: boxes, sorted along x, then pair by pair.
 
     Shapes stay where they lie, and nothing is marked ahead: this is quicker for few shapes and slower for many.
     """
 
     @compiled
     def kernel(corners: Array, counts: Ints, radii: Array) -> Ints:
-        """Return the colliding pairs."""
+        """Return the (K, 2) colliding pairs."""
         n = len(corners)
         boxes = np.empty((n, 4))
         for i in range(n):
@@ -159,7 +162,10 @@ def polygons_hit(at: Array, i: int, j: int, corners: int) -> bool:
 
 @inlined
 def _clearance(at: Array, i: int, j: int, corners: int) -> float:
-    """Return how far polygon j lies beyond that edge of polygon i that is best for this, times the edge's length."""
+    """Return the largest clearance of polygon j over the edges of polygon i, each times its edge's length.
+
+    `at`: (N, corners, 2) vertices, counter-clockwise.  Positive: polygon j lies wholly beyond an edge of i.
+    """
     best = -np.inf
     for e in range(corners):
         f = (e + 1) % corners
@@ -182,7 +188,7 @@ def circles_hit(corners: Array, radii: Array, i: int, j: int) -> bool:
 
 @compiled
 def mixed_hit(corners: Array, counts: Ints, radii: Array, i: int, j: int) -> bool:
-    """Return whether two shapes hit, each a polygon or a circle."""
+    """Return whether shapes i and j hit, each a polygon or a circle."""
     if counts[i] == 1 and counts[j] == 1:
         return circles_hit(corners, radii, i, j)
     reach = radii[i] + radii[j]

@@ -16,8 +16,9 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from ...pictures import Theme
-from ..harness.cells import Cell, JsonRow, Settings
-from ..harness.chart import TEXT_POINTS, WIDTH, Chart, add_axes, draw_headline, head_height, label_ends, median_interval
+from ...render.chart import TEXT_POINTS, Chart, JsonRow, add_axes
+from ..harness.cells import Cell, Settings
+from ..harness.chart import label_ends, median_interval
 from .speed_against_accuracy import SAT_MARGIN, in_metres
 
 STEPS = (1, 10, 100, 1000, 10_000)
@@ -33,12 +34,12 @@ POSES = {
 
 
 def cells(settings: Settings) -> list[Cell]:
-    """Return one cell, which turns corners by random steps."""
+    """Return one cell, which rotates corners by random steps."""
     return [Cell("pose", measure, (8 if settings.quick else 60, settings))]
 
 
 def measure(corners: int, settings: Settings) -> list[JsonRow]:
-    """Return for each number format, way to turn, distance and number of steps the error of a corner, in metres.
+    """Return for each float format, way to rotate, distance and number of steps the error of a corner, in metres.
 
     The median, with its 95 % interval, and the worst are over random corners and steps.
     """
@@ -66,7 +67,7 @@ def measure(corners: int, settings: Settings) -> list[JsonRow]:
 
 
 def _exact_turn(angle: float) -> tuple[int, int]:
-    """Return cosine and sine of an angle as integers over 2**BITS, by their series."""
+    """Return (cosine, sine) of an angle in radians as integers over 2**BITS, by their series."""
     x, _ = angle.as_integer_ratio()
     unit = 1 << BITS
     x = x * unit // angle.as_integer_ratio()[1]
@@ -79,7 +80,7 @@ def _exact_turn(angle: float) -> tuple[int, int]:
 
 
 def _exact_path(at: tuple[float, float], c: int, s: int) -> dict[int, tuple[Fraction, Fraction]]:
-    """Return where the point is after each number of STEPS; c, s: cosine and sine of a step, integers over 2**BITS."""
+    """Return the exact point after each number of STEPS; c, s: cosine and sine of a step, integers over 2**BITS."""
     x, y = (int(v.as_integer_ratio()[0] * (1 << BITS) // v.as_integer_ratio()[1]) for v in map(float, at))
     path = {}
     for step in range(1, STEPS[-1] + 1):
@@ -90,7 +91,7 @@ def _exact_path(at: tuple[float, float], c: int, s: int) -> dict[int, tuple[Frac
 
 
 def _by_steps(at: tuple[float, float], angle: float, dtype: Any) -> dict[int, tuple[Any, Any]]:
-    """Return where the point is after each number of STEPS, each step made from the one before in floats."""
+    """Return the point after each number of STEPS; each step rotates the point of the step before, in floats."""
     x, y, c, s = dtype(at[0]), dtype(at[1]), dtype(np.cos(angle)), dtype(np.sin(angle))
     path = {}
     for step in range(1, STEPS[-1] + 1):
@@ -101,7 +102,7 @@ def _by_steps(at: tuple[float, float], angle: float, dtype: Any) -> dict[int, tu
 
 
 def _by_angle(at: tuple[float, float], angle: float, dtype: Any) -> dict[int, tuple[Any, Any]]:
-    """Return where the point is after each number of STEPS: the first corner turned once by all steps together.
+    """Return the point after each number of STEPS: the first point, rotated once by the angle of all steps.
 
     The angle of all steps is a product in float64; cosine and sine of it are rounded to the format of the corners.
     """
@@ -135,16 +136,13 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
         f"95 % interval. Turned once by the whole angle it is off by {rebuilt} in float64. So build the pose from its "
         "angle again when the steps have cost too much.",
     )
-    head = head_height(title, lines)
-    size = WIDTH, head + 490
 
     def draw(fig: Figure, theme: Theme) -> None:
         """Draw both panels, and the bound of SAT as a dotted line."""
-        draw_headline(fig, theme, title, *lines)
         for k, (bottom, words) in enumerate(
             ((294.0, "distance from the origin, 10,000 turns"), (48.0, "turns at 1 km"))
         ):
-            ax = add_axes(fig, (52 / WIDTH, bottom / size[1], 178 / WIDTH, 190 / size[1]), theme)
+            ax = add_axes(fig, (52, bottom, 178, 190), theme)
             xs = STEPS if k else DISTANCES
             ends = []
             for (form, way), (label, role, style) in POSES.items():
@@ -173,7 +171,7 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
         text += f"{label}: off by {in_metres(row['median'])} at 1 km after {last:,} turns, {roundings:,.1f} roundings "
         text += f"of a kilometre, and {in_metres(row['worst'])} at worst. "
     text += "The error grows in proportion to the distance. Exact predicates answer exactly about poses that are not."
-    return Chart("pose-error", title, size, draw, rows, text)
+    return Chart("pose-error", title, lines, 490, draw, rows, text)
 
 
 CHARTS = {"pose-error": chart}

@@ -31,7 +31,7 @@ class WorstPair(NamedTuple):
 
 
 def kilometre_shapes(rng: Rng, n: int) -> tuple[Rings, Rings]:
-    """Return pairs of 4-gons of 1 m to 14 m whose coordinates go up to 1 km; B is not yet beside A.
+    """Return n pairs of 4-gons of 1 m to 14 m with coordinates up to 1 km; both lie at one place, not yet apart.
 
     Half of them lie at the far corner with edges at about 45 degrees: there roundings are largest.
     """
@@ -52,9 +52,10 @@ def _quadrilaterals(rng: Rng, n: int) -> Rings:
 def boxes_within_one(rng: Rng, n: int) -> tuple[Rings, Rings]:
     """Return pairs of turned boxes of sizes from 1 down to a thousandth, with coordinates up to about 1.
 
-    Both boxes of a pair have one place: the smaller they are, the nearer to a distance of 1, half of them on the
-    diagonal and the others in any direction.  In every second pair the edges of A lie at 45 degrees, and the boxes lie
-    beyond 1: just above a power of two, a rounding is largest beside the number.
+    Both boxes of a pair have the same center, not yet apart.  The smaller they are, the nearer to 1 is its distance
+    from the origin; half of the centers lie on the diagonal, the others in any direction.  In every second pair the
+    edges of A lie at 45 degrees, and the center lies beyond 1: just above a power of two, a rounding is largest
+    relative to the number.
     """
     sizes = np.ldexp(rng.uniform(0.5, 1, (n, 1, 1)), rng.integers(-10, 0, (n, 1, 1)))
     a, b = (turned_boxes(rng, n, 0.0) * sizes * 0.5 for _ in "AB")
@@ -65,7 +66,7 @@ def boxes_within_one(rng: Rng, n: int) -> tuple[Rings, Rings]:
 
 
 def _diagonal(rings: Rings) -> Rings:
-    """Return boxes about the origin turned so that their first edge rises at 45 degrees."""
+    """Return outlines about the origin, rotated so that their first edge rises at 45 degrees."""
     edge = rings[:, 1] - rings[:, 0]
     edge /= np.sqrt((edge * edge).sum(axis=1, keepdims=True))
     back = turn_rings(rings, edge * np.array([1.0, -1.0]))

@@ -28,7 +28,8 @@ class PaddedArrays(NamedTuple):
 class Frame(NamedTuple):
     """The shapes at one moment: raw arrays by kind, the same padded, and each shape's center and direction.
 
-    corners: (M, 2) corners of all shapes one after another; a circle has its center.
+    corners: (M, 2) corners of all shapes one after another; a circle has its center.  centers: (N, 2); directions:
+    (N, 2) unit vectors, the images of (1, 0) under each shape's rotation.
     """
 
     sides: Sequence[Side]
@@ -56,7 +57,10 @@ def moving_scene(rng: np.random.Generator, shapes: Sequence[Array]) -> MovingSce
 
 
 def _frame(shapes: Sequence[Array], centers: Array, directions: Array) -> Frame:
-    """Return the frame in which these shapes have these centers and directions."""
+    """Return the frame in which these shapes have these centers and directions.
+
+    centers: (N, 2) in scene units; directions: (N, 2) unit vectors, the images of (1, 0) under each shape's rotation.
+    """
     ends = np.cumsum([len(some) for some in shapes])[:-1]
     sides: list[Side] = []
     for own, at, turn in zip(shapes, np.split(centers, ends), np.split(directions, ends)):

@@ -25,7 +25,7 @@ FLAT = 0.02  # metres: corners that lie so near to the furthest one belong to th
 
 
 class Body(NamedTuple):
-    """A box: its middle, angle, velocity and angular velocity; `inverse` is 1 / mass, 0 for the floor."""
+    """A box: half sizes, center, angle, velocity and angular velocity; `inverse` is 1 / mass, 0 for the floor."""
 
     half: Point
     at: Point
@@ -48,7 +48,7 @@ class Body(NamedTuple):
 
 @dataclass
 class ContactPoint:
-    """One point of a contact between bodies i and j, with the impulses pushed along the normal and rubbed across it."""
+    """One point of a contact between bodies i and j, with its impulses: along the normal, and of friction across it."""
 
     i: int
     j: int
@@ -57,27 +57,27 @@ class ContactPoint:
     impulses: list[float]
 
 
-class Frame(NamedTuple):
-    """One step: how far the top box is below where it should rest (metres), and the kinetic energy (joules)."""
+class StackState(NamedTuple):
+    """The state of a stack: how far the top box has sunk below its place at rest (m), and the kinetic energy (J)."""
 
     sunk: float
     energy: float
 
 
-def simulate(test: Test, boxes: int, steps: int, away: float) -> list[Frame]:
-    """Return the frames of a stack of boxes of 1 kg that starts at rest, `away` metres from the origin."""
+def simulate(test: Test, boxes: int, steps: int, away: float) -> list[StackState]:
+    """Simulate a stack of 1 kg boxes that starts at rest, `away` metres from the origin; return its state each step."""
     origin = away, away / 2
     bodies = [Body((6.0, 0.5), _on_slope(origin, -0.5), inverse=0.0)]
     bodies += [Body(HALF, _on_slope(origin, (2 * k + 1) * HALF[1])) for k in range(boxes)]
-    rest, frames = (2 * boxes - 1) * HALF[1], []
+    rest, states = (2 * boxes - 1) * HALF[1], []
     kept: dict[tuple[int, int, int], list[float]] = {}
     for _ in range(steps):
         bodies = _stepped(bodies, test, kept)
         top = bodies[-1].at
         height = (top[0] - origin[0]) * UP[0] + (top[1] - origin[1]) * UP[1]
         energy = sum((hypot(*b.speed) ** 2 + b.spin**2 / b.inverse_inertia) / 2 for b in bodies[1:])
-        frames.append(Frame(rest - height, energy))
-    return frames
+        states.append(StackState(rest - height, energy))
+    return states
 
 
 def _on_slope(origin: Point, height: float) -> Point:
@@ -86,7 +86,7 @@ def _on_slope(origin: Point, height: float) -> Point:
 
 
 def _stepped(bodies: list[Body], test: Test, kept: dict[tuple[int, int, int], list[float]]) -> list[Body]:
-    """Return the bodies one step later; `kept`: the impulses of the last step, replaced by those of this one."""
+    """Return the bodies one step later; `kept` is changed: the last step's impulses in, this step's impulses out."""
     pull = -GRAVITY * STEP
     speeds = [[b.speed[0] + UP[0] * pull, b.speed[1] + UP[1] * pull, b.spin] if b.inverse else [0.0, 0.0, 0.0]
               for b in bodies]  # fmt: skip
@@ -104,7 +104,7 @@ def _stepped(bodies: list[Body], test: Test, kept: dict[tuple[int, int, int], li
             _apply(bodies, speeds, point, k, point.impulses[k])
     for _ in range(ITERATIONS):
         for point in points.values():
-            _push(bodies, speeds, point)
+            _solve_point(bodies, speeds, point)
     kept.clear()
     kept.update({key: point.impulses for key, point in points.items()})
     return [b._replace(at=(b.at[0] + vx * STEP, b.at[1] + vy * STEP), angle=b.angle + w * STEP, speed=(vx, vy), spin=w)
@@ -112,7 +112,10 @@ def _stepped(bodies: list[Body], test: Test, kept: dict[tuple[int, int, int], li
 
 
 def contact_points(a: tuple[Point, ...], b: tuple[Point, ...], normal: Point) -> list[Point]:
-    """Return the ends of what the facing sides of A and B share, along the side."""
+    """Return the ends of the segment that the facing sides of A and B share; one point where it has no length.
+
+    a, b: outlines; normal: the unit normal from A to B.
+    """
     nx, ny = normal
     sides = []
     for ring, sign in (a, 1), (b, -1):
@@ -125,7 +128,7 @@ def contact_points(a: tuple[Point, ...], b: tuple[Point, ...], normal: Point) ->
 
 
 def _arms(bodies: list[Body], point: ContactPoint, k: int) -> tuple[Point, float, float]:
-    """Return the direction of impulse k (0: the normal, 1: across it) and its arms about the middles of A and B."""
+    """Return the direction of impulse k (0: the normal, 1: across it) and its lever arms about both bodies' centers."""
     (nx, ny), (px, py) = point.contact[0], point.at
     x, y = (nx, ny) if k == 0 else (-ny, nx)
     (ax, ay), (bx, by) = bodies[point.i].at, bodies[point.j].at
@@ -142,8 +145,8 @@ def _apply(bodies: list[Body], speeds: list[list[float]], point: ContactPoint, k
         v[2] += size * arm * body.inverse_inertia
 
 
-def _push(bodies: list[Body], speeds: list[list[float]], point: ContactPoint) -> None:
-    """Change the impulses of one contact point: along its normal until nothing sinks, then friction."""
+def _solve_point(bodies: list[Body], speeds: list[list[float]], point: ContactPoint) -> None:
+    """Update the impulses of one contact point in place: along its normal until nothing sinks, then friction."""
     a, b, va, vb = bodies[point.i], bodies[point.j], speeds[point.i], speeds[point.j]
     for k in (0, 1):
         (x, y), arm_a, arm_b = _arms(bodies, point, k)
