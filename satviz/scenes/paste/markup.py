@@ -7,9 +7,9 @@ from itertools import islice
 
 from ...engine.geometry import InvalidScene
 from .prose import fields, keys, sentences
-from .svg_path import NUMERAL, PATH_DATA, path_tokens
+from .svg_path import PATH_DATA, path_tokens
 from .tables import tables
-from .tokens import CLOSE, FIELD, MARK, MAX_TOKENS, NAME, NUMBER, OPEN, TOO_MANY, Token, tokens
+from .tokens import CLOSE, FIELD, MARK, MAX_TOKENS, NAME, NUMBER, NUMERAL, OPEN, TOO_MANY, Token, tokens
 
 _QUOTED = r"\"[^\"<>]*\"|'[^'<>]*'"
 _ELEMENT = re.compile(rf"<(circle|ellipse|rect|polygon|polyline|path|area)(?=[\s/>])((?:[^<>\"']|{_QUOTED})*)>")
@@ -93,7 +93,7 @@ def _replaced(plain: list[Token], parts: list[tuple[int, int, list[Token]]]) -> 
 
 def _are_numbers(text: str) -> bool:
     """Return whether there are numbers in a text, and nothing else."""
-    return _BETWEEN.fullmatch(NUMERAL.sub("", text)) is not None
+    return _BETWEEN.fullmatch(re.sub(NUMERAL, "", text)) is not None
 
 
 def _attributes(text: str, at: int) -> dict[str, tuple[str, int]]:
