@@ -1,6 +1,7 @@
 """Elements of SVG as calls: <circle cx="1" cy="2" r="3"/> is read as svg.circle(cx=1, cy=2, r=3)."""
 
 import re
+from bisect import bisect_left
 from collections.abc import Iterator
 from fractions import Fraction
 from itertools import islice
@@ -64,6 +65,8 @@ def all_tokens(text: str) -> tuple[list[Token], list[Token], list[tuple[int, int
             parts.append((m.start(), m.end(), found))
     parts += [(m.start(), m.end(), []) for m in _OTHER.finditer(text)]
     parts += [*tables(text), *sentences(text), *fields(text), *keys(text)]
+    begins = [token.start for token in plain]
+    parts = [part for part in parts if bisect_left(begins, part[0]) < bisect_left(begins, part[1])]  # not in a comment
     if not parts:
         return plain, plain, []
     parts.sort(key=lambda part: part[0])
@@ -86,9 +89,6 @@ def _replaced(plain: list[Token], parts: list[tuple[int, int, list[Token]]]) -> 
             part = next(rest, None)
         if token.start >= reached:
             yield token
-    while part is not None:
-        yield from part[2] if part[0] >= reached else ()
-        part = next(rest, None)
 
 
 def _are_numbers(text: str) -> bool:
