@@ -131,7 +131,10 @@ def _parser() -> argparse.ArgumentParser:
     _add_scene_options(trace)
     trace.add_argument("--json", action="store_true", help="print the whole trace as JSON")
     trace.add_argument("--sums", action="store_true", help="print the sums behind the ends of the ranges too")
-    trace.set_defaults(run=commands.trace, clash=_clash_of_trace)
+    trace.set_defaults(
+        run=commands.trace,
+        clash=lambda args: "--sums is of the table: leave out --json" if args.sums and args.json else None,
+    )
 
     explain = command.add_parser(
         "explain",
@@ -155,7 +158,10 @@ def _parser() -> argparse.ArgumentParser:
         "--pair", type=_whole_number(1, 10_000), default=1, metavar="N", help="which pair --to is about"
     )
     explain.add_argument("--site", default="", metavar="URL", help="where the site is that --to link leads to")
-    explain.set_defaults(run=commands.explain, clash=_clash_of_explain)
+    wrong_site = "--site is where a link leads: give it with --to link"
+    explain.set_defaults(
+        run=commands.explain, clash=lambda args: wrong_site if args.site and args.to != "link" else None
+    )
 
     draw = command.add_parser("draw", help="draw every step of a scene")
     _add_scene_options(draw)
@@ -326,7 +332,8 @@ def _parser() -> argparse.ArgumentParser:
     scenes = command.add_parser("scenes", help="list the built-in scenes")
     scenes.add_argument("--json", action="store_true", help="print every scene with its expected answer as JSON")
     scenes.add_argument("--failing", action="store_true", help="those where shortcuts fail, and what is right")
-    scenes.set_defaults(run=commands.scenes, clash=_clash_of_scenes)
+    twice = "--json lists the failing scenes too: leave out --failing"
+    scenes.set_defaults(run=commands.scenes, clash=lambda args: twice if args.json and args.failing else None)
     return parser
 
 
@@ -416,21 +423,6 @@ def _clash_of_frame(args: argparse.Namespace, formats: set[str]) -> str | None:
     if args.step and args.step[0] != args.step[1] and formats == {"link"}:
         return "a link opens one step: give --step one number, or --format embed"
     return None
-
-
-def _clash_of_trace(args: argparse.Namespace) -> str | None:
-    """Return the error line for --sums with --json, which has every number, or None."""
-    return "--sums is of the table: leave out --json" if args.sums and args.json else None
-
-
-def _clash_of_explain(args: argparse.Namespace) -> str | None:
-    """Return an error line for options of `explain` that cannot be given together, or None."""
-    return "--site is where a link leads: give it with --to link" if args.site and args.to != "link" else None
-
-
-def _clash_of_scenes(args: argparse.Namespace) -> str | None:
-    """Return an error line for --failing with --json, which lists all scenes, or None."""
-    return "--json lists the failing scenes too: leave out --failing" if args.json and args.failing else None
 
 
 def _clash_of_chart(args: argparse.Namespace) -> str | None:

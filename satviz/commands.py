@@ -81,12 +81,12 @@ def figures(args: argparse.Namespace) -> int:
                 raise Refused(f"no figure {name!r}{_did_you_mean(name, known)}")
         wanted = [figure for figure in (*FIGURES, STRIP) if figure in [known[name] for name in args.only]]
     forms = dict.fromkeys(args.format)
-    return _write(args, [_job(args, f.stem, form, partial(_single, f.picture)) for f in wanted for form in forms])
 
+    def draw(figure: Figure) -> "list[Picture]":
+        """Return a list of the figure's one picture."""
+        return [figure.picture()]
 
-def _single(make: "Callable[[], Picture]") -> "list[Picture]":
-    """Return a list of the one picture that `make` draws, as `_job` expects it."""
-    return [make()]
+    return _write(args, [_job(args, f.stem, form, partial(draw, f)) for f in wanted for form in forms])
 
 
 class _Drawable(NamedTuple):
@@ -119,7 +119,7 @@ def draw(args: argparse.Namespace) -> int:
         if form == "html":
             jobs.append((args.out / f"{drawable.name}.html", partial(_page, drawable)))  # a page has both themes
         elif FORMATS[form].animated:
-            jobs.append(_animated_job(args, drawable, form))
+            jobs.append(_job(args, drawable.name, form, drawable.frames))
         else:
             jobs += [_job(args, stem, form, make) for stem, make in drawable.stills]
     done = _write(args, jobs)
@@ -171,7 +171,7 @@ def _drawable_refused(args: argparse.Namespace, case: "FailureCase") -> _Drawabl
     """Return the drawing of a scene whose outlines are refused; Refused for options that need a run."""
     from .pictures.comparison import refused_picture
     from .pictures.moves import animation
-    from .render.page import page_of_refused
+    from .render.page import page
 
     options = "axes", "every_axis", "sheet", "step", "steps", "sweep", "difference", "predict"
     if any(getattr(args, name) for name in options):
@@ -184,7 +184,7 @@ def _drawable_refused(args: argparse.Namespace, case: "FailureCase") -> _Drawabl
         case.name,
         [(case.name, lambda: [drawn])],
         lambda: animation([drawn], speed=args.speed or 1.0),
-        lambda: page_of_refused(case),
+        lambda: page(case.name),
     )
 
 
@@ -196,7 +196,7 @@ def _drawable_run(args: argparse.Namespace, scene: "Scene") -> _Drawable:
     from .pictures.moves import animation, turning
     from .pictures.sheet import sheet
     from .pictures.turning_axis import sweep
-    from .render.page import page_of_run
+    from .render.page import page
 
     trace = scene.record()
     try:
@@ -221,27 +221,25 @@ def _drawable_run(args: argparse.Namespace, scene: "Scene") -> _Drawable:
         drawn = difference_steps(trace) if args.difference else [picture(trace, s) for s in range(first, last + 1)]
         return animation(add_captions(drawn, brief=True), speed=args.speed or 1.0)
 
-    def page() -> str:
-        """Return the page of the run."""
-        return page_of_run(
-            trace, title=scene.title, predict=args.predict, sweep=args.sweep, difference=args.difference,
-            speed=args.speed or 1.0,
-        )  # fmt: skip
+    whole_page = partial(
+        page, trace, title=scene.title, predict=args.predict, sweep=args.sweep, difference=args.difference,
+        speed=args.speed or 1.0,
+    )  # fmt: skip
 
     if args.sweep or args.difference:
         name = f"{scene.name}-{'sweep' if args.sweep else 'difference'}"
         every = (sweep if args.sweep else difference_steps)(trace, title=scene.title)
         digits = len(str(len(every) - 1))
         own = [(f"{name}-{n:0{digits}}", partial(_captioned, drawn, args)) for n, drawn in enumerate(every)]
-        return _Drawable(name, own, frames, page)
+        return _Drawable(name, own, frames, whole_page)
 
     if not args.sheet and (last - first < MAX_STEP_FILES or args.steps):
         digits = len(str(count - 1))
         stills = [(f"{scene.name}-{step:0{digits}}", partial(still, step)) for step in range(first, last + 1)]
-        return _Drawable(scene.name, stills, frames, page)
+        return _Drawable(scene.name, stills, frames, whole_page)
     whole = [(f"{scene.name}-sheet", lambda: [sheet(trace, title=scene.title)])]
     note = "" if args.sheet else f"one sheet instead of a picture of each of the {count} steps (--steps makes those)"
-    return _Drawable(scene.name, whole, frames, page, note)
+    return _Drawable(scene.name, whole, frames, whole_page, note)
 
 
 def _captioned(drawn: "Picture", args: argparse.Namespace) -> "Sequence[Picture]":
@@ -259,28 +257,20 @@ def _page(drawable: _Drawable) -> bytes:
         raise Refused(str(error)) from None
 
 
-def _job(args: argparse.Namespace, stem: str, form: str, make: "Pictures") -> "Job":
+def _job(args: argparse.Namespace, stem: str, form: str, make: "Callable[[], Sequence[Picture] | Animation]") -> "Job":
     """Return a file's path in --out and the function that makes its bytes; dark files' names end in -dark."""
-    from .pictures import LIGHT, THEMES
+    from .pictures import THEMES
+    from .pictures.moves import Animation
+    from .render.chart import theme_suffix
     from .render.files import encode_frames
 
     theme = THEMES[args.theme or "light"]
-    if theme is not LIGHT:
-        stem = f"{stem}-{theme.name}"
-    return args.out / f"{stem}.{form}", lambda: encode_frames(make(), form, theme, stem=stem)
-
-
-def _animated_job(args: argparse.Namespace, drawable: _Drawable, form: str) -> "Job":
-    """Return an animated file's path in --out and the function that makes its bytes."""
-    from .pictures import LIGHT, THEMES
-    from .render.files import encode_frames
-
-    theme = THEMES[args.theme or "light"]
-    stem = drawable.name if theme is LIGHT else f"{drawable.name}-{theme.name}"
+    stem += theme_suffix(theme)
 
     def encode() -> bytes:
-        """Return the bytes of the animation."""
-        pictures, times = drawable.frames()
+        """Return the bytes of the file."""
+        made = make()
+        pictures, times = made if isinstance(made, Animation) else (made, None)
         return encode_frames(pictures, form, theme, stem=stem, times=times)
 
     return args.out / f"{stem}.{form}", encode
@@ -345,7 +335,8 @@ def notebook(args: argparse.Namespace) -> int:
     safe_write.make_folder(args.out)
     for source in sources:
         copy, data = args.out / source.name, _not_yet_run(source.read_bytes())
-        if os.path.lexists(copy) and not _has_content(copy, data) and not args.force:
+        same = copy.is_file() and not copy.is_symlink() and copy.read_bytes() == data
+        if os.path.lexists(copy) and not same and not args.force:
             say(f"{copy} was changed and is left alone (overwrite it with --force)")
         else:
             safe_write.write(copy, data, force=True)
@@ -371,11 +362,6 @@ def _not_yet_run(data: bytes) -> bytes:
         if cell["cell_type"] == "code":
             cell["outputs"], cell["execution_count"] = [], None
     return (json.dumps(notebook, indent=1, ensure_ascii=False) + "\n").encode()
-
-
-def _has_content(path: Path, data: bytes) -> bool:
-    """Return whether the path is a file, not a link, with exactly this content."""
-    return path.is_file() and not path.is_symlink() and path.read_bytes() == data
 
 
 def _jupyterlab(folder: Path) -> int:
@@ -477,10 +463,13 @@ def advise(args: argparse.Namespace) -> int:
             chart = recommendation.chart()
         except ValueError as error:
             raise Refused(str(error)) from None
+        from .pictures import THEMES
+        from .render.chart import theme_suffix
+
         safe_write.make_folder(args.chart)
-        for theme in ("light", "dark"):
+        for theme in THEMES.values():
             for form in ("svg", "png"):
-                path = args.chart / f"advice{'' if theme == 'light' else '-dark'}.{form}"
+                path = args.chart / f"advice{theme_suffix(theme)}.{form}"
                 safe_write.write(path, chart.encode(form, theme), force=args.force)
                 say(f"wrote {path}")
     return 0
@@ -505,14 +494,8 @@ def bench(args: argparse.Namespace) -> int:
         stop_if_interrupted()
     warning = "quick figures are rough: a table for keeps takes minutes" if args.quick else busy_warning(rows)
     if args.json:
-        facts = {
-            "machine": machine_facts(),
-            "missing": missing_peers(),
-            "pairs": pairs,
-            "rounds": rounds,
-            "warning": warning,
-        }
-        out_json(json.dumps({**facts, "rows": [row._asdict() for row in rows]}, indent=1))
+        data = {"machine": machine_facts(), "missing": missing_peers(), "pairs": pairs, "rounds": rounds}
+        out_json(json.dumps(data | {"warning": warning, "rows": [row._asdict() for row in rows]}, indent=1))
     else:
         out(bench_table(rows))
         if "numba" not in missing_peers():
@@ -523,10 +506,10 @@ def bench(args: argparse.Namespace) -> int:
     if warning:
         say(warning)
     if args.chart:
+        from .render.chart import save_chart
         from .study.bench import FRAME_SECTIONS
         from .study.bench_chart import bench_chart
         from .study.frames_chart import frames_chart
-        from .study.harness.chart import save_chart
 
         of_frames = [row for row in rows if row.section in FRAME_SECTIONS]
         others = [row for row in rows if row.section not in FRAME_SECTIONS]

@@ -52,6 +52,42 @@ def meet(p: Sequence, q: Sequence, r: Sequence, s: Sequence) -> bool:
     return on_segment(r, p, q) or on_segment(s, p, q) or on_segment(p, r, s) or on_segment(q, r, s)
 
 
+def is_simple(vertices: Iterable) -> bool:
+    """Return whether an outline, without repeated neighbours, is a simple polygon; all pairs of edges are compared."""
+    ring = [truth.exact(v) for v in vertices]
+    ring = [p for i, p in enumerate(ring) if p != ring[i - 1]]
+    n = len(ring)
+    if n < 3:
+        return False
+    sides = edges(ring)
+    for i, (p, q) in enumerate(sides):
+        for j, (r, s) in enumerate(sides[:i]):
+            if j == i - 1 or (j == 0 and i == n - 1):
+                # neighbours share one end, and may share nothing else
+                shared, one, other = (p, q, r) if j == i - 1 else (q, p, s)
+                if on_segment(one, shared, other) or on_segment(other, shared, one):
+                    return False
+            elif meet(p, q, r, s):
+                return False
+    return True
+
+
+def squared_distance(a: Polygon, b: Polygon) -> Fraction:
+    """Return the exact squared distance of two convex polygons; 0 where they touch or overlap."""
+    if relation(a, b):
+        return Fraction(0)
+    p, q = ([truth.exact(v) for v in shape.vertices] for shape in (a, b))
+    return min(segment_distance2(v, *edge) for ring, other in ((p, q), (q, p)) for v in other for edge in edges(ring))
+
+
+def segment_distance2(v: Sequence, p: Sequence, q: Sequence) -> Fraction:
+    """Return the squared distance of a point from a segment."""
+    dx, dy = q[0] - p[0], q[1] - p[1]
+    square = dx * dx + dy * dy
+    t = min(1, max(0, ((v[0] - p[0]) * dx + (v[1] - p[1]) * dy) / square)) if square else 0
+    return (p[0] + t * dx - v[0]) ** 2 + (p[1] + t * dy - v[1]) ** 2
+
+
 def holds(ring: Sequence, v: Sequence) -> bool:
     """Return whether a closed outline contains a point: on an edge, or by an odd number of crossings on its right."""
     if any(on_segment(v, p, q) for p, q in edges(ring)):

@@ -14,9 +14,9 @@ import sys
 from pathlib import Path
 
 from satviz.pictures import THEMES
+from satviz.render.chart import Chart, theme_suffix
 from satviz.study import bench_chart, frames_chart
 from satviz.study.bench import TimingRow
-from satviz.study.harness.chart import Chart, theme_suffix
 from satviz.study.harness.timings import format_ratio, interval_in_words, ratio_interval
 from satviz.study.methods import ENGINES
 from satviz.study.run import SECTIONS

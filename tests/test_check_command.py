@@ -14,7 +14,7 @@ from satviz.checking.checker import check_asker
 from satviz.checking.options import Options
 from satviz.checking.programs import Program
 from satviz.cli import main
-from satviz.scenes.harnesses import HARNESSES
+from satviz.scenes.minimal_test import scenes_json
 
 OWN = Path(__file__).parent / "own_functions"
 SAT = "def collide(a, b):\n    return True\n"
@@ -229,21 +229,22 @@ bool collide(const Shape &a, const Shape &b) {
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("harness", HARNESSES, ids=lambda harness: harness.language)
-def test_the_smallest_harness_of_a_language_works(harness, tmp_path, monkeypatch, capsys):
+@pytest.mark.parametrize("language", COLLIDES)
+def test_the_smallest_harness_of_a_language_works(language, tmp_path, monkeypatch, capsys):
     """As `satviz scenes --json` and the guide give it, with a function behind it and its own commands."""
-    tool = (harness.build or harness.run).split()[0]
+    harness = next(each for each in json.loads(scenes_json())["harnesses"] if each["language"] == language)
+    tool = (harness["build"] or harness["run"]).split()[0]
     needs(tool)
-    written(tmp_path, f"{harness.code}\n{COLLIDES[harness.language]}", harness.file)
+    written(tmp_path, harness["code"] + "\n" + COLLIDES[language], harness["file"])
     monkeypatch.chdir(tmp_path)
-    if harness.build:
-        subprocess.run(harness.build.split(), check=True, timeout=120)
-    assert main(["check", "--command", harness.run, "--json"]) == 1
+    if harness["build"]:
+        subprocess.run(harness["build"].split(), check=True, timeout=120)
+    assert main(["check", "--command", harness["run"], "--json"]) == 1
     found = json.loads(capsys.readouterr().out)
     assert found["behaves_like"][0]["name"] == "aabb-not-upright" and found["pairs"] > 300
-    assert main(["check", "--command", harness.run, "--kinds", "circles"]) == 0
+    assert main(["check", "--command", harness["run"], "--kinds", "circles"]) == 0
     assert capsys.readouterr().out.startswith("Right on all")
-    assert main(["check", "--command", harness.run, "--kinds", "circle and polygon", "--json"]) == 1
+    assert main(["check", "--command", harness["run"], "--kinds", "circle and polygon", "--json"]) == 1
     found = json.loads(capsys.readouterr().out)
     assert "Circle(" in found["text"] and found["behaves_like"][0]["name"] == "aabb-not-upright"
 

@@ -9,6 +9,7 @@ from random import Random
 
 import numpy as np
 import pytest
+from oracle import squared_distance
 from speeds import one_in
 
 import satviz as sv
@@ -536,7 +537,7 @@ def test_on_the_seam_one_tile_pushes_up_and_the_other_back():
 
 def test_the_dart_is_1_518_away_and_a_gap_on_its_hull_is_a_proof():
     case = NAMED["dart"]
-    distance2 = min(truth.squared_distance(p, case.b) for p in sv.parts(case.a))
+    distance2 = min(squared_distance(p, case.b) for p in sv.parts(case.a))
     assert sqrt(distance2) == pytest.approx(1.518, abs=5e-4)
     trace = sv.record(case.a, case.b, axes=CHOICES["hull-normals"])
     assert trace.separating.gap == about(0.283) and trace.certificate.check()
@@ -547,7 +548,7 @@ def test_no_direction_at_all_clears_the_notch_though_the_distance_is_one():
     turns = [(cos(radians(d)), sin(radians(d))) for d in range(180)]
     trace = sv.record(case.a, case.b, axes=sv.axes.directions(*turns), every_axis=True)
     assert max(test.gap for test in trace.tests) == -2
-    assert min(truth.squared_distance(p, case.b) for p in sv.parts(case.a)) == 1
+    assert min(squared_distance(p, case.b) for p in sv.parts(case.a)) == 1
 
 
 def test_neither_half_contains_the_box_and_the_mtvs_of_the_halves_cancel():
@@ -623,7 +624,7 @@ def test_a_push_away_from_the_center_is_as_long_as_the_right_one_and_leaves_them
 def test_first_gap_best_gap_and_distance_are_three_four_five():
     case = NAMED["gap-as-distance"]
     assert (case.claimed, true_value.gap(case.a, case.b), case.actual) == (3, 4, 5)
-    assert truth.squared_distance(case.a, case.b) == 25
+    assert squared_distance(case.a, case.b) == 25
 
 
 def test_the_bullet_touches_the_wall_from_37_to_43_eightieths_exactly():
@@ -790,7 +791,7 @@ def test_the_distance_is_that_of_the_nearest_points_for_shapes_of_any_kind():
     many = sv.Polygon(ring)
     for a in u, many, box(-3, 0, -2, 1):
         for b in box(2.5, 2, 3.5, 3), sv.Polygon([(x + 7, y + 8) for x, y in ring]), box(9, 9, 10, 10), many:
-            distance2 = min(truth.squared_distance(p, q) for p in sv.parts(a) for q in sv.parts(b))
+            distance2 = min(squared_distance(p, q) for p in sv.parts(a) for q in sv.parts(b))
             assert true_value.distance(a, b) == pytest.approx(sqrt(distance2), rel=1e-9)
             assert sv.picture(sv.record(a, b, axes=SHORTCUTS["gap-as-distance"])).marks
     assert true_value.distance(u, sv.Circle((3, 3), 0.5)) == 1.5

@@ -14,7 +14,7 @@ import shapely
 from adversary import BOUNDS, near_edge_line, search
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
-from oracle import relation
+from oracle import relation, squared_distance
 from strategies import (
     BASIC,
     CONVEX,
@@ -367,13 +367,11 @@ def test_a_circle_off_the_tip_of_a_needle_is_decided_by_its_distance_from_the_ti
 
 def test_the_oracle_returns_the_distance():
     box = Polygon([(0, 0), (2, 0), (2, 2), (0, 2)])
-    assert oracle.squared_distance(box, Polygon([(5, 6), (9, 9), (5, 9)])) == 25  # corner to corner
-    assert oracle.squared_distance(box, Polygon([(3, 1), (9, -9), (9, 9)])) == 1  # corner to edge
-    assert oracle.squared_distance(Polygon([(0, 0), (1, 0), (0, 1)]), Polygon([(1, 1), (2, 1), (1, 2)])) == Fraction(
-        1, 2
-    )
-    assert oracle.squared_distance(box, Polygon([(2, 2), (9, 9), (5, 9)])) == 0
-    assert oracle.squared_distance(box, Polygon([(1, 1), (9, 9), (5, 9)])) == 0
+    assert squared_distance(box, Polygon([(5, 6), (9, 9), (5, 9)])) == 25  # corner to corner
+    assert squared_distance(box, Polygon([(3, 1), (9, -9), (9, 9)])) == 1  # corner to edge
+    assert squared_distance(Polygon([(0, 0), (1, 0), (0, 1)]), Polygon([(1, 1), (2, 1), (1, 2)])) == Fraction(1, 2)
+    assert squared_distance(box, Polygon([(2, 2), (9, 9), (5, 9)])) == 0
+    assert squared_distance(box, Polygon([(1, 1), (9, 9), (5, 9)])) == 0
 
 
 def test_shapely_agrees_on_ordinary_pairs():
@@ -396,7 +394,7 @@ def test_shapely_agrees_on_the_distance():
     for kind, a, b in pairs(6, 1_000):
         if kind in ("random polygons", "boxes on a grid", "near touching, offset 100"):
             theirs = shapely.distance(shapely.Polygon(a.vertices), shapely.Polygon(b.vertices))
-            assert math.sqrt(oracle.squared_distance(a, b)) == pytest.approx(theirs, rel=1e-9, abs=1e-12)
+            assert math.sqrt(squared_distance(a, b)) == pytest.approx(theirs, rel=1e-9, abs=1e-12)
 
 
 @pytest.mark.parametrize("thing", [None, 1, "circle", [(0, 0), (1, 0), (0, 1)]])

@@ -980,6 +980,7 @@ def test_the_reference_is_a_part_of_the_site(files, pages):
     assert 'href="reference/satviz.html"' in pages["index.html"] and "reference/satviz/batch.html" in files
 
 
+@pytest.mark.slow
 def test_without_pdoc_the_site_has_no_reference_and_one_line_says_so(monkeypatch):
     monkeypatch.setitem(sys.modules, "pdoc", None)
     monkeypatch.setattr(build.pages, "scene_pictures", tuple)  # which take longest and are the same

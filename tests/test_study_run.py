@@ -20,10 +20,11 @@ from refresh_charts import charts as guide_charts
 from satviz import Polygon
 from satviz.cli import main
 from satviz.pictures import THEMES
+from satviz.render.chart import Chart, add_axes, theme_suffix
 from satviz.study import bench_chart, frames_chart, run, truth
 from satviz.study.bench import CHECKED_BY, TimingRow
 from satviz.study.harness.cells import Cell, Failure, Settings, run_cells
-from satviz.study.harness.chart import Chart, add_axes, theme_suffix, wilson_interval
+from satviz.study.harness.chart import wilson_interval
 from satviz.study.methods import ENGINES, answers_by_method
 from satviz.study.run import SECTIONS, study
 from satviz.study.sections import axis_order, speed_against_accuracy
@@ -41,7 +42,7 @@ def small(count):
             Cell(f"gap-{k}", axis_order.count_tested_axes, (2, 4 + k, settings)) for k in range(count)
         ],
         rows=lambda found: {"gaps": rows(found)},
-        CHARTS={"gaps": lambda rows, settings: Chart("gaps", "Gaps", (300, 200), blank, rows, "Only its numbers.")},
+        CHARTS={"gaps": lambda rows, settings: Chart("gaps", "Gaps", (), 180, blank, rows, "Only its numbers.")},
     )
 
 

@@ -14,14 +14,17 @@ from math import inf, isclose
 from sys import float_info
 from typing import TYPE_CHECKING, Any
 
+from ..engine.axes import Axis, Choice, directions, needed, world
 from ..engine.geometry import InvalidScene, Relation
-from ..engine.shapes import Shape, require_shape
+from ..engine.sat import AxisTest, axis_tests
+from ..engine.shapes import Circle, Shape, require_shape
+from ..engine.shortcut import Shortcut
 from ..engine.trace import Trace, record
 from ..scenes.named import scene as named
 from ..scenes.scenefile import Scene
 from . import report
-from .candidates import AABB, Model, SplitPolygon, convex_parts, count_axes, shared_directions
-from .certified_bounds import certify, exact_relation
+from .candidates import AABB, K_DOP, Model, SplitPolygon, convex_parts, count_axes, shared_directions
+from .certified_bounds import bounding_circle, certify, exact_relation
 from .limits import MAX_TESTS_CHECKED, TESTS_BY_FRACTIONS, TESTS_TIMED
 from .records import GivenPairs, IndexPair, InputSummary, ModelResult, anywhere, best, candidates_of, for_hits, kind_of
 from .relative_margin import signed_relative_margin
@@ -31,7 +34,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from ..batch import Shapes
-    from .cost_chart import CostChart
+    from ..render.chart import Chart
     from .costs import Cost
 
 
@@ -152,13 +155,11 @@ class Recommendation:
 
         `sv.draw` shows the claimed relation beside the actual one.  Where only rounding fails, the record is exact.
         """
-        from .as_shortcut import shortcut
-
         smaller = self.smaller
         if smaller is None or smaller.first is None or (place := self._number_of(smaller.first)) is None:
             return None
         a, b = (s.outline() if isinstance(s, SplitPolygon) else s for s in self.given.shapes_of(place))
-        return record(a, b, axes=shortcut(smaller.model, a, b))
+        return record(a, b, axes=_as_shortcut(smaller.model, a, b))
 
     @cached_property
     def _costs(self) -> "dict[str, Cost | None]":
@@ -176,7 +177,7 @@ class Recommendation:
         """
         return self._costs
 
-    def chart(self) -> "CostChart":
+    def chart(self) -> "Chart":
         """Return a chart of time against wrong answers of all candidates on these pairs, the recommended one marked."""
         from .cost_chart import chart
 
@@ -285,8 +286,8 @@ def _candidates(given: GivenPairs) -> tuple[Model, ...]:
     """Return the candidate models for the given pairs, from their shapes alone."""
     shapes = given.unique_shapes()
     axes = max((count_axes(*given.shapes_of(k)) for k in range(given.pairs)), default=1)
-    directions = shared_directions(shapes) if given.pairs else ()
-    return candidates_of(axes, directions, {kind_of(s) for s in shapes}, given)
+    shared = shared_directions(shapes) if given.pairs else ()
+    return candidates_of(axes, shared, {kind_of(s) for s in shapes}, given)
 
 
 def _summarize(given: GivenPairs, models: Sequence[Model]) -> tuple[InputSummary, tuple[ModelResult, ...]]:
@@ -337,3 +338,33 @@ def _least_margin(given: GivenPairs, k: int) -> float:
     """Return the relative margin of given pair k, by its convex parts."""
     a, b = given.shapes_of(k)
     return abs(min(signed_relative_margin(p, q) for p in convex_parts(a) for q in convex_parts(b)))
+
+
+# -- the smaller models as shortcuts of SAT, so that a pair on which a model fails can be recorded and drawn
+
+
+def _as_shortcut(model: Model, a: Shape, b: Shape) -> Shortcut:
+    """Return the SAT shortcut that tests the pair as the model does; SAT itself where only rounding can fail."""
+    if certify(model, a, b) is None:
+        return Shortcut("plain floats", "plain floats are exact enough", needed)
+    if model.kind == AABB:
+        return Shortcut("bounding boxes", "the bounding boxes give the same answer as the shapes", world)
+    if model.kind == K_DOP:
+        return Shortcut(
+            "shared directions", "the directions that most edges share are enough", directions(*model.directions)
+        )
+    return Shortcut(
+        "bounding circles", "the circles around the shapes give the same answer as the shapes", _between, _by_circles
+    )
+
+
+def _between(a: Shape, b: Shape) -> Choice:
+    """Return the choice of one axis, through the centers of the bounding circles (x if these coincide)."""
+    (ax, ay, _), (bx, by, _) = bounding_circle(a), bounding_circle(b)
+    return directions((bx - ax, by - ay) if (ax, ay) != (bx, by) else (1, 0))(a, b)
+
+
+def _by_circles(a: Shape, b: Shape, axis: Axis) -> AxisTest:
+    """Return the result of testing the bounding circles, in place of the shapes, on an axis."""
+    (ax, ay, ar), (bx, by, br) = bounding_circle(a), bounding_circle(b)
+    return next(axis_tests(Circle((ax, ay), ar), Circle((bx, by), br), [axis]))

@@ -16,7 +16,7 @@ from ..batch.arrays import Shapes, check_shapes
 from ..batch.broad_phase import broad_phase_of, candidate_blocks, sort_pairs
 from ..batch.codes import APART
 from ..batch.engines import engine_of
-from ..batch.ragged import Rings
+from ..batch.ragged import RaggedRings
 from ..engine.geometry import InvalidScene
 from ..engine.shapes import Circle, Shape
 from .candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, AnyShape, Model, SplitPolygon, convex_parts
@@ -25,7 +25,7 @@ from .classify import PartUnits, classify
 from .limits import refuse_too_many_boxes, refuse_too_many_fractions, refuse_too_many_tests
 from .margins import signed_relative_margins
 from .models import bounding_circles, compare_boxes, is_circle, shared_directions
-from .pairs import Array, Indices, Pairs, indexed, max_coordinates, paired, part_shape, tests_per_pair
+from .pairs import Array, Indices, PartPairs, indexed, max_coordinates, paired, part_shape, tests_per_pair
 from .records import (
     CIRCLES,
     CONCAVE_POLYGONS,
@@ -107,14 +107,14 @@ def _count_work(a: Shapes, ia: Indices, b: Shapes, ib: Indices) -> tuple[int, in
     return int((parts[0].astype(float) * parts[1]).sum()), int(tests_per_pair(a, ia, b, ib).sum())
 
 
-def _out_of_range(both: Pairs) -> int:
+def _out_of_range(both: PartPairs) -> int:
     """Return how many pairs of convex parts have coordinates so large or small that only integers are safe."""
     with np.errstate(over="ignore"):
         most = np.maximum(_part_max_coordinates(both.a)[both.pa], _part_max_coordinates(both.b)[both.pb])
     return int(np.count_nonzero(~((most > 2.0**-450) & (most < 2.0**450))))
 
 
-def _count_apart_by_boxes(a: Shapes, many: int, engine: str | None) -> tuple[BroadPhaseResult, Pairs]:
+def _count_apart_by_boxes(a: Shapes, many: int, engine: str | None) -> tuple[BroadPhaseResult, PartPairs]:
     """Return (BroadPhaseResult, the pairs apart by their boxes that circles alone might not certify as apart).
 
     With M the larger max_coordinate (radius included) of two circles, u the unit roundoff, d their distance and R the
@@ -144,7 +144,7 @@ def _count_apart_by_boxes(a: Shapes, many: int, engine: str | None) -> tuple[Bro
     return BroadPhaseResult(many, len(near.ia), frozenset(exact | trusted.keys()), only_circles), near
 
 
-def _moved_bound(both: Pairs, signed: Array) -> float:
+def _moved_bound(both: PartPairs, signed: Array) -> float:
     """Return the power of two up to which these convex polygons may be moved as a whole; 0 if they exceed it already.
 
     `signed`: the signed relative margin of each pair of parts.
@@ -154,7 +154,7 @@ def _moved_bound(both: Pairs, signed: Array) -> float:
     return power_of_two_bound(float((np.abs(signed) * 0.9 * most).min()) / (SAT_ROUNDINGS + 1), float(most.max()))
 
 
-def _common_unit(both: Pairs) -> CommonUnit | None:
+def _common_unit(both: PartPairs) -> CommonUnit | None:
     """Return the CommonUnit of all numbers in the pairs; None if the unit is too large or too small for float64."""
     found = [PartUnits(*(c[p] for c in PartUnits.of(s.parts))) for s, p in ((both.a, both.pa), (both.b, both.pb))]
     unit = min(float(g.unit.min()) for g in found)
@@ -172,16 +172,16 @@ def shape_as_batch(shape: Shape) -> Shapes:
     start = np.cumsum([0, *map(len, cores)])
     x, y = np.concatenate(cores).T.copy()
     owner = np.zeros(len(cores), np.int64) if len(cores) > 1 else None
-    return Shapes(rings=Rings(x, y, start), owner=owner)
+    return Shapes(rings=RaggedRings(x, y, start), owner=owner)
 
 
-def repeated_pair(a: Shape, b: Shape, copies: int = 4096) -> Pairs:
+def repeated_pair(a: Shape, b: Shape, copies: int = 4096) -> PartPairs:
     """Return many copies of one pair, so that one call can be timed."""
     nothing = np.zeros(copies, np.intp)
     return paired(shape_as_batch(a), nothing, shape_as_batch(b), nothing)
 
 
-def _models(pairs: Pairs, kinds: Collection[str], given: GivenPairs) -> tuple[Model, ...]:
+def _models(pairs: PartPairs, kinds: Collection[str], given: GivenPairs) -> tuple[Model, ...]:
     """Return the candidate models for these pairs; `kinds`: the kinds of their shapes, in words as `kind_of` has them.
 
     The number of axes and the directions of a k-DOP are computed from the shapes.
@@ -196,7 +196,7 @@ def _models(pairs: Pairs, kinds: Collection[str], given: GivenPairs) -> tuple[Mo
 
 
 def _evaluate_model(
-    model: Model, both: Pairs, exact: NDArray[np.int8], near: Pairs, given: GivenPairs, engine: str | None
+    model: Model, both: PartPairs, exact: NDArray[np.int8], near: PartPairs, given: GivenPairs, engine: str | None
 ) -> ModelResult:
     """Return the ModelResult of a model on the pairs `both`, and on `near` if no test of the boxes comes before it.
 
@@ -217,7 +217,7 @@ def _evaluate_model(
 
 
 def _classify(
-    model: Model, pairs: Pairs, exact: NDArray[np.int8], given: GivenPairs, first: int, engine: str | None
+    model: Model, pairs: PartPairs, exact: NDArray[np.int8], given: GivenPairs, first: int, engine: str | None
 ) -> NDArray[np.int8]:
     """Return the relation that the model certainly finds for each pair, -1 where it is uncertain.
 
@@ -254,14 +254,14 @@ def _kinds(sides: Sequence[tuple[Shapes, Indices]]) -> dict[str, int]:
     return found
 
 
-def _corners(given: Pairs) -> IndexPair:
+def _corners(given: PartPairs) -> IndexPair:
     """Return (fewest, most) corners of the polygonal convex parts in the pairs; (0, 0) if all are circles."""
     counts = np.concatenate([given.a.count[given.pa], given.b.count[given.pb]])
     counts = counts[counts > 1]
     return (int(counts.min()), int(counts.max())) if counts.size else (0, 0)
 
 
-def _size_ratio(given: Pairs) -> float:
+def _size_ratio(given: PartPairs) -> float:
     """Return the largest shape's size divided by the smallest one's, at most the largest float; 1 without pairs.
 
     The size is the longer side of the bounding box.

@@ -97,8 +97,10 @@ def candidates(
 ) -> tuple[Model, ...]:
     """Return the candidate models, from the fewest axes to the most, then from the lowest precision to exact.
 
-    `alone`: None for given pairs.  For all pairs of a batch, whose bounding boxes are compared first: the kinds of
-    models, with fewer axes than the boxes, that are candidates without the boxes too; all others follow the boxes.
+    `axes`: how many SAT tests for the largest pair; `directions`: the distinct ones of all edge normals, () for no
+    k-DOP; `only_circles`: whether all shapes are circles.  `alone`: None for given pairs.  For all pairs of a batch,
+    whose bounding boxes are compared first: the kinds of models, with fewer axes than the boxes, that are candidates
+    without the boxes too; all others follow the boxes.
     """
     found = [] if only_circles else [Model(BOUNDING_CIRCLES, 1)]
     found.append(Model(AABB, 2))
@@ -138,10 +140,6 @@ def shared_directions(shapes: Iterable[AnyShape]) -> tuple[Vec, ...]:
 
 def count_axes(a: AnyShape, b: AnyShape) -> int:
     """Return how many axes SAT tests: for two convex parts each edge, and one more if a circle is among them."""
-    return sum(_count_convex_axes(p, q) for p in convex_parts(a) for q in convex_parts(b))
-
-
-def _count_convex_axes(a: Shape, b: Shape) -> int:
-    """Return how many axes SAT tests for two convex shapes: each edge, and one more with a circle."""
-    edges = sum(0 if s.core_is_point else len(s.core) for s in (a, b))
-    return edges + (a.core_is_point or b.core_is_point)
+    pairs = [(p, q) for p in convex_parts(a) for q in convex_parts(b)]
+    edges = sum(len(s.core) for pair in pairs for s in pair if not s.core_is_point)
+    return edges + sum(p.core_is_point or q.core_is_point for p, q in pairs)

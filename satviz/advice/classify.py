@@ -28,14 +28,14 @@ from .models import (
     is_circle,
     relations_of_gaps,
 )
-from .pairs import Array, Indices, Pairs, Relations, max_coordinates, pair_columns, part_shape
+from .pairs import Array, Indices, PartPairs, Relations, max_coordinates, pair_columns, part_shape
 from .rounding import FLOAT64, FORMATS, FloatFormat
 from .rounding_numpy import Errors
 
 SQUARE_ERROR = 1 + 2.0**-40  # widens a square computed in float64, with a relative error of a few u
 
 
-def classify(model: Model, pairs: Pairs, exact: Relations, *, engine: str | None = None) -> Relations:
+def classify(model: Model, pairs: PartPairs, exact: Relations, *, engine: str | None = None) -> Relations:
     """Return for each pair the relation that the model certainly finds; UNDECIDED where rounding can decide.
 
     `exact` are the exact relations, which a model finds where it rounds nothing; `engine` as in `batch.relate`, which
@@ -73,8 +73,8 @@ def classify(model: Model, pairs: Pairs, exact: Relations, *, engine: str | None
         return pairs.whole(_decide_by_fractions(pairs, found, form))
 
 
-def _decide_by_fractions(pairs: Pairs, found: Relations, form: FloatFormat) -> Relations:
-    """Return `found` with UNDECIDED parts certified by fractions, up to the first that stays undecided."""
+def _decide_by_fractions(pairs: PartPairs, found: Relations, form: FloatFormat) -> Relations:
+    """Certify UNDECIDED entries of `found` by fractions, in place, up to the first that stays undecided; return it."""
     undecided = np.flatnonzero((found == UNDECIDED) & (pairs.whole(found)[pairs.of] == UNDECIDED))
     for many, k in enumerate(undecided.tolist()):
         refuse_too_many_fractions(many, len(undecided))
@@ -176,7 +176,8 @@ def _classify_circles(a: Array, b: Array, form: FloatFormat) -> Relations:
     error_bound = (12.001 * 2.0**-form.bits + 2.0**-49) * (distance + square)
     error_bound += 5.001 * moved * (np.abs(dx) + np.abs(dy)) + 9.001 * moved * moved
     error_bound[~(known & (size > form.least * 1.001) & (most < form.most))] = np.inf
-    found = _relations_beyond(distance - square, error_bound)
+    gap = distance - square
+    found = np.where(gap > error_bound, APART, np.where(gap < -error_bound, OVERLAPPING, UNDECIDED))
     max_coordinate = np.maximum(*(np.abs(c[:, :2]).max(axis=1) for c in (a, b))) + np.maximum(a[:, 2], b[:, 2])
     range_error = RANGE_ROUNDINGS * (2.0**-form.bits + 2.0**-53) * 1.001 * max_coordinate
     near = np.abs(np.sqrt(distance) - total) <= range_error  # where ranges can be wrong
@@ -185,9 +186,7 @@ def _classify_circles(a: Array, b: Array, form: FloatFormat) -> Relations:
         errors = Errors(form, int(np.count_nonzero(where)))
         formula(errors, *([errors.held(c) for c in disc[where].T] for disc in (a, b)))
         exact[where] &= errors.exact
-    return np.where(exact & known, np.where(undecided, relations_of_gaps(distance - square), found), UNDECIDED).astype(
-        np.int8
-    )
+    return np.where(exact & known, np.where(undecided, relations_of_gaps(gap), found), UNDECIDED).astype(np.int8)
 
 
 def _number_rows(g: CornerColumns) -> Array:
@@ -201,17 +200,12 @@ def _rows_fit_format(form: FloatFormat, rows: Array) -> NDArray[np.bool_]:
     return found
 
 
-def _relations_beyond(gap: Array, error_bound: Array) -> Relations:
-    """Return APART above the error bound, OVERLAPPING below its negative, else UNDECIDED."""
-    return np.where(gap > error_bound, APART, np.where(gap < -error_bound, OVERLAPPING, UNDECIDED)).astype(np.int8)
-
-
-def _classify_ranges(model: Model, pairs: Pairs) -> Relations:
+def _classify_ranges(model: Model, pairs: PartPairs) -> Relations:
     """Return the relations that ranges on the directions of a k-DOP certainly give, else UNDECIDED."""
     a, b, ia, ib = pairs.a, pairs.b, pairs.ia, pairs.ib
     p, q = direction_ranges(a, model.directions)[ia], direction_ranges(b, model.directions)[ib]
     gap = np.maximum(p[:, :, 0] - q[:, :, 1], q[:, :, 0] - p[:, :, 1])
-    most = np.maximum(_max_coordinates(a)[ia], _max_coordinates(b)[ib])
+    most = np.maximum(np.abs(a.bounds).max(axis=1)[ia], np.abs(b.bounds).max(axis=1)[ib])
     error_bound = most * (2.0**-53 * 32)
     error_bound[~((most > FLOAT64.least) & (most < FLOAT64.most))] = np.inf
     rounds_nothing = _projects_exactly(a, model)[ia] & _projects_exactly(b, model)[ib]
@@ -231,12 +225,6 @@ def _projects_exactly(shapes: Shapes, model: Model) -> NDArray[np.bool_]:
         rounding.landing(errors, (np.full_like(x, nx), np.full_like(y, ny)), (x, y))
         found[:, k] = np.logical_and.reduceat(errors.exact, start[shapes.starts[:-1]])
     return found
-
-
-def _max_coordinates(shapes: Shapes) -> Array:
-    """Return the largest absolute coordinate of each shape's bounding box."""
-    most: Array = np.abs(shapes.bounds).max(axis=1)
-    return most
 
 
 def _classify_polygons(p: CornerColumns, q: CornerColumns, form: FloatFormat) -> Relations:

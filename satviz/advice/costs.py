@@ -12,7 +12,7 @@ from .. import batch
 from . import models, timing
 from .candidates import Model
 from .limits import SECONDS_TIMED, TESTS_TIMED
-from .pairs import Pairs, paired, tests_per_pair
+from .pairs import PartPairs, paired, tests_per_pair
 
 ROUNDS = 5
 MAX_PAIRS_TIMED = 1 << 16  # only the first pairs are timed
@@ -33,7 +33,7 @@ class Cost(NamedTuple):
 
 def costs(
     candidates: Sequence[Model],
-    pairs: Pairs,
+    pairs: PartPairs,
     *,
     rounds: int = ROUNDS,
     engine: str | None = None,
@@ -73,12 +73,12 @@ def costs(
     return measured
 
 
-def _relations(pairs: Pairs, engine: str | None) -> NDArray[np.int8]:
+def _relations(pairs: PartPairs, engine: str | None) -> NDArray[np.int8]:
     """Return the exact relations of the pairs."""
     return batch.relate(pairs.a, pairs.b, np.stack([pairs.ia, pairs.ib], axis=1), engine=engine)
 
 
-def _pairs_in_time(pairs: Pairs, seconds: float, engine: str | None) -> int:
+def _pairs_in_time(pairs: PartPairs, seconds: float, engine: str | None) -> int:
     """Return how many pairs the exact filter, the slowest model, can decide in an eighth of the time."""
     first = paired(pairs.a, pairs.ia[:PAIRS_OF_THE_ESTIMATE], pairs.b, pairs.ib[:PAIRS_OF_THE_ESTIMATE])
     _relations(first, engine)  # loads the engine and fills the caches of the shapes
@@ -88,7 +88,7 @@ def _pairs_in_time(pairs: Pairs, seconds: float, engine: str | None) -> int:
     return int(min(len(pairs.ia), seconds / 8 / max(each, 1e-9)))
 
 
-def _without_unused_shapes(pairs: Pairs) -> Pairs:
+def _without_unused_shapes(pairs: PartPairs) -> PartPairs:
     """Return the same pairs on smaller batches, which hold only the shapes used in them."""
     if pairs.a is pairs.b:
         every, where = np.unique(np.concatenate([pairs.ia, pairs.ib]), return_inverse=True)
@@ -98,13 +98,13 @@ def _without_unused_shapes(pairs: Pairs) -> Pairs:
     return paired(pairs.a[one], ia, pairs.b[other], ib)
 
 
-def _evaluate(model: Model, pairs: Pairs, ready: tuple[object, object], engine: str | None) -> NDArray[np.int8]:
+def _evaluate(model: Model, pairs: PartPairs, ready: tuple[object, object], engine: str | None) -> NDArray[np.int8]:
     """Return the (n,) relations that the model finds; `ready`: what `prepare` returned for side a and side b."""
     with np.errstate(all="ignore"):
         return models.evaluate(model, pairs, *ready, engine=engine)
 
 
-def _evaluate_cold(model: Model, pairs: Pairs, engine: str | None) -> NDArray[np.int8]:
+def _evaluate_cold(model: Model, pairs: PartPairs, engine: str | None) -> NDArray[np.int8]:
     """Return the relations that the model finds, including its set-up."""
     a = _uncached(pairs.a)
     return _evaluate(model, pairs, _prepare_both(model, a, a if pairs.b is pairs.a else _uncached(pairs.b)), engine)

@@ -28,18 +28,13 @@ MIN_LENGTH = 2.0**-900  # in units of max_coordinate: products of shorter length
 Measure = Callable[[CornerColumns, CornerColumns], Array]
 
 
-def relative_margins(a: Shapes, b: Shapes, pairs: ArrayLike | None = None) -> Array:
-    """Return each pair's gap or overlap in roundings (K,), right to one part in fifty; 0 only if touching.
-
-    a, b: batch shapes paired row by row, or by the (K, 2) indices `pairs`, as in `batch.relate`.
-    """
-    return np.abs(signed_relative_margins(a, b, pairs))
-
-
 def signed_relative_margins(
     a: Shapes, b: Shapes, pairs: ArrayLike | None = None, *, engine: str | None = None
 ) -> Array:
-    """Return the (K,) relative margins, negative where the pair overlaps; `engine` as in `batch.relate`."""
+    """Return each pair's gap, or minus its overlap, in roundings (K,), right to one part in fifty; 0 only if touching.
+
+    a, b: batch shapes paired row by row, or by the (K, 2) indices `pairs`; `engine` as in `batch.relate`.
+    """
     ia, ib = indexed(a, b, pairs)
     pa, pb, of = part_pairs(a, ia, b, ib)
     a, b = a.parts, b.parts
@@ -95,7 +90,7 @@ def _margins_of_columns(a: CornerColumns, b: CornerColumns, polygon_gap: Measure
     """
     with np.errstate(all="ignore"):
         # scale all numbers below 1/2: then no difference of coordinates and no center plus radius overflows
-        power = -1 - np.frexp(np.maximum(max_coordinates(_halved(a)), max_coordinates(_halved(b))))[1]
+        power = -1 - np.frexp(np.maximum(*(max_coordinates(CornerColumns(g.block / 2)) for g in (a, b))))[1]
         a, b = (_scaled(g, power) for g in (a, b))
         unit = UNIT_ROUNDOFF * np.maximum(max_coordinates(a), max_coordinates(b))
         if a.r is not None and b.r is not None:
@@ -105,11 +100,6 @@ def _margins_of_columns(a: CornerColumns, b: CornerColumns, polygon_gap: Measure
         else:
             gap = polygon_gap(a, b)
         return np.asarray(gap / unit)
-
-
-def _halved(g: CornerColumns) -> CornerColumns:
-    """Return the shapes at half size, so that a center plus a radius cannot overflow."""
-    return CornerColumns(g.block / 2)
 
 
 def _scaled(g: CornerColumns, power: NDArray[np.intp]) -> CornerColumns:

@@ -1,7 +1,6 @@
 """The models for many pairs: `prepare` sets up the data of a model for a batch, `evaluate` returns its relations."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from functools import cache
 from importlib.util import find_spec
 from typing import Any
@@ -18,25 +17,11 @@ from ..engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
 from .candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, MAX_DIRECTIONS, PARALLEL_ANGLE, Model
 from .certified_bounds import WIDENING
 from .margins import edge_distances
-from .pairs import Array, Indices, Pairs, Relations, pair_columns, slice_if_adjacent
+from .pairs import Array, ConvertedParts, PartPairs, Relations, pair_columns, slice_if_adjacent
 from .rounding import FORMATS
 
 PAIRS_PER_BLOCK = 16384  # pairs whose columns fit the cache
 DTYPES: dict[str, Any] = {"float32": np.float32, "float64": np.float64}
-
-
-@dataclass(frozen=True)
-class ConvertedParts:
-    """Hold all convex parts of a batch in one float format, both one after another and in columns."""
-
-    x: NDArray[Any]
-    y: NDArray[Any]
-    r: NDArray[Any]
-    start: Indices
-    bounds: NDArray[Any]
-    count: NDArray[np.int64]
-    slot: Indices
-    groups: dict[int, CornerColumns]
 
 
 def prepare(model: Model, shapes: Shapes) -> Any:
@@ -158,7 +143,7 @@ def numba_kernels() -> Any:
     return kernels
 
 
-def evaluate(model: Model, pairs: Pairs, a: Any, b: Any, *, engine: str | None = None) -> Relations:
+def evaluate(model: Model, pairs: PartPairs, a: Any, b: Any, *, engine: str | None = None) -> Relations:
     """Return the relation that the model finds for each pair; a and b are what `prepare` returned for each side."""
     ia, ib = pairs.ia, pairs.ib
     if model.kind == EXACT_FILTER:
@@ -224,7 +209,7 @@ def compare_ranges(a: Array, b: Array) -> Relations:
     return relations_of(apart, over)
 
 
-def sat(pairs: Pairs, a: ConvertedParts, b: ConvertedParts, kernels: Any) -> Relations:
+def sat(pairs: PartPairs, a: ConvertedParts, b: ConvertedParts, kernels: Any) -> Relations:
     """Return the relations of the pairs by SAT in the float format of `a` and `b`; `kernels` None means NumPy."""
     found = np.empty(len(pairs.pa), np.int8)
     if kernels is not None:

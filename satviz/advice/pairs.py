@@ -4,7 +4,8 @@ Columns hold shapes with equally many corners: x and y are (corners, n) arrays, 
 """
 
 from collections.abc import Iterator
-from typing import NamedTuple, Protocol
+from dataclasses import dataclass
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -20,7 +21,7 @@ Relations = NDArray[np.int8]
 MAX_CORNERS_AT_ONCE = 1 << 18  # corners times pairs
 
 
-class Pairs(NamedTuple):
+class PartPairs(NamedTuple):
     """Hold pairs of shapes of two batches, and all pairs of their convex parts.
 
     ia, ib: (n,) pair k is a[ia[k]] with b[ib[k]]; pa, pb: (m,) indices of the convex parts of each pair of parts;
@@ -49,25 +50,23 @@ class Pairs(NamedTuple):
         return np.array([0, 1, UNDECIDED, 2], np.int8)[most]
 
 
-def paired(a: Shapes, ia: Indices, b: Shapes, ib: Indices) -> Pairs:
-    """Return the Pairs record of a[ia[k]] with b[ib[k]], which includes all pairs of their convex parts."""
-    return Pairs(a, b, ia, ib, *part_pairs(a, ia, b, ib))
+def paired(a: Shapes, ia: Indices, b: Shapes, ib: Indices) -> PartPairs:
+    """Return the PartPairs record of a[ia[k]] with b[ib[k]], which includes all pairs of their convex parts."""
+    return PartPairs(a, b, ia, ib, *part_pairs(a, ia, b, ib))
 
 
-class HasColumns(Protocol):
-    """Describe convex parts in columns by number of corners: a batch, or its copy in another float format."""
+@dataclass(frozen=True)
+class ConvertedParts:
+    """Hold all convex parts of a batch in one float format, both one after another and in columns."""
 
-    @property
-    def count(self) -> NDArray[np.int64]:
-        """Return the number of corners of each part, (N,)."""
-
-    @property
-    def slot(self) -> Indices:
-        """Return the column of each part in its group, (N,)."""
-
-    @property
-    def groups(self) -> dict[int, CornerColumns]:
-        """Return the groups by number of corners."""
+    x: NDArray[Any]
+    y: NDArray[Any]
+    r: NDArray[Any]
+    start: Indices
+    bounds: NDArray[Any]
+    count: NDArray[np.int64]
+    slot: Indices
+    groups: dict[int, CornerColumns]
 
 
 def indexed(a: Shapes, b: Shapes, pairs: ArrayLike | None) -> tuple[Indices, Indices]:
@@ -106,7 +105,7 @@ def part_shape(shapes: Shapes, part: int) -> Shape:
 
 
 def pair_columns(
-    a: HasColumns, pa: Indices, b: HasColumns, pb: Indices, most: int = 1 << 62
+    a: Shapes | ConvertedParts, pa: Indices, b: Shapes | ConvertedParts, pb: Indices, most: int = 1 << 62
 ) -> Iterator[tuple[Indices, CornerColumns, CornerColumns]]:
     """Yield (indices of pairs, group for a, group for b) for blocks of pairs with equal numbers of corners.
 

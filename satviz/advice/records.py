@@ -15,12 +15,13 @@ if TYPE_CHECKING:
     from ..batch.broad_phase import BroadPhase
 
 IndexPair = tuple[int, int]
-UPRIGHT_BOXES, CIRCLES, CONVEX_POLYGONS, CONCAVE_POLYGONS = (
-    "upright boxes",
-    "circles",
-    "convex polygons",
-    "concave polygons",
-)
+SINGULAR = {
+    "upright boxes": "upright box",
+    "circles": "circle",
+    "convex polygons": "convex polygon",
+    "concave polygons": "concave polygon",
+}
+UPRIGHT_BOXES, CIRCLES, CONVEX_POLYGONS, CONCAVE_POLYGONS = SINGULAR  # the kinds of shapes
 
 
 class CommonUnit(NamedTuple):

@@ -10,17 +10,7 @@ from typing import TYPE_CHECKING
 
 from .candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, Model
 from .limits import SECONDS_TIMED
-from .records import (
-    CIRCLES,
-    CONCAVE_POLYGONS,
-    CONVEX_POLYGONS,
-    UPRIGHT_BOXES,
-    InputSummary,
-    ModelResult,
-    anywhere,
-    best,
-    for_hits,
-)
+from .records import CONCAVE_POLYGONS, SINGULAR, UPRIGHT_BOXES, InputSummary, ModelResult, anywhere, best, for_hits
 from .relative_margin import IN_FLOAT32
 from .rounding import FLOAT32, FLOAT64, FORMATS
 from .scope import ANYWHERE, MOVED, MULTIPLES, Scope
@@ -29,13 +19,6 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from .costs import Cost
-
-SINGULAR = {
-    UPRIGHT_BOXES: "upright box",
-    CIRCLES: "circle",
-    CONVEX_POLYGONS: "convex polygon",
-    CONCAVE_POLYGONS: "concave polygon",
-}
 
 
 def text(summary: InputSummary, results: "Sequence[ModelResult]", scope: Scope) -> str:
@@ -157,7 +140,7 @@ def shapes(summary: InputSummary) -> str:
     kinds = ", ".join(f"{n:,} {SINGULAR[kind] if n == 1 else kind}" for kind, n in summary.kinds.items())
     low, high = summary.corners
     corners = f", {low} corners" if low == high else f", {low} to {high} corners"
-    corners += " in a convex part" if "concave polygons" in summary.kinds else ""
+    corners += " in a convex part" if CONCAVE_POLYGONS in summary.kinds else ""
     more = "more than " if summary.size_ratio == float_info.max else ""
     sizes = f", the largest {more}{summary.size_ratio:,.3g} times the smallest" if summary.size_ratio > 1.005 else ""
     return f"{kinds or 'none'}{corners if high else ''}{sizes}"
@@ -224,7 +207,7 @@ def _fails(result: ModelResult, summary: InputSummary) -> str:
 
 
 def _adds(result: ModelResult, summary: InputSummary, results: "Sequence[ModelResult]") -> str:
-    """Return what a model larger than the recommended one adds, or why it fails too."""
+    """Return a text on a model larger than the recommended one: what it is also right for, or why it fails too."""
     if not result.proven:
         return _fails(result, summary)
     adds = "also right, but not needed here"

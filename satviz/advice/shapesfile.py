@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from .. import batch
 from ..batch import validation
 from ..batch.outlines import convex_rings
-from ..batch.ragged import Rings
+from ..batch.ragged import RaggedRings
 from ..engine.geometry import InvalidScene, InvalidShape
 from ..engine.polygon_validation import short_repr
 
@@ -146,9 +146,9 @@ def _shapes(path: Path, arrays: dict[str, NDArray[Any]]) -> batch.Shapes:
 def _check_concave(path: Path, coords: NDArray[Any], offsets: NDArray[Any]) -> None:
     """Raise InvalidScene for more than MAX_CONCAVE_CORNERS corners of concave polygons."""
     points, start = validation.rings_from_offsets(coords, offsets)
-    rings = Rings(points[:, 0], points[:, 1], start)
+    rings = RaggedRings(points[:, 0], points[:, 1], start)
     corners = np.diff(rings.start)
-    _, plain = convex_rings(Rings(rings.x + 0.0, rings.y + 0.0, rings.start))
+    _, plain = convex_rings(RaggedRings(rings.x + 0.0, rings.y + 0.0, rings.start))
     if (many := int(corners[~plain].sum())) > MAX_CONCAVE_CORNERS:
         raise InvalidScene(
             f"{path}: coords holds {many:,} corners of concave polygons: the limit is {MAX_CONCAVE_CORNERS:,}; "

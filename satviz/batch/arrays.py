@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..engine.polygon_validation import refuse_masked
-from .ragged import Rings
+from .ragged import RaggedRings
 
 TILE_SHAPES = 128  # columns that share error bounds; their corners stay in the first-level cache
 
@@ -120,7 +120,7 @@ class Shapes:
     def __init__(
         self,
         *,
-        rings: Rings | None = None,
+        rings: RaggedRings | None = None,
         radius: NDArray[np.float64] | None = None,
         owner: NDArray[np.int64] | None = None,
         runs: Sequence[CornerColumns] | None = None,
@@ -165,11 +165,11 @@ class Shapes:
         return np.diff(self.rings.start).astype(np.int64, copy=False)
 
     @cached_property
-    def rings(self) -> Rings:
+    def rings(self) -> RaggedRings:
         """Return the corners of all parts, one outline after another."""
         if (run := self._only_run()) is None:
             return self._joined()[0]
-        return Rings(run.x.ravel("F"), run.y.ravel("F"), np.arange(0, run.x.size + 1, len(run.x)))
+        return RaggedRings(run.x.ravel("F"), run.y.ravel("F"), np.arange(0, run.x.size + 1, len(run.x)))
 
     @cached_property
     def radius(self) -> NDArray[np.float64]:
@@ -178,7 +178,7 @@ class Shapes:
             return self._joined()[1]
         return np.zeros(len(run)) if run.r is None else run.r
 
-    def _joined(self) -> tuple[Rings, NDArray[np.float64]]:
+    def _joined(self) -> tuple[RaggedRings, NDArray[np.float64]]:
         """Return (rings, radius) of several runs, one after another, and keep these in the place of the runs."""
         if (runs := vars(self).get("runs")) is not None:
             count = np.repeat([len(run.x) for run in runs], list(map(len, runs)))
@@ -186,7 +186,7 @@ class Shapes:
             np.cumsum(count, out=start[1:])
             x, y = (np.concatenate([run.block[k].ravel("F") for run in runs]) for k in (0, 1))
             radius = np.concatenate([np.zeros(len(run)) if run.r is None else run.r for run in runs])
-            vars(self).update(rings=Rings(x, y, start), radius=radius)
+            vars(self).update(rings=RaggedRings(x, y, start), radius=radius)
             vars(self).pop("runs", None)  # another thread may have been first
         return self.rings, self.radius
 
@@ -271,7 +271,7 @@ class Shapes:
         return Shapes(rings=self.rings, radius=self.radius)
 
     def __getitem__(self, where: Selection) -> "Shapes":
-        """Some of the shapes by slice, index array or mask; one by its index is a batch of one.
+        """Return some of the shapes, chosen by a slice, an index array or a mask; one index gives a batch of one.
 
         Shapes count, not parts.  IndexError for what is out of range, ValueError for masked indices.
         """
@@ -317,14 +317,14 @@ def upright_box_mask(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[
 
 
 def _bounding_boxes(group: CornerColumns) -> NDArray[np.float64]:
-    """Return the bounding boxes of a group's shapes, (N, 4)."""
+    """Return the (n, 4) bounding boxes of the shapes in these columns: x min, y min, x max, y max."""
     x, y = group.x, group.y
     box = np.stack([x.min(axis=0), y.min(axis=0), x.max(axis=0), y.max(axis=0)], axis=1)
     return box if group.r is None else _widen(box, group.r)
 
 
 def _widen(box: NDArray[np.float64], radius: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the boxes (N, 4) widened by each radius on all sides, rounded outwards."""
+    """Return (N, 4) boxes, each widened by its radius, (N,), on all sides and rounded outwards."""
     with np.errstate(over="ignore"):
         box = box + np.stack([-radius, -radius, radius, radius], axis=1)
         return np.nextafter(box, [-np.inf, -np.inf, np.inf, np.inf])

@@ -1,4 +1,4 @@
-"""The broad phase: which boxes meet, by comparing all pairs, by sorting and sweeping, or by uniform grids.
+"""The broad phase: which bounding boxes meet, by comparing all pairs, by sort and sweep, or by uniform grids.
 
 Which of the three is chosen depends on the number of boxes and on a count of comparisons, never on a time, so the
 same boxes always take the same way.  All three find the same pairs.

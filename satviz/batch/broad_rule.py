@@ -1,4 +1,4 @@
-"""Which broad phase is chosen: by the number of boxes and by counting comparisons, never by a time.
+"""The rule that chooses the broad phase: by the number of boxes and by counting comparisons, never by a time.
 
 Up to MAX_ALL_PAIRS_NUMBA or MAX_ALL_PAIRS boxes are compared all with all.  Up to MAX_SWEEP_NUMBA or MAX_SWEEP_NUMPY
 boxes are sorted along one axis and swept; with NumPy only if that makes at most MAX_SWEEP_COMPARISONS comparisons a

@@ -1,4 +1,4 @@
-"""Which of many shapes collide: broad phase, then exact narrow phase; for a whole set or for a file in strips."""
+"""Find the colliding pairs of many shapes: broad phase, then exact narrow phase; for a set, or a file in strips."""
 
 from collections.abc import Callable, Iterator
 from concurrent.futures import Executor

@@ -16,7 +16,7 @@ from .array_types import Array, Indices, Mask
 from .arrays import CornerColumns, Shapes, check_shapes
 from .engines import engine_for_checks
 from .outlines import convex_rings
-from .ragged import MAX_LANE_CORNERS, Rings, concat_rings
+from .ragged import MAX_LANE_CORNERS, RaggedRings, concat_rings
 
 FLOAT64, INTP = np.dtype(np.float64), np.dtype(np.intp)  # comparing with these takes half as long as with np.float64
 
@@ -73,7 +73,7 @@ def _is_index_array(values: object) -> TypeGuard[Indices]:
 
 
 class Polygons(Shapes):
-    """Convex polygons in scene units, of any numbers of vertices.
+    """A batch of convex polygons in scene units, with any numbers of vertices.
 
     `vertices`: an (N, V, 2) array (an outline with fewer than V vertices repeats one); or (M, 2) vertices
     one after another, with the (N + 1,) `offsets` at which each polygon starts and the last one ends;
@@ -86,7 +86,7 @@ class Polygons(Shapes):
     """
 
     def __init__(
-        self, vertices: validation.Rings, *, offsets: ArrayLike | None = None, concave: str = "refuse"
+        self, vertices: validation.Outlines, *, offsets: ArrayLike | None = None, concave: str = "refuse"
     ) -> None:
         validation.check_word("concave", concave, validation.CONCAVE_OPTIONS)
         if offsets is None and (group := _certified_group(vertices)) is not None:
@@ -119,7 +119,7 @@ def from_shapely(geometries: Any, *, concave: str = "refuse") -> Polygons:
 
 
 def from_padded(corners: Any, counts: Any, radii: validation.Numbers) -> Shapes:
-    """Return a batch of circles and convex polygons that lie in arrays of one size, in scene units.
+    """Return a batch of circles and convex polygons from padded arrays, one row for each shape, in scene units.
 
     corners: (N, V, 2), of which shape i has the first counts[i]; what follows them is not read.  counts: (N,) integers,
     1 for a circle, whose only corner is its center.  radii: (N,), 0 for polygons.  Corners as in Polygons; what is
@@ -178,7 +178,7 @@ def build_mixed(points: Array, start: Indices, radius: Array, concave: str | Non
     if not circles.any():
         return build_shapes(points, start, "polygon {}".format, concave)
     of = np.flatnonzero(~circles)
-    some = Rings(points[:, 0], points[:, 1], start).take(of)
+    some = RaggedRings(points[:, 0], points[:, 1], start).take(of)
     polygons = build_shapes(np.stack(some[:2], axis=1), some.start, lambda i: f"polygon {of[i]}", concave)
     count = np.ones(len(circles), np.int64)
     count[of] = polygons.count
@@ -187,7 +187,7 @@ def build_mixed(points: Array, start: Indices, radius: Array, concave: str | Non
     is_center = np.repeat(circles, count)
     for c, made, given in ((x, polygons.rings.x, points[:, 0]), (y, polygons.rings.y, points[:, 1])):
         c[~is_center], c[is_center] = made, given[start[:-1][circles]] + 0.0
-    return Shapes(rings=Rings(x, y, ends), radius=radius)
+    return Shapes(rings=RaggedRings(x, y, ends), radius=radius)
 
 
 def concat(many: Iterable[Shapes]) -> Shapes:
@@ -210,7 +210,7 @@ def concat(many: Iterable[Shapes]) -> Shapes:
     return Shapes(rings=concat_rings([shapes.rings for shapes in many]), radius=radius, owner=owner)
 
 
-def number_polygons(vertices: validation.Rings, numbers: Indices | None, concave: str | None) -> Shapes:
+def number_polygons(vertices: validation.Outlines, numbers: Indices | None, concave: str | None) -> Shapes:
     """Return a batch of polygons; error messages call polygon i `numbers[i]`, or i if `numbers` is None."""
 
     def name(i: int) -> str:
@@ -270,7 +270,7 @@ def build_shapes(points: Array, start: Indices, name: Callable[[int], str], conc
     Those not certainly convex go through satviz.Polygon.  Concave ones are split for concave "split"; else InvalidShape
     says so in the words of WAYS_OUT.
     """
-    given = Rings(points[:, 0], points[:, 1], start)
+    given = RaggedRings(points[:, 0], points[:, 1], start)
     rings, plain = _convex_rings(points, given)
     if plain.all():
         return Shapes(rings=rings)
@@ -291,20 +291,20 @@ def build_shapes(points: Array, start: Indices, name: Callable[[int], str], conc
     start = np.cumsum([0, *map(len, pieces)])
     owner = np.concatenate(owners)
     order = np.argsort(owner, kind="stable")
-    rings = concat_rings([rings, Rings(flat[:, 0], flat[:, 1], start)]).take(order)
+    rings = concat_rings([rings, RaggedRings(flat[:, 0], flat[:, 1], start)]).take(order)
     return Shapes(rings=rings, owner=owner[order])
 
 
-def _convex_rings(points: Array, given: Rings) -> tuple[Rings, Mask]:
+def _convex_rings(points: Array, given: RaggedRings) -> tuple[RaggedRings, Mask]:
     """Return what `convex_rings` returns for all outlines; the engine certifies most of them in one pass."""
     if (certified_rings := engine_for_checks(len(points)).certified_rings) is None:
-        return convex_rings(Rings(given.x + 0.0, given.y + 0.0, given.start))  # a copy, where -0.0 is 0.0
+        return convex_rings(RaggedRings(given.x + 0.0, given.y + 0.0, given.start))  # a copy, where -0.0 is 0.0
     rings, doubtful = certified_rings(points, given.start)
     plain = np.ones(len(given.start) - 1, bool)
     if not doubtful.size:
         return rings, plain
     some = given.take(doubtful)
-    exact, plain[doubtful] = convex_rings(Rings(some.x + 0.0, some.y + 0.0, some.start))
+    exact, plain[doubtful] = convex_rings(RaggedRings(some.x + 0.0, some.y + 0.0, some.start))
     first = np.flatnonzero(np.isin(np.arange(len(plain)), doubtful, invert=True))
     order = np.argsort(np.concatenate([first, doubtful[plain[doubtful]]]))
     return concat_rings([rings.take(first), exact]).take(order), plain

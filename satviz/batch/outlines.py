@@ -11,14 +11,14 @@ from numpy.typing import NDArray
 
 from . import exact_signs
 from .array_types import Array, Indices, Mask
-from .ragged import Rings, concat_rings
+from .ragged import RaggedRings, concat_rings
 
 Value = TypeVar("Value", np.float64, np.bool_)
 
 BLOCK_CORNERS = 1 << 15  # corners at a time: they and the scratch arrays stay in the second-level cache
 
 
-def convex_rings(rings: Rings) -> tuple[Rings, Mask]:
+def convex_rings(rings: RaggedRings) -> tuple[RaggedRings, Mask]:
     """Return (the outlines found convex, counter-clockwise, without repeated or straight-on corners; their mask).
 
     The others are concave or not simple: satviz.Polygon decides.  The arrays given may be overwritten.
@@ -29,7 +29,7 @@ def convex_rings(rings: Rings) -> tuple[Rings, Mask]:
     for i, j in pairwise(cuts):
         start = rings.start[i : j + 1]
         part = slice(start[0], start[-1])
-        some, mask = _convex_in_block(Rings(rings.x[part], rings.y[part], start - start[0]))
+        some, mask = _convex_in_block(RaggedRings(rings.x[part], rings.y[part], start - start[0]))
         found.append(some)
         masks.append(mask)
     mask = np.concatenate([np.zeros(0, bool), *masks])
@@ -38,7 +38,7 @@ def convex_rings(rings: Rings) -> tuple[Rings, Mask]:
     return concat_rings(found), mask
 
 
-def _convex_in_block(rings: Rings) -> tuple[Rings, Mask]:
+def _convex_in_block(rings: RaggedRings) -> tuple[RaggedRings, Mask]:
     """Return (the convex outlines of one block, their mask), as `convex_rings` does for all blocks."""
     many = np.diff(rings.start) > 2
     ring = rings.select(many)
@@ -89,7 +89,7 @@ def _leads_right(px: Array, py: Array, qx: Array, qy: Array) -> Mask:
     return rises
 
 
-def _reverse_rings(ring: Rings, back: Mask) -> Rings:
+def _reverse_rings(ring: RaggedRings, back: Mask) -> RaggedRings:
     """Reverse, in place, the corners of the outlines in the mask `back`; return all outlines."""
     if not back.any():
         return ring

@@ -13,7 +13,7 @@ from ..engine.predicates import warn_if_flushed
 from ..engine.shapes import Polygon
 
 # More forms are accepted than a type can say, so type checkers allow anything and the checks here decide.
-Rings = Any  # an (N, V, 2) array, or a sequence of what satviz.Polygon takes
+Outlines = Any  # an (N, V, 2) array, or a sequence of what satviz.Polygon takes
 Points = Any  # an (N, 2) array, or a sequence of what satviz.Circle takes as its center
 Numbers = Any  # an (N,) array, a sequence of numbers, or one number
 CONCAVE_OPTIONS = "refuse", "split"  # what to do with concave outlines

@@ -142,7 +142,7 @@ class CalledInProcess:
         return Outcome(problem=NO_ANSWER, line=f"gives no answer within {seconds:g} s: an endless loop?")
 
     def close(self) -> None:
-        """End the process."""
+        """End the process, if it is running."""
         if self.process is not None:
             end_group(self.process)
             self.process.join()
@@ -151,7 +151,7 @@ class CalledInProcess:
 
 
 def end_group(process: Any) -> None:
-    """End a process and what it has started, where it leads a group of processes; else the process alone."""
+    """Kill a process, and with it the group of processes that it leads, if it leads one."""
     with suppress(AttributeError, OSError):
         os.killpg(process.pid, signal.SIGKILL)
     process.kill()

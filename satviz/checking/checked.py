@@ -27,12 +27,7 @@ RETURNS = {
     "mtv": "a move out of the overlap (MTV)",
     "hit and mtv": "a hit, and a move out of the overlap (MTV)",
 }
-PARTS = {
-    "upright boxes": (BOXES,),
-    "convex": (CONVEX, REPEATED),
-    "circles": (CIRCLES, ROUND),
-    "concave": (CONCAVE,),
-}
+PARTS = {"upright boxes": (BOXES,), "convex": (CONVEX, REPEATED), "circles": (CIRCLES, ROUND), "concave": (CONCAVE,)}
 PART_OF = {kind: part for part, kinds in PARTS.items() for kind in kinds}
 TOUCHING_PART, MTV_PART = "touching", "MTV"
 
@@ -51,7 +46,7 @@ class Near(NamedTuple):
 
 
 class Score(NamedTuple):
-    """Partial credit by kind of scene.
+    """The partial credit for a function, by kind of scene.
 
     `parts`: by the name of a part, (right answers, pairs).  A part is passed when all of its answers are right, so
     that guessing earns nothing.
@@ -180,7 +175,7 @@ class Checked:
 
     @property
     def said_in_words(self) -> str:
-        """Return the answer about the counterexample in words."""
+        """Return in words the answer that the function gave for the counterexample."""
         result = self.smallest
         return "" if result is None else result.line if result.problem else in_words(result.answer, self.rules.returns)
 

@@ -42,12 +42,7 @@ def as_xy(shape: Shape) -> Any:
     return [x for x, _ in points], [y for _, y in points]
 
 
-def as_shape(shape: Shape) -> Any:
-    """Return the sv.Polygon or sv.Circle itself."""
-    return shape
-
-
-FORMS: dict[str, Form] = {"points": as_points, "dicts": as_dict, "xy": as_xy, "shapes": as_shape}
+FORMS: dict[str, Form] = {"points": as_points, "dicts": as_dict, "xy": as_xy, "shapes": lambda shape: shape}
 
 
 def pasteable(shape: Shape) -> str:

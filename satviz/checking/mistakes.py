@@ -23,83 +23,40 @@ from .answers import (
     same_answer,
     size_of,
 )
+from .other_methods import VARIANTS as VARIANTS_OF_OTHERS
 from .other_methods import by_shortcut
 from .pairs import BOXES, CIRCLES, CONVEX, KNOWN_SCENES, ROUND, kind_of
 from .results import Result
-from .variants import VARIANTS, Predict
+from .written import VARIANTS, Predict
 
 # What a mistake looks like in a game or a drawing program, in the words of the people who see it.  A test simulates it.
-SYMPTOMS: dict[str, tuple[str, ...]] = {
-    "collides with nothing: a hit where there is space": (
-        "aabb-not-upright",
-        "aabb-turned",
-        "one-overlap",
-        "line-for-axis",
-        "one-sided-gap",
-        "bounding-circles",
-        "one-shapes-normals",
-        "half-the-normals",
-        "same-shape",
-        "open-outline",
-        "slipped-normal",
-        "start-at-zero",
-        "lengths",
-        "no-nearest-vertex",
-        "circles-turned-round",
-        "dart",
-        "box-in-u",
-        "faces-in-3d",
-        "rounded-normals",
-        "degrees-for-radians",
-    ),
-    "falls through: no hit where the shapes overlap": (
-        "corner-inside",
-        "edges-cross",
-        "far-centers",
-        "extremes-once",
-        "mixed-signs",
-        "tunnelling",
-        "circles-turned-round",
-    ),
-    "jitters: touching is a hit in one frame and none in the next": (
-        "touch-as-apart",
-        "unit-normals",
-        "touch-on-paper",
-        "far-centers",
-        "mixed-signs",
-        "circles-turned-round",
-        "integer-halves",
-    ),
-    "is pushed too far": (
-        "raw-depth",
-        "tile-seam",
-        "aabb-not-upright",
-        "aabb-turned",
-        "one-overlap",
-        "line-for-axis",
-        "bounding-circles",
-        "degrees-for-radians",
-        "largest-overlap",
-    ),
-    "is pushed the wrong way": (
-        "push-along-normal",
-        "push-from-center",
-        "sum-of-parts",
-        "repeated-vertex",
-        "raw-depth",
-        "corner-inside",
-        "largest-overlap",
-    ),
-    "sticks, or is not pushed out all the way": (
-        "range-inside",
-        "push-along-normal",
-        "push-from-center",
-        "sum-of-parts",
-        "repeated-vertex",
-        "corner-inside",
-        "half-the-way",
-        "integer-halves",
-    ),
+SYMPTOMS = {
+    words: names.split()
+    for words, names in {
+        "collides with nothing: a hit where there is space": (
+            "aabb-not-upright aabb-turned one-overlap line-for-axis one-sided-gap bounding-circles "
+            "one-shapes-normals half-the-normals same-shape open-outline slipped-normal start-at-zero "
+            "lengths no-nearest-vertex circles-turned-round dart box-in-u faces-in-3d rounded-normals "
+            "degrees-for-radians"
+        ),
+        "falls through: no hit where the shapes overlap": (
+            "corner-inside edges-cross far-centers extremes-once mixed-signs tunnelling circles-turned-round"
+        ),
+        "jitters: touching is a hit in one frame and none in the next": (
+            "touch-as-apart unit-normals touch-on-paper far-centers mixed-signs circles-turned-round integer-halves"
+        ),
+        "is pushed too far": (
+            "raw-depth tile-seam aabb-not-upright aabb-turned one-overlap line-for-axis bounding-circles "
+            "degrees-for-radians largest-overlap"
+        ),
+        "is pushed the wrong way": (
+            "push-along-normal push-from-center sum-of-parts repeated-vertex raw-depth corner-inside largest-overlap"
+        ),
+        "sticks, or is not pushed out all the way": (
+            "range-inside push-along-normal push-from-center sum-of-parts repeated-vertex corner-inside "
+            "half-the-way integer-halves"
+        ),
+    }.items()
 }
 
 
@@ -119,7 +76,7 @@ def mistakes_with(words: str) -> list[str]:
 
 
 class Likeness(NamedTuple):
-    """How much a function's answers are like those of a known mistake.
+    """The likeness of a function's answers to those of a known mistake.
 
     `agrees`: on how many of the `pairs` both give the same answer, or both a right one; `wrong_alike`: on how many
     of those that either is wrong about (`either_wrong`) both give the same wrong answer; `words`: in which way the
@@ -135,7 +92,7 @@ class Likeness(NamedTuple):
 
     @property
     def is_close(self) -> bool:
-        """Return whether, on nearly all pairs about which one of the two is wrong, both are wrong alike."""
+        """Return whether function and mistake give the same wrong answer on nearly all pairs where either is wrong."""
         return self.wrong_alike >= CLOSE * self.either_wrong
 
     @property
@@ -171,7 +128,7 @@ NOT_AT_REST = "faces-in-3d", "tunnelling"  # about boxes in space, and about mot
 
 
 def _own_kind(name: str) -> str:
-    """Return the kind of a mistake's own scene, where upright boxes are convex polygons."""
+    """Return the kind of pair in the failing case of this name; upright boxes count as convex polygons."""
     kind = kind_of(*NAMED[name].shapes)
     return CONVEX if kind == BOXES else kind
 
@@ -187,7 +144,7 @@ def _hypotheses() -> Iterator[Hypothesis]:
             continue
         seen.append(alike)
         yield Hypothesis(case.name, partial(by_shortcut, case.shortcut))
-    yield from (Hypothesis(*variant) for variant in VARIANTS)
+    yield from (Hypothesis(*variant) for variant in (*VARIANTS, *VARIANTS_OF_OTHERS))
 
 
 HYPOTHESES = tuple(_hypotheses())

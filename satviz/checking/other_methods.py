@@ -1,6 +1,7 @@
-"""Other methods than SAT in floats: corners, edges, circles, distances; and shortcuts of failing cases."""
+"""Other methods than SAT in floats, with their names: corners, edges, circles, distances; and shortcuts of cases."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from math import dist, hypot
 
 from ..engine.axes import Axis, Choice, centers, edge_normals
@@ -10,14 +11,15 @@ from ..engine.sat import AxisTest, Projection, project
 from ..engine.shapes import Shape
 from ..engine.shortcut import Shortcut
 from ..engine.trace import record
+from ..scenes.failing import NAMED
 from ..scenes.failing.saved_work import corner_tests
 from ..scenes.failing.wrong_steps import measured_test
 from ..scenes.shape_tools import vertex_mean
-from .written import Middle, Ring, Written, ends, listed
+from .written import LARGE_RADII, SMALL_RADII, Middle, Radius, Ring, Variant, Written, ends, listed, mean
 
 
 def by_shortcut(shortcut: Shortcut, a: Shape, b: Shape) -> tuple[Relation, Vec | None]:
-    """Return what a shortcut claims for a pair."""
+    """Return (relation, push) as a shortcut claims them for two shapes."""
     trace = record(a, b, axes=shortcut, every_axis=True)
     return trace.claim, trace.push
 
@@ -29,22 +31,20 @@ def push_along_centers(a: Shape, b: Shape, tests: Sequence[AxisTest]) -> Vec:
     return Vec((qx - px) / length * depth, (qy - py) / length * depth) if length else Vec(depth, 0.0)
 
 
-def middle_inside(a: Shape, b: Shape) -> tuple[Relation, Vec | None]:
-    """Return OVERLAPPING if the middle of one convex polygon lies in the other."""
-    spots = (vertex_mean(a), b), (vertex_mean(b), a)
-    return (OVERLAPPING if min(_outside(*each) for each in spots) <= 0 else APART), None
+def spot_inside(spot_of: Callable[[Shape], Vec], a: Shape, b: Shape) -> tuple[Relation, None]:
+    """Return OVERLAPPING if this spot of one convex polygon lies in the other."""
+    return (OVERLAPPING if min(_outside(spot_of(a), b), _outside(spot_of(b), a)) <= 0 else APART), None
+
+
+def first_corner(shape: Shape) -> Vec:
+    """Return the first vertex, or a circle's center."""
+    return (shape.vertices or shape.core)[0]
 
 
 def corners_in(owner: str, a: Shape, b: Shape) -> tuple[Relation, None]:
     """Return OVERLAPPING if a corner of the other shape lies in A or B, as `owner` says."""
     gaps = [test.gap for test in corner_tests(a, b) if test.axis.source.shape == owner]
     return (OVERLAPPING if min(gaps) <= 0 else APART), None
-
-
-def first_corner_in(a: Shape, b: Shape) -> tuple[Relation, None]:
-    """Return OVERLAPPING if the first corner of one convex polygon lies in the other."""
-    spots = ((a.vertices or a.core)[0], b), ((b.vertices or b.core)[0], a)
-    return (OVERLAPPING if min(_outside(*each) for each in spots) <= 0 else APART), None
 
 
 def with_circle(gap_of: Callable[[Shape, Vec, float], float], a: Shape, b: Shape) -> tuple[Relation, None]:
@@ -59,11 +59,6 @@ def with_circle(gap_of: Callable[[Shape, Vec, float], float], a: Shape, b: Shape
 def nearest_corner(shape: Shape, center: Vec, radius: float) -> float:
     """Return how far the nearest corner of a polygon is from a circle, less than 0 inside."""
     return min(dist(vertex, center) for vertex in shape.vertices) - radius
-
-
-def center_outside(shape: Shape, center: Vec, radius: float) -> float:
-    """Return how far the center lies outside the polygon, else 0 or less."""
-    return _outside(center, shape)
 
 
 def corner_or_center(shape: Shape, center: Vec, radius: float) -> float:
@@ -154,23 +149,69 @@ def reversed_verdict(a: Shape, b: Shape) -> tuple[Relation, None]:
     return (OVERLAPPING if relate(a, b) is APART else APART), None
 
 
-def within_reach(middle: Middle, reach: Callable[[Ring, Ring], float], a: Shape, b: Shape) -> tuple[Relation, None]:
-    """Return OVERLAPPING if the distance of both middles is at most `reach` of both rings, else APART.
-
-    `middle`, `reach`: functions of the rings of vertices (of a circle, its center).
-    """
+def within_reach(reach: float, a: Shape, b: Shape) -> tuple[Relation, None]:
+    """Return OVERLAPPING if the distance of both vertex means is at most `reach`, else APART."""
     p, q = a.vertices or a.core, b.vertices or b.core
-    return (OVERLAPPING if dist(middle(p), middle(q)) <= reach(p, q) else APART), None
+    return (OVERLAPPING if dist(mean(p), mean(q)) <= reach else APART), None
 
 
 def beyond_reach(
-    middle: Middle, reach: Callable[[Ring, Ring], float], a: Shape, b: Shape
+    middle: Middle, radius: Radius, join: Callable[[tuple[float, float]], float], a: Shape, b: Shape
 ) -> tuple[Relation, Vec | None]:
-    """Return APART where the middles are further apart than `reach` of both rings, else the right answer and push."""
+    """Return APART where the middles are further apart than `join` of both radii, else the right answer and push.
+
+    `middle`, `radius`: functions of a ring of vertices (of a circle, its center); `join`: such as sum or max.
+    """
     p, q = a.vertices or a.core, b.vertices or b.core
-    if dist(middle(p), middle(q)) > reach(p, q):
+    if dist(middle(p), middle(q)) > join((radius(p), radius(q))):
         return APART, None
     if a.is_convex and b.is_convex and a.vertices and b.vertices:
         return Written()(a, b)
     trace = record(a, b)
     return trace.relation, trace.mtv
+
+
+def _other_ways() -> Iterator[Variant]:
+    """Yield the mistakes of other methods than SAT."""
+    yield "corner-inside", partial(spot_inside, vertex_mean), "here the middle of one"
+    yield "corner-inside", partial(corners_in, "B"), "here a corner of A in B alone"
+    yield "corner-inside", partial(corners_in, "A"), "here a corner of B in A alone"
+    yield "corner-inside", partial(spot_inside, first_corner), "here the first corner of one"
+    for gap_of, words in (
+        (nearest_corner, "here a corner in the circle"),
+        (lambda shape, center, radius: _outside(center, shape), "here the center of the circle in the polygon"),
+        (corner_or_center, "here the center of the circle, too"),
+    ):
+        yield "corner-inside", partial(with_circle, gap_of), words
+    yield "aabb-not-upright", partial(with_circle, box_and_circle), "here beside a circle"
+    yield (
+        "no-nearest-vertex",
+        partial(with_circle, raw_radius),
+        "here with a radius that is not scaled like the normals",
+    )
+    to_center = NAMED["no-nearest-vertex"].shortcut._replace(choose=normals_and_centers)
+    yield "no-nearest-vertex", partial(by_shortcut, to_center), "here the line of the centers, too"
+    yield "edges-cross", rims_meet, "here the rims of circles"
+    for strict, words in ((False, "here by the signs of their turns"), (True, "here at a point inside both edges")):
+        yield "edges-cross", partial(edges_cross, strict), words
+    yield "circles-turned-round", squared_distance, "here the squared distance is compared"
+    yield "circles-turned-round", reversed_verdict, "here the whole verdict, for shapes of any kind"
+    from_each_middle = NAMED["mixed-signs"].shortcut._replace(choose=edge_normals, measure=outward_from_each_middle)
+    yield "mixed-signs", partial(by_shortcut, from_each_middle), "here away from the middle of each shape"
+    along_line = NAMED["push-from-center"].shortcut._replace(push=push_along_centers)
+    yield "push-from-center", partial(by_shortcut, along_line), "here along the line between the middles"
+    for middle, radius in SMALL_RADII:
+        yield "far-centers", partial(beyond_reach, middle, radius, sum), "here further than the reach of both shapes"
+    for middle, radius in LARGE_RADII:
+        yield "far-centers", partial(beyond_reach, middle, radius, max), "here further than the larger reach"
+    for reach in 2.0, 3.0, 5.0, 8.0, 12.0, 20.0:
+        yield "far-centers", partial(beyond_reach, mean, partial(_fixed, reach), max), f"here further than {reach:g}"
+        yield "bounding-circles", partial(within_reach, reach), "here of one size for all shapes"
+
+
+def _fixed(reach: float, ring: Ring) -> float:
+    """Return the given reach, whatever the ring of vertices."""
+    return reach
+
+
+VARIANTS = tuple(_other_ways())

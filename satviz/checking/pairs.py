@@ -14,22 +14,15 @@ from ..scenes.failing import FAILURE_CASES, REFUSED
 from ..scenes.failing.move_space import convex_hull
 from ..scenes.shape_tools import box, translated
 
-BOXES, CONVEX, CONCAVE, CIRCLES, ROUND, REPEATED = (
-    "boxes",
-    "convex",
-    "concave",
-    "circles",
-    "circle and polygon",
-    "repeated",
-)
 KINDS = {
-    BOXES: "two upright boxes",
-    CONVEX: "two convex polygons",
-    CONCAVE: "outlines with dents",
-    CIRCLES: "two circles",
-    ROUND: "a circle and a convex polygon",
-    REPEATED: "a vertex that is listed twice",
+    "boxes": "two upright boxes",
+    "convex": "two convex polygons",
+    "concave": "outlines with dents",
+    "circles": "two circles",
+    "circle and polygon": "a circle and a convex polygon",
+    "repeated": "a vertex that is listed twice",
 }
+BOXES, CONVEX, CONCAVE, CIRCLES, ROUND, REPEATED = KINDS
 KNOWN_SCENES, PAST_ONE_EDGE = "scenes of known mistakes", "just past one edge"
 DEFAULT_KINDS = BOXES, CONVEX
 SIZES = (3, 4, 6, 8, 12, 20, 60, 400)  # of the grids that later pairs lie on, in whole numbers

@@ -36,7 +36,7 @@ def line_for(a: Shape, b: Shape) -> str:
 
 
 class Program:
-    """A program that is started once and asked line by line."""
+    """A program in another process that is started once, then reads a pair and writes an answer line by line."""
 
     def __init__(self, command: str, seconds: float) -> None:
         self.command, self.seconds, self.process = shlex.split(command), seconds, None
@@ -112,7 +112,7 @@ class Program:
         return Outcome(problem=ENDED, line=f"ends with exit code {code} before it answers{said}")
 
     def close(self) -> None:
-        """End the program."""
+        """End the program, if it is running."""
         if self.process is not None:
             end_group(self.process)
             self.process.wait()

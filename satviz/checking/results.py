@@ -12,7 +12,7 @@ NOTHING = "returns nothing: every way through the function must end in a return"
 
 
 class Result(NamedTuple):
-    """One pair, what the function said, and whether that is right; `problem` and `line` where it is no answer."""
+    """One pair, the answer of the function, and whether it is right; `problem` and `line` where it gave no answer."""
 
     pair: CheckPair
     raw: Any

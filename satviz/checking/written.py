@@ -1,8 +1,9 @@
-"""SAT as people write it, in plain floats: one record whose steps can be replaced, and the wrong steps."""
+"""SAT as people write it, in plain floats: one record whose steps can be replaced, the wrong steps, and their names."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from math import atan2, cos, degrees, dist, hypot, sin
+from functools import partial
+from math import atan2, cos, degrees, dist, floor, hypot, sin
 from operator import itemgetter
 from typing import NamedTuple
 
@@ -11,6 +12,8 @@ from ..engine.shapes import Shape
 from ..scenes.failing.wrong_projections import whole_halves
 
 Ring = Sequence[Vec]
+Predict = Callable[[Shape, Shape], tuple[Relation, Vec | None]]  # the claimed relation, and the push of B
+Variant = tuple[str, Predict, str]  # the name of the failing case, what it claims, in which way it is made
 Middle = Callable[[Ring], Vec]
 Radius = Callable[[Ring], float]
 
@@ -129,11 +132,6 @@ def between(middle: Middle, a: Ring, b: Ring) -> list[Vec]:
     return [Vec(bx - ax, by - ay) if (ax, ay) != (bx, by) else Vec(1.0, 0.0)]
 
 
-def one_edge(index: int, a: Ring, b: Ring) -> list[Vec]:
-    """Return a list with the normal of edge `index` in the list of all edges of A and B."""
-    return [listed(a, b)[index]]
-
-
 def by_direction(a: Ring, b: Ring) -> list[Vec]:
     """Return all normals in the order of their directions, by which Python's min() of tuples chooses among equals."""
     return sorted(listed(a, b), key=lambda n: (n.x / hypot(*n), n.y / hypot(*n)))
@@ -207,11 +205,6 @@ def one_extreme_each(step: int, ring: Ring, n: Vec) -> Interval:
     return ends([pick(ring[::step], key=itemgetter(k)) for pick in (min, max) for k in (0, 1)], n)
 
 
-def some_vertices(cut: slice, ring: Ring, n: Vec) -> Interval:
-    """Return the range of the vertices in the slice `cut` of the ring."""
-    return ends(ring[cut], n)
-
-
 def rounded_landings(round_to: Callable[[float], float], ring: Ring, n: Vec) -> Interval:
     """Return a range on the normal of length 1 with both ends rounded, in units of n's length."""
     length = hypot(*n)
@@ -231,7 +224,7 @@ def half_is_whole(whole_middle: bool, ring: Ring, n: Vec) -> Interval:
 
 
 def twice_as_wide(ring: Ring, n: Vec) -> Interval:
-    """Return a range that reaches as far as it is long to both sides of its middle."""
+    """Return a range with the right middle and twice the right length."""
     lo, hi = ends(ring, n)
     return Interval((lo + hi) / 2 - (hi - lo), (lo + hi) / 2 + (hi - lo))
 
@@ -240,18 +233,13 @@ def twice_as_wide(ring: Ring, n: Vec) -> Interval:
 
 
 def a_before_b(a: Interval, b: Interval) -> float:
-    """Return how far A's end lies beyond B's start, also where B's end is nearer."""
+    """Return how far A's maximum lies above B's minimum, which is no overlap where A lies above B."""
     return a.hi - b.lo
 
 
 def by_an_end_of_a(a: Interval, b: Interval) -> float:
-    """Return how deep an end of A's range lies within B's range, at most."""
+    """Return the larger depth at which an end of A's range lies inside B's range; negative if both lie outside."""
     return max(min(b.hi - end, end - b.lo) for end in a)
-
-
-def by_an_end_of_b(a: Interval, b: Interval) -> float:
-    """Return how deep an end of B's range lies within A's range, at most."""
-    return by_an_end_of_a(b, a)
 
 
 # -- pushes
@@ -263,7 +251,7 @@ def along_normal(sign: int, a: Ring, b: Ring, found: Overlap) -> int:
 
 
 def from_middle(middle: Middle, a: Ring, b: Ring, found: Overlap) -> int:
-    """Return 1 where the way from the middle of A to that of B leads along n, else -1."""
+    """Return 1 if the vector from the middle of A to that of B points along n, else -1."""
     (ax, ay), (bx, by) = middle(a), middle(b)
     return 1 if (bx - ax) * found.n.x + (by - ay) * found.n.y >= 0 else -1
 
@@ -304,4 +292,113 @@ SMALL_RADII: tuple[tuple[Middle, Radius], ...] = (
     (middle_of_box, lambda ring: min(sides(ring)) / 2),
     (middle_of_box, lambda ring: sum(sides(ring)) / 4),
 )
-FIXED_REACHES = 2, 3, 5, 8, 12, 20
+
+
+# -- the ways in which people write a known mistake
+
+
+def _chosen_edges() -> Iterator[Variant]:
+    """Yield the mistakes that leave out axes, or take others."""
+    half, one, opened = "half-the-normals", "one-overlap", "open-outline"
+    cuts: tuple[tuple[str, Callable[[int], slice], str], ...] = (
+        (half, lambda count: slice((count + 1) // 2), "here half of them, rounded up"),
+        (half, lambda count: slice(None, None, 2), "here every second one"),
+        (half, lambda count: slice(2), "here the first two of each shape"),
+        (half, lambda count: slice(1), "here the first of each shape"),
+        (opened, lambda count: slice(1, count), "here without the first edge"),
+    )
+    for name, cut, words in cuts:
+        yield name, Written(partial(of_each, cut)), words
+    yield opened, Written(partial(listed, cut_a=slice(-1))), "here for A alone"
+    yield opened, Written(partial(listed, cut_b=slice(-1))), "here for B alone"
+    yield "one-shapes-normals", Written(partial(listed, cut_a=slice(0))), "here those of B"
+    yield "same-shape", Written(one_for_equal_counts), "here for shapes with equally many corners"
+    yield one, Written(lambda a, b: of_world(a, b)[:1]), "here on the x axis"
+    yield one, Written(lambda a, b: listed(a, b)[:1]), "here on the normal of the first edge"
+    yield one, Written(lambda a, b: listed(a, b)[-1:]), "here on the normal of the last edge"
+    yield one, Written(lambda a, b: listed(a, ())[-1:]), "here on the normal of the edge to A's first vertex"
+    yield one, Written(lambda a, b: listed((), b)[-2:-1]), "here on the normal of the edge to B's last vertex"
+    for in_order in False, True:
+        yield one, Written(any_axis=True, in_order=in_order), "here on any one of them"
+    for middle in mean, middle_of_box:
+        yield one, Written(partial(between, middle)), "here on the line between the middles"
+    along = "here an edge is taken as an axis, without the quarter turn"
+    yield "line-for-axis", Written(partial(listed, normal_of=Vec)), along
+    yield "line-for-axis", Written(partial(of_vertices, Vec)), "here the way to each vertex"
+    yield "slipped-normal", Written(partial(of_vertices, normal)), "here of each vertex instead of each edge"
+    yield (
+        "slipped-normal",
+        Written(partial(listed, normal_of=lambda x, y: Vec(y, x))),
+        "here (dy, dx), without the minus",
+    )
+    yield "degrees-for-radians", Written(partial(listed, normal_of=angle_in_degrees)), "here the whole angle in degrees"
+    roundings: tuple[tuple[Callable[[float], float], str], ...] = (
+        (round, ""),
+        (partial(round, ndigits=1), "here to 1 digit"),
+        (partial(round, ndigits=2), "here to 2 digits"),
+        (int, "here the digits are cut off"),
+        (floor, "here down"),
+    )
+    for rounding, words in roundings:
+        for power in 0, 1:
+            rounded = Written(partial(listed, normal_of=partial(rounded_to, rounding)), powers=(0, power))
+            yield "rounded-normals", rounded, words
+
+
+def _measured() -> Iterator[Variant]:
+    """Yield the mistakes in a range on an axis, or in the overlap of two ranges."""
+    for axes, words in (
+        (partial(listed, sign=1), "here on the normal of each edge"),
+        (partial(listed, sign=-1), "here on the normal of each edge"),
+        (of_world, "here on x and y"),
+    ):
+        yield "start-at-zero", Written(axes, from_zero), words
+        yield "one-sided-gap", Written(axes, overlap=a_before_b), words
+    yield "start-at-zero", Written(ends=both_from_zero), "here the search for the smallest, too"
+    yield "bounding-circles", Written(ends=about_the_mean), "here on each axis, about the middle of each range"
+    yield "corner-inside", Written(overlap=by_an_end_of_a), "here an end of A's range in B's, on each axis"
+    by_an_end_of_b = Written(overlap=lambda a, b: by_an_end_of_a(b, a))
+    yield "corner-inside", by_an_end_of_b, "here an end of B's range in A's, on each axis"
+    for middle, radius in (*LARGE_RADII, *SMALL_RADII):
+        yield "bounding-circles", Written(partial(between, middle), partial(circle_about, middle, radius)), ""
+    for step in (1, -1):
+        yield "extremes-once", Written(ends=partial(one_extreme_each, step)), ""
+    yield "extremes-once", Written(ends=lambda ring, n: ends(ring[:-1], n)), "here without the last vertex"
+    yield "extremes-once", Written(ends=lambda ring, n: ends(ring[1:], n)), "here without the first vertex"
+    for round_to in round, int, floor:
+        yield "rounded-normals", Written(ends=partial(rounded_landings, round_to)), "here the landing places"
+    for slop in 0.1, 0.25, 0.5, 1.0:
+        yield "touch-as-apart", Written(ends=partial(shortened, slop)), f"here with a tolerance of about {slop:g}"
+    yield "integer-halves", Written(of_world, partial(half_is_whole, False)), "here beside an exact middle"
+    for whole_middle in True, False:
+        yield "integer-halves", Written(ends=partial(half_is_whole, whole_middle)), "here on each axis"
+    yield "aabb-not-upright", Written(of_world, twice_as_wide), "here with the whole widths for half of them"
+
+
+def _pushed() -> Iterator[Variant]:
+    """Yield the mistakes in the choice of the push."""
+    late = "here divided only after the axis was chosen"
+    yield "raw-depth", Written(powers=(0, 2)), late
+    yield "raw-depth", Written(powers=(0, 0)), "here the normal of the move is as long as its edge, too"
+    yield "raw-depth", Written(powers=(1, 1)), "here the normal of the move is as long as its edge"
+    for power in 3, 4:
+        yield "raw-depth", Written(powers=(2, power)), "here divided by the square of the length"
+    yield "largest-overlap", Written(pick=-1), ""
+    for axes in listed, lambda a, b: listed(b, a):
+        yield "largest-overlap", Written(axes, pick=-1, in_order=True), "here along the last axis"
+        yield "largest-overlap", Written(axes, pick=0, in_order=True), "here along the first axis"
+    for sign in 1, -1:
+        for axes in listed, by_direction:
+            yield "push-along-normal", Written(axes, way=partial(along_normal, sign)), ""
+        as_listed = Written(partial(outward, sign), way=partial(along_normal, 1))
+        yield "push-along-normal", as_listed, "here away from the shape with the edge, in one order of the vertices"
+        as_listed = Written(partial(outward, sign), overlap=a_before_b, way=partial(along_normal, 1))
+        yield "one-sided-gap", as_listed, "here away from the shape with the edge, in one order of the vertices"
+    for middle, words in (
+        (middle_of_box, "here from the middle of the bounding box"),
+        (itemgetter(0), "here from the first vertex"),
+    ):
+        yield "push-from-center", Written(way=partial(from_middle, middle)), words
+
+
+VARIANTS: tuple[Variant, ...] = (*_chosen_edges(), *_measured(), *_pushed())

@@ -39,7 +39,7 @@ PARALLEL, NO_DIRECTION, EARLY_EXIT = "parallel", "no direction", "early exit"
 
 
 class Source(NamedTuple):
-    """Where an axis comes from, which names it exactly (its numbers may be rounded).
+    """The source of an axis: an edge, a vertex, a direction.  It names the axis exactly; its numbers may be rounded.
 
     `kind`: one of the constants above; `shape`: "A", "B", or None where no single shape gives it; `ids`: which of
     that shape's vertices (an edge's two ends), which world axis (0 for x) or which given direction.
@@ -51,7 +51,7 @@ class Source(NamedTuple):
 
 
 class Axis(NamedTuple):
-    """A direction to project on, pointing right (or up), and where it comes from.
+    """A direction to project on, pointing right (or up), with its source.
 
     `normal` is the direction as found, not normalised (edge v1v2 of the article's B
     gives (2, 3)); `length` is its length; `direction` is the unit vector.
@@ -221,7 +221,8 @@ def is_complete(axes: Sequence[Axis], a: Shape, b: Shape) -> bool:
     Given directions may happen to be all that are needed; that is not proven, so the answer is False.
     """
     has = {axis.source for axis in axes}
-    if _convex_polygons(a, b) and has >= {axis.source for axis in (*_normals(a, "A"), *_normals(b, "B"))}:
+    polygons = all(s.is_convex and not s.core_is_point for s in (a, b))
+    if polygons and has >= {axis.source for axis in (*_normals(a, "A"), *_normals(b, "B"))}:
         return True  # upright boxes need none of these
     full = needed(a, b)
     return full.complete and has >= {axis.source for axis in full.axes}
@@ -274,16 +275,12 @@ def _recompute_axis(axis: Axis, known: dict[Source, Axis]) -> Axis:
     """Return an axis computed anew from its source; ValueError if these shapes have no axis equal to it."""
     source = axis.source
     ours = known.get(source)
-    if source.kind == GIVEN and source.shape is None and len(source.ids) == 1 and _is_index(source.ids[0]):
-        ours = given_axis(axis.normal, source.ids[0])
+    if source.kind == GIVEN and source.shape is None and len(source.ids) == 1:
+        index = source.ids[0]
+        ours = given_axis(axis.normal, index) if type(index) is int and 0 <= index < 2**53 else None
     if ours is None or not same_axis(axis._replace(length=parse_number(axis.length, "the length of an axis")), ours):
         raise ValueError(f"{source} is not an axis of these shapes: choose the axes for this very pair")
     return ours
-
-
-def _is_index(value: Any) -> bool:
-    """Return whether a value is a whole number that can count the directions given by the caller."""
-    return type(value) is int and 0 <= value < 2**53
 
 
 def _number_skips(
@@ -364,7 +361,7 @@ def exact_dots(a: Shape, b: Shape, axis: Axis) -> ExactDots:
 
 
 def _hull_corners(ring: Sequence[Vec]) -> list[int]:
-    """Return which corners are on the convex hull, counter-clockwise, by Andrew's monotone chain with exact turns."""
+    """Return which corners are on the convex hull, counter-clockwise, by Andrew's monotone chain with exact signs."""
     order = sorted(range(len(ring)), key=ring.__getitem__)
 
     def chain(ids: Sequence[int]) -> list[int]:
@@ -377,11 +374,6 @@ def _hull_corners(ring: Sequence[Vec]) -> list[int]:
         return kept[:-1]
 
     return chain(order) + chain(order[::-1])
-
-
-def _convex_polygons(a: Shape, b: Shape) -> bool:
-    """Return whether both shapes are convex polygons."""
-    return all(s.is_convex and not s.core_is_point for s in (a, b))
 
 
 def _make_axis(normal: IntPoint, k: int, source: Source, *, as_given: bool = False) -> Axis:
@@ -413,15 +405,13 @@ def _keyed_normals(shape: Shape, role: str) -> tuple[tuple[Axis, IntPoint], ...]
 
     Parallel edges have equal keys.
     """
-    return shape.cached(role, lambda: tuple(_compute_keyed_normals(shape, role)))
 
+    def compute() -> tuple[tuple[Axis, IntPoint], ...]:
+        """Return the value to cache."""
+        made = (_integer_edge_normal(shape, role, EDGE, *ends) for ends in cyclic_pairs(range(len(shape.corner_ids))))
+        return tuple((_make_axis(*one), _direction_key(*one[0])) for one in made)
 
-def _compute_keyed_normals(shape: Shape, role: str) -> Iterator[tuple[Axis, IntPoint]]:
-    """Yield (axis, key) for each edge of a shape, as `_keyed_normals` caches them."""
-    n = len(shape.corner_ids)
-    for i in range(n):
-        normal, k, source = _integer_edge_normal(shape, role, EDGE, i, (i + 1) % n)
-        yield _make_axis(normal, k, source), _direction_key(*normal)
+    return shape.cached(role, compute)
 
 
 def _direction_key(x: int, y: int) -> IntPoint:

@@ -1,4 +1,4 @@
-"""How many axes are enough for one pair of shapes; standard library only, so that it can run during a drag."""
+"""Count the axes that are enough for one pair of shapes; standard library only, so that it can run during a drag."""
 
 from . import describe, number_format
 from .axes import CENTERS, VERTEX, WORLD, Axis, hull_normals, needed

@@ -301,7 +301,10 @@ class _Pieces:
         return best
 
     def _number_point(self, x: Fraction, y: Fraction) -> int | None:
-        """Return the vertex number of a point given in units, a new one if needed; None if float64 cannot hold it."""
+        """Return the number of the vertex at a point given in units; None if float64 cannot hold the point.
+
+        If there is no such vertex, it is added.
+        """
         point = Vec(float(x * self.unit), float(y * self.unit))
         if point.x != x * self.unit or point.y != y * self.unit:
             return None

@@ -30,7 +30,7 @@ class Interval(NamedTuple):
 
 
 class Relation(IntEnum):
-    """How two closed shapes stand to each other.  TOUCHING and OVERLAPPING are hits; APART, which is 0, is false."""
+    """The relation of two closed shapes.  TOUCHING and OVERLAPPING are hits; APART, which is 0, is false."""
 
     APART = 0
     TOUCHING = 1
@@ -49,7 +49,7 @@ def relation_of_gap(gap: Any) -> Relation:
 
 
 class InvalidShape(ValueError):
-    """Raised for a shape that the engine refuses; the message names the culprit and what to do about it."""
+    """Raised for a shape that the engine refuses; the message names the vertex or value and what to do."""
 
 
 class InvalidScene(ValueError):

@@ -18,7 +18,7 @@ MAX_WHOLE_NUMBER = 1e15  # whole numbers beyond lose digits in float64
 
 
 class Digits(NamedTuple):
-    """How the numbers of a scene are printed: their decimals, in units of 10**power, landings relative to `origin`.
+    """The format of a scene's printed numbers: decimals, a unit of 10**power, and landings relative to `origin`.
 
     `origin` is in those units.  `fine` means: the gap is so small that ranges with these decimals cannot show it.
     `padded`: every number has all decimals, zeros at its end too, so that its width does not change in a drag.
@@ -162,9 +162,8 @@ def digits_for_tests(shapes: Sequence[Shape], tests: Sequence[AxisTest]) -> Digi
         return digits
     lo, hi = min(r.lo for r in ranges) / unit, max(r.hi for r in ranges) / unit
     most = max(-lo, hi)
-    held = min(
-        MAX_DECIMALS, floor(-log10(8 * ulp(most)))
-    )  # decimals that float64 resolves at this distance from the origin
+    # decimals that float64 resolves at this distance from the origin
+    held = min(MAX_DECIMALS, floor(-log10(8 * ulp(most))))
     gap = max(_needed_decimals(abs(t.gap) / unit, 3) for t in tests)
     width = min(max(_needed_decimals(r.hi / unit - r.lo / unit, 2) for r in ranges), held, MAX_NARROW_DECIMALS)
     least = max(0, min(held, 3), width)

@@ -24,6 +24,7 @@ _NOT_REAL = tuple("bcSUmMV")  # NumPy's kinds: bool, complex, text, times, recor
 _WHOLE = ("i", "u")  # NumPy's kinds of integers
 _REPR = Repr()
 _REPR.maxlevel, _REPR.maxstring, _REPR.maxother = 3, 60, 100
+short_repr = _REPR.repr  # a shortened repr of a value, for an error message
 
 
 def _dtype_kind(value: Any) -> str:
@@ -148,11 +149,6 @@ def _geo_type(interface: Any) -> str:
     """Return the value under the key "type" of a GeoJSON-like mapping; "" if it has none."""
     kind = interface.get("type") if isinstance(interface, Mapping) else ""
     return kind if isinstance(kind, str) else ""
-
-
-def short_repr(value: Any) -> str:
-    """Return a shortened repr of a value for an error message."""
-    return _REPR.repr(value)
 
 
 def find_corners(points: Sequence[Vec]) -> Corners:

@@ -17,7 +17,7 @@ new = tuple.__new__  # what a NamedTuple's own constructor ends in; the loop's r
 
 
 class Projection(NamedTuple):
-    """The points of a shape that were projected on an axis, and where each landed.
+    """The points of a shape that were projected on an axis, and the coordinate of each along the axis (its landing).
 
     `points`: a polygon's corners, or a circle's two extremes C - r n and C + r n;
     `landings`: their signed coordinates along the axis, in scene units.

@@ -33,9 +33,8 @@ class _Shape:
     radius: float  # 0 for a polygon
     is_convex: bool
     is_upright_box: bool  # a rectangle with sides along x and y
-    bounds: tuple[
-        float, float, float, float
-    ]  # bounding box: x min, y min, x max, y max; a circle's is rounded outwards
+    # bounding box: x min, y min, x max, y max; a circle's is rounded outwards
+    bounds: tuple[float, float, float, float]
     max_coordinate: float  # the largest absolute coordinate of any point of the shape
     max_edge_component: float  # the largest absolute x or y component of an edge; a circle's radius
     slabs: tuple[Slab, ...] | None  # one per edge direction, see _slabs; None for circles and concave polygons
@@ -134,7 +133,7 @@ class Polygon(_Shape):
         )
 
     def _arguments(self) -> tuple[object, ...]:
-        """Return (vertices, labels)."""
+        """Return (vertices, labels), the arguments that make an equal Polygon."""
         return self.vertices, self.labels
 
     @property
@@ -187,7 +186,7 @@ class Circle(_Shape):
         return self.core[0]
 
     def _arguments(self) -> tuple[object, ...]:
-        """Return (center, radius)."""
+        """Return (center, radius), the arguments that make an equal Circle."""
         return self.center, self.radius
 
 

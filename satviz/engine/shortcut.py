@@ -15,7 +15,7 @@ Push = Callable[[Shape, Shape, Sequence[AxisTest]], Vec]
 
 
 class Shortcut(NamedTuple):
-    """One mistaken or cheaper method, and what it does differently from the loop.
+    """A mistaken or cheaper method, described by what it does differently from the loop.
 
     `claim`: the mistake as people say it; `choose`: the axes.  At most one step differs from the loop:
     `measure` projects and measures an axis (None: correctly); `touching_separates` counts a gap of 0 as

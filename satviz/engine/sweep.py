@@ -13,7 +13,7 @@ from .predicates import orient
 
 
 class Event(NamedTuple):
-    """One vertex as the sweep line reaches it, with the edges there; edge i goes from vertex i to the next."""
+    """The event of the sweep line reaching one vertex, with the edges there; edge i goes from vertex i to the next."""
 
     vertex: int
     ended: list[int]  # the vertex's edges that lie to its left, from below upwards

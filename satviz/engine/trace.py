@@ -17,9 +17,8 @@ from .sat import AxisTest, axis_tests
 from .shapes import Shape, require_shape
 from .shortcut import Shortcut, move_along_axis
 
-MAX_SIZE = (
-    200_000  # points and axes that a trace lists (see _count_listed): some 30 MB of JSON, which can be read again
-)
+# points and axes that a trace lists (see _count_listed): some 30 MB of JSON, which can be read again
+MAX_SIZE = 200_000
 NamedParts = Sequence[tuple[Shape, str]]  # convex parts or pieces, each with its name
 
 
@@ -92,8 +91,8 @@ class Trace:
     @property
     def ended_by(self) -> AxisTest | None:
         """Return the first test that the run counts as a gap, rightly or wrongly; None if there is none."""
-        separates = self.shortcut.separates if self.shortcut else _separates
-        return next((test for test in self.tests if separates(test)), None)
+        own = self.shortcut
+        return next((test for test in self.tests if (own.separates(test) if own else test.separates)), None)
 
     @property
     def gaps_are_proofs(self) -> bool:
@@ -319,11 +318,6 @@ def _record_pairs(
         if not shortcut and pair.relation is OVERLAPPING and not every_axis:
             break
     return Trace(a, b, Choice((), complete=not shortcut), (), every_axis, tuple(pairs), DEFAULT_NAMES, shortcut)
-
-
-def _separates(test: AxisTest) -> bool:
-    """Return whether the test has a gap."""
-    return test.gap > 0
 
 
 def _least_overlap(tests: Sequence[AxisTest]) -> AxisTest:

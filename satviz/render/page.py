@@ -8,10 +8,10 @@ from base64 import b64encode
 from collections.abc import Sequence
 from hashlib import sha256
 from html import escape
+from importlib.resources import files
 
 from ..engine import describe
 from ..engine.shapes import Shape
-from ..engine.trace import Trace
 from ..pictures import DARK, LIGHT, picture
 from ..pictures.claims import heading
 from ..pictures.comparison import refused_picture
@@ -29,24 +29,6 @@ START = """
 const data = JSON.parse(document.getElementById("satviz-show").textContent);
 arrowKeys(new Player(document.getElementById("satviz-player"), data.shows, data));
 document.documentElement.classList.add("with-player");
-"""
-STYLE = """
-body.satviz { margin: 0; border-radius: 0; }
-main { max-width: 1200px; margin: 0 auto; padding: 8px 0; min-height: 100vh; }
-h1 { font-size: 20px; margin: 8px; }
-/* the picture, its sentence and the buttons fit into one window, if this makes no letter smaller than it is */
-#satviz-player:not(.sv-wide) .sv-picture { max-height: max(var(--sv-height) * 1px, 100vh - 240px); }
-.sv-static svg { display: block; width: 100%; max-width: 620px; height: auto; background: #fff; }
-.sv-light svg, .sv-dark svg { max-width: 420px; background: none; }
-.sv-dark { display: none; }
-@media screen and (prefers-color-scheme: dark) { .sv-light { display: none; } .sv-dark { display: block; } }
-.sv-static pre { overflow-x: auto; font-size: 12px; }
-.sv-static figure { margin: 12px 0; break-inside: avoid; }
-.sv-static h2 { font-size: 16px; }
-.sv-static { padding: 0 8px; }
-footer { font-size: 12px; color: var(--sv-guide); margin: 12px 8px; }
-.with-player .sv-static { display: none; }
-@media print { #satviz-player { display: none; } .with-player .sv-static { display: block; } main { padding: 0; } }
 """
 
 
@@ -72,20 +54,8 @@ def page(
     """
     found = resolve(what, b)
     if found.refused:
-        return page_of_refused(found.refused)
-    return page_of_run(found.trace, title=title, predict=predict, sweep=sweep, difference=difference, speed=speed)
-
-
-def page_of_run(
-    trace: Trace,
-    *,
-    title: str = "",
-    predict: bool = False,
-    sweep: bool = False,
-    difference: bool = False,
-    speed: float = 1.0,
-) -> str:
-    """Return the page of a trace, as `page` does."""
+        return _page_of_refused(found.refused)
+    trace = found.trace
     if predict and trace.shortcut:
         trace = trace.truth
     own = sweep_playback if sweep else difference_playback if difference else None
@@ -94,7 +64,8 @@ def page_of_run(
     about = describe.printable(question if predict else trace.sentence)
     title = " ".join(heading(trace)) if trace.shortcut else title or question
     script = javascript("player", "arrows") + START
-    policy = f"default-src 'none'; style-src 'unsafe-inline'; script-src 'sha256-{_sha256(script)}'; "
+    script_hash = b64encode(sha256(script.encode()).digest()).decode()
+    policy = f"default-src 'none'; style-src 'unsafe-inline'; script-src 'sha256-{script_hash}'; "
     policy += "img-src blob:; base-uri 'none'"  # the save menu makes a PNG from a blob
     show = {"predict": predict, "speed": speed, "shows": shows, "narrow": [] if own else narrow_playbacks(trace)}
     data = json.dumps(show, separators=(",", ":"), ensure_ascii=False).replace("<", "\\u003c")
@@ -127,6 +98,7 @@ def page_of_run(
 
 def _document(title: str, about: str, policy: str, body: Sequence[str]) -> str:
     """Return an HTML file with this title, description, content security policy and body."""
+    style = (files(__package__) / "browser" / "page.css").read_text(encoding="utf-8")
     lines = [
         "<!doctype html>",
         '<html lang="en">',
@@ -137,7 +109,7 @@ def _document(title: str, about: str, policy: str, body: Sequence[str]) -> str:
         f'<meta name="generator" content="{MADE_BY}">',
         f'<meta name="description" content="{escape(about)}">',
         f"<title>{escape(describe.printable(title))}</title>",
-        f"<style>\n{stylesheet()}{STYLE}</style>",
+        f"<style>\n{stylesheet()}\n{style}</style>",
         "</head>",
         '<body class="satviz"><main>',
         f"<h1>{escape(describe.printable(title))}</h1>",
@@ -148,7 +120,7 @@ def _document(title: str, about: str, policy: str, body: Sequence[str]) -> str:
     return "\n".join(lines) + "\n"
 
 
-def page_of_refused(case: FailureCase) -> str:
+def _page_of_refused(case: FailureCase) -> str:
     """Return the page of a scene whose outlines are refused: its picture, without a script.
 
     The picture is as wide as a telephone and follows the colours of the reader's screen.
@@ -158,8 +130,3 @@ def page_of_refused(case: FailureCase) -> str:
     body = ['<section class="sv-static">', *figures, "</section>", f"<footer>{MADE_BY}</footer>"]
     policy = "default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'"
     return _document(drawn.sentence, drawn.sentence, policy, body)
-
-
-def _sha256(script: str) -> str:
-    """Return the SHA-256 hash of a script in base64, by which the page's policy allows the script."""
-    return b64encode(sha256(script.encode()).digest()).decode()

@@ -10,9 +10,8 @@ from ..engine.geometry import InvalidScene
 from ..engine.polygon_validation import short_repr
 
 MAX_DEPTH = 12
-MAX_PUNCTUATION = (
-    1 << 23
-)  # commas, opening brackets and quotes: no value goes without one, so memory is bounded by them
+# commas, opening brackets and quotes: no value goes without one, so memory is bounded by them
+MAX_PUNCTUATION = 1 << 23
 STRING = re.compile(r'"(?:[^"\\]|\\.)*+(?:"|$)', re.DOTALL)  # an unended one runs to the end, once
 
 

@@ -7,9 +7,10 @@ from typing import Any
 from matplotlib.figure import Figure
 
 from ..pictures import Theme
+from ..render.chart import TEXT_POINTS, WIDTH, Chart, add_axes, add_text, share_of
 from .bench import TimingRow
 from .bench_table import faster_from, growth_exponent, wrong_counts
-from .harness.chart import TEXT_POINTS, WIDTH, Chart, add_axes, draw_headline, head_height, label_ends, set_time_ticks
+from .harness.chart import label_ends, set_time_ticks
 from .methods import ENGINES
 
 ROW, CORNERS = 34.0, 250.0  # points: the height of a work, and of the chart against corners
@@ -23,7 +24,7 @@ SUBTITLE = "The speed of shapely, unprepared, is 1. Bars show quartiles. Below: 
 
 @dataclass(frozen=True)
 class SpeedRatio:
-    """How many times as fast as shapely, unprepared, a method is at one work: median and quartiles.
+    """The ratio of a method's speed to that of unprepared shapely at one work: median and quartiles.
 
     Above 1 the method is faster than shapely.  `work` is the name of the work with its size.
     """
@@ -56,16 +57,14 @@ def bench_chart(rows: Sequence[TimingRow], warning: str) -> Chart:
     )
     works = list(dict.fromkeys(ratio.work for ratio in charted))
     lines = [SUBTITLE, *summary]
-    head = head_height(title, lines)
-    size = WIDTH, head + ROW * len(works) + CORNERS + 190
+    height = ROW * len(works) + CORNERS + 190
 
     def draw(fig: Figure, theme: Theme) -> None:
-        """Draw the headline, the chart of speed ratios and the chart of times against corners."""
-        draw_headline(fig, theme, title, *lines)
-        _draw_ratios(fig, theme, charted, head)
+        """Draw the chart of speed ratios and the chart of times against corners."""
+        _draw_ratios(fig, theme, charted, height)
         _draw_corners(fig, theme, corners)
 
-    return Chart("bench", title, size, draw, [row._asdict() for row in rows], reading, warning)
+    return Chart("bench", title, lines, height, draw, [row._asdict() for row in rows], reading, warning)
 
 
 def _fastest_and_slowest(method: str, ratios: Sequence[SpeedRatio]) -> str:
@@ -148,11 +147,11 @@ def _range_in_words(times: Sequence[float]) -> str:
     return " to ".join(dict.fromkeys((_times_in_words(min(times)).removesuffix(" times"), _times_in_words(max(times)))))
 
 
-def _draw_ratios(fig: Figure, theme: Theme, ratios: Sequence[SpeedRatio], head: float) -> None:
+def _draw_ratios(fig: Figure, theme: Theme, ratios: Sequence[SpeedRatio], height: float) -> None:
     """Draw the first chart below the headline: a row for each work, a mark for each method, bars for quartiles."""
     works = list(dict.fromkeys(r.work for r in ratios))
-    height, tall = fig.get_size_inches()[1] * 72, ROW * len(works)
-    ax = add_axes(fig, (12 / WIDTH, 1 - (head + 60 + tall) / height, (WIDTH - 24) / WIDTH, tall / height), theme)
+    tall = ROW * len(works)
+    ax = add_axes(fig, (12, height - 60 - tall, WIDTH - 24, tall), theme)
     ax.set(xscale="log", ylim=(tall, 0), yticks=[])
     ax.spines["left"].set_visible(False)
     ax.axvline(1, color=theme.roles["guide"], lw=1)
@@ -170,15 +169,14 @@ def _draw_ratios(fig: Figure, theme: Theme, ratios: Sequence[SpeedRatio], head: 
     ax.minorticks_off()
     ax.set_xlabel("times as fast as shapely unprepared")
     for method, left in zip(_methods_in(ratios), (12.0, 124.0, 236.0), strict=False):
-        shade, y = theme.roles[SHADES[method]], 1 - (head + 26) / height
-        ax.plot(left / WIDTH, y, MARKS[method], color=shade, ms=7, transform=fig.transFigure, clip_on=False)
-        fig.text((left + 10) / WIDTH, y, method, color=theme.roles["ink"], **style)
+        shade, (x, y) = theme.roles[SHADES[method]], share_of(fig, left, height - 26)
+        ax.plot(x, y, MARKS[method], color=shade, ms=7, transform=fig.transFigure, clip_on=False)
+        add_text(fig, left + 10, height - 26, method, color=theme.roles["ink"], va="center")
 
 
 def _draw_corners(fig: Figure, theme: Theme, rows: Sequence[TimingRow]) -> None:
     """Draw the second chart: time against the number of corners, with the exponent of growth at each line's end."""
-    height = fig.get_size_inches()[1] * 72
-    ax = add_axes(fig, (56 / WIDTH, 50 / height, 160 / WIDTH, CORNERS / height), theme, "Time for a pair")
+    ax = add_axes(fig, (56, 50, 160, CORNERS), theme, "Time for a pair")
     ends = []
     for work, method in dict.fromkeys((row.work, row.method) for row in rows):
         own = [row for row in rows if (row.work, row.method) == (work, method)]

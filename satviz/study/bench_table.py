@@ -1,4 +1,4 @@
-"""What `satviz bench` prints: the measured rows as a table, the wrong answers, and warnings about the times."""
+"""The text that `satviz bench` prints: the measured rows as a table, the wrong answers, and warnings about times."""
 
 from collections.abc import Mapping, Sequence
 

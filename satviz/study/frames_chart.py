@@ -10,21 +10,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ..pictures import Theme
+from ..render.chart import TEXT_LETTER, TEXT_LINE, WIDTH, Chart, add_axes, add_text, label_points
 from .bench import PLAIN_SAT, TimingRow
 from .bench_table import faster_from, wrong_counts
-from .harness.chart import (
-    TEXT_LETTER,
-    TEXT_LINE,
-    TEXT_POINTS,
-    WIDTH,
-    Chart,
-    add_axes,
-    draw_headline,
-    head_height,
-    label_ends,
-    label_points,
-    set_time_ticks,
-)
+from .harness.chart import label_ends, set_time_ticks
 from .methods import ENGINES
 from .methods.scene_methods import DIFFERENCES
 
@@ -70,25 +59,23 @@ def frames_chart(rows: Sequence[TimingRow], warning: str) -> Chart:
     above = {work: wrapped(fastest[work]) for work in works}
     beneath = {work: [line for said in below[work] for line in wrapped(said)] for work in works}
     ending = [line for note in notes for line in wrapped(note)]
-    head = head_height(title, [subtitle])
-    tall = head + len(works) * PANEL + TEXT_LINE * len([*ending, *chain(*above.values(), *beneath.values())]) + 30
+    tall = len(works) * PANEL + TEXT_LINE * len([*ending, *chain(*above.values(), *beneath.values())]) + 30
 
     def draw(fig: Figure, theme: Theme) -> None:
         """Draw the charts of all works below each other, each between its sentences, and the notes at the bottom."""
-        draw_headline(fig, theme, title, subtitle)
-        down = head + 8
+        up = tall - 8
         for work, times in works.items():
-            _write_lines(fig, theme, down, [work.capitalize()], fontweight="bold")
-            _write_lines(fig, theme, down + TEXT_LINE, above[work])
-            down += TEXT_LINE * (1 + len(above[work])) + 8
-            ax = add_axes(fig, (56 / WIDTH, 1 - (down + AXES) / tall, 186 / WIDTH, AXES / tall), theme)
+            _write_lines(fig, theme, up, [work.capitalize()], fontweight="bold")
+            _write_lines(fig, theme, up - TEXT_LINE, above[work])
+            up -= TEXT_LINE * (1 + len(above[work])) + 8
+            ax = add_axes(fig, (56, up - AXES, 186, AXES), theme)
             _draw_times(ax, theme, times, (low / 1.5, high * 3))
-            _write_lines(fig, theme, down + AXES + 40, beneath[work])
-            down += PANEL - TEXT_LINE - 8 + TEXT_LINE * len(beneath[work])
-        _write_lines(fig, theme, down, ending)
+            _write_lines(fig, theme, up - AXES - 40, beneath[work])
+            up -= PANEL - TEXT_LINE - 8 + TEXT_LINE * len(beneath[work])
+        _write_lines(fig, theme, up, ending)
 
     own = [row._asdict() for row in rows]
-    return Chart("frames", title, (WIDTH, tall), draw, own, reading, warning)
+    return Chart("frames", title, [subtitle], tall, draw, own, reading, warning)
 
 
 def wrapped(text: str) -> list[str]:
@@ -216,9 +203,7 @@ def _draw_times(ax: Axes, theme: Theme, times: Times, limits: tuple[float, float
     label_points(ax, inner, theme, points)
 
 
-def _write_lines(fig: Figure, theme: Theme, down: float, lines: Sequence[str], **style: Any) -> None:
-    """Write lines of text below each other, from a distance in points from the top."""
-    height = fig.get_size_inches()[1] * 72
+def _write_lines(fig: Figure, theme: Theme, up: float, lines: Sequence[str], **style: Any) -> None:
+    """Write lines of text below each other, from this height in points."""
     for k, line in enumerate(lines):
-        style = {"fontsize": TEXT_POINTS, "va": "top", "parse_math": False, **style}
-        fig.text(6 / WIDTH, 1 - (down + k * TEXT_LINE) / height, line, color=theme.roles["ink"], **style)
+        add_text(fig, 6, up - k * TEXT_LINE, line, color=theme.roles["ink"], va="top", **style)

@@ -10,9 +10,9 @@ from typing import Any
 
 from ..batch.chunks import check_executor
 from ..optional_imports import extra_needed
+from ..render.chart import Chart, JsonRow, save_chart
 from ..safe_write import MADE_BY, check, make_folder, write
-from .harness.cells import Failure, JsonRow, Settings, run_cells
-from .harness.chart import Chart, save_chart
+from .harness.cells import Failure, Settings, run_cells
 from .harness.machine import machine_facts
 from .sections import (
     axis_order,

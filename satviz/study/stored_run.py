@@ -4,8 +4,8 @@ import json
 from pathlib import Path
 from typing import Any
 
+from ..render.chart import Chart
 from .harness.cells import Settings
-from .harness.chart import Chart
 from .run import charts_of
 
 STORED_RUN = Path(__file__).with_name("stored_run.json")

@@ -22,7 +22,6 @@ Number = float | Fraction
 Ints = tuple[int, int]
 Point = TypeVar("Point")
 Rational = tuple[Fraction, Fraction]
-Either = Ints | Rational
 Homogeneous = tuple[int, int, int]  # (X, Y, W): the point (X / W, Y / W), W > 0
 
 
@@ -34,7 +33,7 @@ def relation(a: Shape, b: Shape) -> Relation:
 
 
 def polygons(a: Polygon, b: Polygon) -> Relation:
-    """Return the relation of two polygons, by what is left of a after clipping it to b."""
+    """Return the relation of two polygons by clipping a to b: an area is left, only a point or segment, or nothing."""
     _, rings = _rings(a, b)
     return _relation_by_clipping(*rings)
 
@@ -55,15 +54,6 @@ def circles(a: Circle, b: Circle) -> Relation:
     return _relation_by_distance((ax - bx) ** 2 + (ay - by) ** 2, (ar + br) ** 2)
 
 
-def squared_distance(a: Polygon, b: Polygon) -> Fraction:
-    """Return the exact squared distance of two convex polygons; 0 where they touch or overlap."""
-    if polygons(a, b):
-        return Fraction(0)
-    k, (p, q) = _rings(a, b)
-    pairs = [(v, edge) for ring, other in ((p, q), (q, p)) for v in other for edge in _edges(ring)]
-    return min(_segment_distance2(v, *edge) for v, edge in pairs) / Fraction(4) ** k
-
-
 def agreed(a: Shape, b: Shape) -> Relation:
     """Return the exact relation of two convex shapes, on which two oracles must agree."""
     if isinstance(a, Polygon) and isinstance(b, Polygon):
@@ -81,12 +71,6 @@ def relation_moved(a: Polygon, b: Polygon, move: tuple[float, float]) -> Relatio
     if _relation_by_difference(*rings) != found:
         raise AssertionError(f"the oracles disagree about {a} and {b} moved by {move}")
     return found
-
-
-def relation_by_difference(a: Polygon, b: Polygon) -> Relation:
-    """Return the relation of two convex polygons, by the side of each edge of a - b on which the origin lies."""
-    _, rings = _rings(a, b)
-    return _relation_by_difference(*rings)
 
 
 def relation_by_axes(a: Shape, b: Shape) -> Relation:
@@ -123,7 +107,7 @@ def squared_gap(a: Polygon, b: Polygon) -> Fraction:
     return (max(beyond) if beyond else _least_square(sides)) / Fraction(4**k)
 
 
-def least_pushes(a: Polygon, b: Polygon) -> list[Ints]:
+def mtv_directions(a: Polygon, b: Polygon) -> list[Ints]:
     """Return the directions in which the shortest push of b ends the overlap of two convex polygons, of any length."""
     _, sides = _sides_of_difference(a, b)
     least = _least_square(sides)
@@ -145,7 +129,7 @@ def _sides_of_difference(a: Polygon, b: Polygon) -> tuple[int, list[tuple[int, I
 
 
 def _relation_by_clipping(p: Sequence[Ints], q: Sequence[Ints]) -> Relation:
-    """Return the relation of two convex rings, by what is left of p after clipping it to q."""
+    """Return the relation of two convex rings by clipping p to q; see `polygons`."""
     common = _clipped(p, q)
     if not common:
         return Relation.APART
@@ -193,25 +177,6 @@ def twice_signed_area(vertices: Iterable[Iterable[Number]]) -> Fraction:
     """Return twice the signed area of an outline, exactly; positive if it runs counter-clockwise."""
     ring = [exact(v) for v in vertices]
     return sum((px * qy - py * qx for (px, py), (qx, qy) in _edges(ring)), Fraction(0))
-
-
-def is_simple(vertices: Iterable[Iterable[Number]]) -> bool:
-    """Return whether an outline, without repeated neighbours, is a simple polygon; all pairs of edges are compared."""
-    ring = _distinct(exact(v) for v in vertices)
-    edges = list(_edges(ring))
-    n = len(edges)
-    if n < 3:
-        return False
-    for i, (p, q) in enumerate(edges):
-        for j, (r, s) in enumerate(edges[:i]):
-            if j == i - 1 or (j == 0 and i == n - 1):
-                # neighbours share one end, and may share nothing else
-                shared, one, other = (p, q, r) if j == i - 1 else (q, p, s)
-                if _on_segment(one, shared, other) or _on_segment(other, shared, one):
-                    return False
-            elif _segments_meet(p, q, r, s):
-                return False
-    return True
 
 
 def _relation_by_distance(squared_distance: int | Fraction, squared_radius: int) -> Relation:
@@ -299,7 +264,7 @@ def _has_area(points: Sequence[Homogeneous]) -> bool:
 
 
 def _inside(c: Ints, ring: Sequence[Ints]) -> bool:
-    """Return whether the point c lies inside the ring, by crossings of a ray; on the ring either answer."""
+    """Return whether the point c lies inside the ring, by crossings of a ray; either answer for a point on the ring."""
     cx, cy = c
     odd = False
     for (px, py), (qx, qy) in _edges(ring):
@@ -320,22 +285,3 @@ def _segment_distance2(c: Ints, p: Ints, q: Ints) -> Fraction | int:
         return (cx - qx) ** 2 + (cy - qy) ** 2
     # |c - p|^2 minus the square of its component along the segment (Pythagoras)
     return (cx - px) ** 2 + (cy - py) ** 2 - Fraction(along * along, length2)
-
-
-def _on_segment(v: Either, p: Either, q: Either) -> bool:
-    """Return whether the point v lies on the closed segment p q."""
-    (vx, vy), (px, py), (qx, qy) = v, p, q
-    if (qx - px) * (vy - py) != (qy - py) * (vx - px):
-        return False
-    return min(px, qx) <= vx <= max(px, qx) and min(py, qy) <= vy <= max(py, qy)
-
-
-def _segments_meet(p: Either, q: Either, r: Either, s: Either) -> bool:
-    """Return whether two closed segments share a point, by Cramer's rule; for parallel ones by their ends."""
-    (px, py), (qx, qy), (rx, ry), (sx, sy) = p, q, r, s
-    det = (qx - px) * (sy - ry) - (qy - py) * (sx - rx)
-    if det == 0:
-        return any((_on_segment(p, r, s), _on_segment(q, r, s), _on_segment(r, p, q), _on_segment(s, p, q)))
-    t = Fraction((rx - px) * (sy - ry) - (ry - py) * (sx - rx), det)
-    u = Fraction((rx - px) * (qy - py) - (ry - py) * (qx - px), det)
-    return 0 <= t <= 1 and 0 <= u <= 1

@@ -18,12 +18,8 @@ from ..scenes.shape_tools import translated
 MAX_TRIED = 400  # candidates whose relation is computed
 PARTS = 64  # of an edge, at whose ends a corner may land
 LEVEL = (1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)
-TRIPLES = (
-    (3, 4, 5),
-    (5, 12, 13),
-    (8, 15, 17),
-    (7, 24, 25),
-)  # directions in which an integer distance has integer sides
+# directions in which an integer distance has integer sides
+TRIPLES = (3, 4, 5), (5, 12, 13), (8, 15, 17), (7, 24, 25)
 
 
 def snapped(moved: Shape, other: Shape, reach: float) -> Shape | None:

@@ -248,7 +248,10 @@ def _certified_cross(ux: float, uy: float, vx: float, vy: float) -> float:
 
 @compiled
 def orient(px: float, py: float, qx: float, qy: float, rx: float, ry: float, terms: Array) -> int:
-    """Return the exact orientation of p, q, r, as exact_signs.orient does for arrays; UNKNOWN out of range."""
+    """Return the exact orientation of p, q, r: 1 left turn, -1 right turn, 0 collinear; UNKNOWN out of range.
+
+    `terms`: scratch, which is overwritten.
+    """
     left, right = (qx - px) * (ry - py), (qy - py) * (rx - px)
     size = abs(left) + abs(right)
     if abs(left - right) > ERRBOUND_A * size and size > MIN_SAFE_PRODUCT and size < MAX_SAFE_PRODUCT:
@@ -265,9 +268,9 @@ def orient(px: float, py: float, qx: float, qy: float, rx: float, ry: float, ter
     if size > MIN_SAFE_PRODUCT and size < MAX_SAFE_PRODUCT:
         # with the errors of the differences and products; error bound as in exact_signs._orient_adaptive
         (e, left), (f, right) = two_product(a, b), two_product(c, d)
-        turn = (left - right) + ((e - f) + ((a * eb + ea * b) - (c * ed + ec * d)))
-        if abs(turn) > ERRBOUND_C * size:
-            return 1 if turn > 0 else -1
+        orientation = (left - right) + ((e - f) + ((a * eb + ea * b) - (c * ed + ec * d)))
+        if abs(orientation) > ERRBOUND_C * size:
+            return 1 if orientation > 0 else -1
     # a product that overflows leaves an infinity among the terms, and then the sum has no certified sign
     if ea == 0 and eb == 0 and ec == 0 and ed == 0 and _is_product_exact(a, b) and _is_product_exact(c, d):
         terms[0], terms[2] = two_product(a, b)

@@ -32,7 +32,7 @@ MIN_CELL = 2.0**-48  # of the farthest coordinate: smaller cells run together
 
 
 def colliding_pairs(shapes: Shapes) -> Pairs | None:
-    """Return the pairs i < j, in order, of the shapes that share a point; None where this way does not decide them."""
+    """Return the pairs i < j, in order, of the shapes that share a point; None for too many or an undecided pair."""
     runs = vars(shapes).get("runs")  # read once, since another thread may join them
     if runs is not None and len(runs) == 1:
         pairs, decided = _collide_block(runs[0].block)

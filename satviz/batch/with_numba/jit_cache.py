@@ -1,4 +1,4 @@
-"""How kernels are compiled with numba: the GIL released, kept on disk, rounding as Python does."""
+"""Decorators that compile kernels with numba: the GIL released, cached on disk, rounding as Python does."""
 
 from collections.abc import Callable
 from pathlib import Path

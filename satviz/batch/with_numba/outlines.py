@@ -13,7 +13,7 @@ from ...engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
 from ..array_types import Array, Indices
 from ..arrays import TILE_SHAPES, CornerColumns
 from ..exact_signs import ERRBOUND_A
-from ..ragged import Rings
+from ..ragged import RaggedRings
 from .jit_cache import compiled, inlined
 
 
@@ -81,8 +81,8 @@ def _columns_kernel(fixed: int | None) -> Callable[[Array, Array, Array], bool]:
 _fill_columns_3, _fill_columns_4, _fill_columns = map(_columns_kernel, (3, 4, None))
 
 
-def certified_rings(points: Array, start: Indices, accept_centers: bool = False) -> tuple[Rings, Indices]:
-    """Return (outlines without repeats, counter-clockwise, as Rings; the indices of those not certified convex).
+def certified_rings(points: Array, start: Indices, accept_centers: bool = False) -> tuple[RaggedRings, Indices]:
+    """Return (outlines without repeats, counter-clockwise, as RaggedRings; the indices of those not certified convex).
 
     points: (M, 2) corners, those of outline i from start[i] to start[i + 1].  `accept_centers`: a single finite
     corner is the center of a circle and certified too.  What is not certified has no corners.
@@ -93,15 +93,15 @@ def certified_rings(points: Array, start: Indices, accept_centers: bool = False)
     return _rings_of(x, y, kept), doubtful[:found]
 
 
-def _rings_of(x: Array, y: Array, kept: Indices) -> Rings:
-    """Return outlines as Rings: x and y cut off, in place, after the last corner."""
+def _rings_of(x: Array, y: Array, kept: Indices) -> RaggedRings:
+    """Return outlines as RaggedRings, after shrinking x and y in place to the corners that were filled in."""
     for c in (x, y):
         c.resize(int(kept[-1]), refcheck=False)  # a copy would double the memory
-    return Rings(x, y, kept)
+    return RaggedRings(x, y, kept)
 
 
-def certified_padded(corners: Array, counts: Indices, radii: Array) -> Rings | None:
-    """Return shapes in padded arrays, as `from_padded` takes them, as Rings; None if one is not certified."""
+def certified_padded(corners: Array, counts: Indices, radii: Array) -> RaggedRings | None:
+    """Return shapes in padded arrays, as `from_padded` takes them, as RaggedRings; None if one is not certified."""
     n, most, _ = corners.shape
     x, y, kept = np.empty(n * most), np.empty(n * most), np.empty(n + 1, np.intp)
     return _rings_of(x, y, kept) if _fill_padded(corners, counts, radii, x, y, kept) else None
@@ -109,7 +109,7 @@ def certified_padded(corners: Array, counts: Indices, radii: Array) -> Rings | N
 
 @compiled
 def _fill_padded(corners: Array, counts: Indices, radii: Array, x: Array, y: Array, kept: Indices) -> bool:
-    """Fill x and y with the corners of padded shapes, and `kept`, as `_fill_rings`; return False if one is in doubt."""
+    """Fill x, y and `kept` with padded shapes, as `_fill_rings` does; return False if one is not certified."""
     n, most, _ = corners.shape
     first, end = np.empty(n, np.intp), np.empty(n, np.intp)
     for i in range(n):
@@ -176,5 +176,5 @@ def _certified_orientation(dx: float, dy: float, ex: float, ey: float) -> int:
 
 @inlined
 def _leads_right(dx: float, dy: float) -> bool:
-    """Return whether an edge goes to the right, or straight up."""
+    """Return whether an edge vector points to the right, or straight up."""
     return (dx > 0) | ((dx == 0) & (dy > 0))

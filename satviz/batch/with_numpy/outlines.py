@@ -6,7 +6,7 @@ from ...engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
 from ..array_types import Array, Indices, Mask
 from ..arrays import CornerColumns
 from ..exact_signs import ERRBOUND_A
-from ..ragged import Rings
+from ..ragged import RaggedRings
 
 BLOCK_CORNERS = 1 << 15  # corners at a time: they and the scratch arrays stay in the second-level cache
 TURN_ERROR = 2.0**-51  # |error| <= 3.1 u |edge| |next edge| (u = 2**-53), rounded up to 4 u
@@ -44,8 +44,8 @@ def certified_circles(centers: Array, radii: Array) -> CornerColumns | None:
     return CornerColumns(block) if np.isfinite(block).all() and (radii > 0).all() else None
 
 
-def certified_padded(corners: Array, counts: Indices, radii: Array) -> Rings | None:
-    """Return few shapes in padded arrays, as `from_padded` takes them, as Rings.
+def certified_padded(corners: Array, counts: Indices, radii: Array) -> RaggedRings | None:
+    """Return few shapes in padded arrays, as `from_padded` takes them, as RaggedRings.
 
     None for many, or if one is not certified: a circle, or counter-clockwise, convex and without repeats.
     """
@@ -70,7 +70,7 @@ def certified_padded(corners: Array, counts: Indices, radii: Array) -> Rings | N
     start = np.zeros(n + 1, np.intp)
     np.cumsum(counts, out=start[1:])
     kept = z[:most].T[own.T] + 0.0  # -0.0 becomes 0.0
-    return Rings(kept.real.copy(), kept.imag.copy(), start)
+    return RaggedRings(kept.real.copy(), kept.imag.copy(), start)
 
 
 def _turns_one_way(xy: Array) -> tuple[Mask, Mask] | None:

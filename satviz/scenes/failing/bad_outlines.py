@@ -11,10 +11,8 @@ from ...engine.sat import AxisTest, Projection, project
 from ...engine.shapes import Polygon, Shape
 from ...engine.shortcut import Shortcut
 from ..shape_tools import box, diamond
-from .claimed_value import push_length
-from .failure_case import FALSE_HIT, MISSED_HIT, REFUSED, WRONG_NUMBER, FailureCase, RawOutline
+from .failure_case import DEPTH, FALSE_HIT, MISSED_HIT, REFUSED, WRONG_NUMBER, FailureCase, RawOutline
 from .region_of_pushes import overlaps_in_raw_units, region_of_depth
-from .true_value import depth
 from .wrong_steps import is_closing_edge, measured_test, raw_normals
 
 
@@ -81,10 +79,7 @@ CASES = (
         Shortcut("repeated-vertex", "a vertex listed twice does no harm", normals_of_every_edge, raw_normals),
         WRONG_NUMBER,
         (Polygon([(0, 0), (1, 0), (1, 0), (1, 1), (0, 1)]), box(0.5, 0.25, 1.5, 1.25)),
-        quantity="depth",
-        claimed_value=push_length,
-        true_value=depth,
-        is_about_push=True,
+        **DEPTH,
         error_region=partial(region_of_depth, choose=normals_of_every_edge, measure=overlaps_in_raw_units),
     ),
     FailureCase(

@@ -11,12 +11,11 @@ from ...engine.shapes import Circle, Polygon, Shape
 from ...engine.shortcut import Shortcut
 from ...engine.trace import record
 from ..shape_tools import box
-from .claimed_value import push_length
-from .failure_case import FALSE_HIT, WRONG_NUMBER, FailureCase
+from .failure_case import DEPTH, FALSE_HIT, WRONG_NUMBER, FailureCase
 from .move_space import ErrorRegion, RegionOrReason, Window, hits_in_window, subtract, window_ring
 from .region_of_axes import TURNING
 from .region_of_pushes import region_of_pieces
-from .true_value import depth, gap
+from .true_value import gap
 from .wrong_steps import measured_test
 
 
@@ -83,10 +82,7 @@ CASES = (
         Shortcut("sum-of-parts", "the ways out of all the parts, added up, lead out of the whole", split=halves),
         WRONG_NUMBER,
         (box(0, 0, 4, 4), box(1.5, 1.5, 2.5, 2.5)),
-        quantity="depth",
-        claimed_value=push_length,
-        true_value=depth,
-        is_about_push=True,
+        **DEPTH,
         error_region=partial(region_of_pieces, split=halves, error=excess_length),
     ),
 )

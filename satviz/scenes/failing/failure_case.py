@@ -1,8 +1,8 @@
 """The record of a failing case: all that satviz knows about one common mistake."""
 
 from collections.abc import Callable, Sequence
-from math import isnan
-from typing import NamedTuple
+from math import hypot, isnan, nan
+from typing import Any, NamedTuple
 
 from ...engine import describe, number_format
 from ...engine.geometry import InvalidShape, Relation, relation_of_gap
@@ -10,7 +10,7 @@ from ...engine.number_format import USUAL_DIGITS, Digits
 from ...engine.shapes import Polygon, Shape
 from ...engine.shortcut import Shortcut
 from ...engine.trace import Trace, record
-from . import claimed_value, true_value
+from . import true_value
 from .move_space import RegionOrReason, Window
 from .true_value import Answer
 
@@ -27,6 +27,16 @@ class Panels(NamedTuple):
 
     claimed: str = "tests"
     actual: str = "proof"
+
+
+def largest_gap(trace: Trace) -> float:
+    """Return the largest gap that the run measured; NaN if it has no axis."""
+    return max((test.gap for test in trace.tests), default=nan)
+
+
+def push_length(trace: Trace) -> float:
+    """Return how far the run would push B; NaN if it makes no push."""
+    return hypot(*(trace.push or (nan, nan)))
 
 
 class FailureCase(NamedTuple):
@@ -51,7 +61,7 @@ class FailureCase(NamedTuple):
     how: str
     outlines: tuple[Shape | RawOutline, Shape | RawOutline]
     quantity: str = "gap"
-    claimed_value: Callable[[Trace], float] = claimed_value.largest_gap
+    claimed_value: Callable[[Trace], float] = largest_gap
     true_value: Callable[[Shape, Shape], Answer] = true_value.gap
     unchecked_value: Callable[[RawOutline, RawOutline], float] | None = None
     claims_less: bool = False
@@ -149,3 +159,9 @@ class FailureCase(NamedTuple):
         claimed, actual = self.answers
         numbers = number_format.ascii_minus(f"{claimed}; right: {actual}")
         return f"{self.number:2} {self.name:21} {self.claim}\n   {self.how}: {numbers}"
+
+
+# the fields of a case whose shortcut pushes B by a wrong depth
+DEPTH: dict[str, Any] = {
+    "quantity": "depth", "claimed_value": push_length, "true_value": true_value.depth, "is_about_push": True
+}  # fmt: skip

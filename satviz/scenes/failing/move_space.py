@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 from ...engine.convex_parts import parts
 from ...engine.geometry import Vec
+from ...engine.predicates import orient_det
 from ...engine.shapes import Shape
 
 ConvexRing = tuple[Vec, ...]
@@ -131,14 +132,9 @@ def convex_hull(points: Iterable[Vec]) -> ConvexRing:
         """Return one half of the hull, of points in sorted order, without its last point."""
         kept: list[Vec] = []
         for p in in_order:
-            while len(kept) > 1 and _turn(kept[-2], kept[-1], p) <= 0:
+            while len(kept) > 1 and orient_det(kept[-2], kept[-1], p) <= 0:
                 kept.pop()
             kept.append(p)
         return kept[:-1]
 
     return (*chain(order), *chain(reversed(order)))
-
-
-def _turn(p: Vec, q: Vec, r: Vec) -> float:
-    """Return twice the signed area of the triangle p, q, r: positive where it turns left."""
-    return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x)

@@ -4,16 +4,7 @@ from collections.abc import Callable
 from math import comb, dist, sqrt
 from operator import itemgetter
 
-from ...engine.axes import (
-    CENTERS,
-    CENTROIDS,
-    Axis,
-    Choice,
-    centers,
-    edge_normals,
-    edge_normals_of_a,
-    needed,
-)
+from ...engine.axes import CENTERS, CENTROIDS, Axis, Choice, centers, edge_normals, edge_normals_of_a, needed
 from ...engine.geometry import Vec
 from ...engine.sat import AxisTest, Projection, project
 from ...engine.shapes import Circle, Polygon, Shape, centroid
@@ -82,21 +73,6 @@ def normals_of_upright_faces(a: Shape, b: Shape) -> Choice:
 def gap_in_space(a: Shape, b: Shape) -> float:
     """Return the largest gap on all fifteen axes of the two boxes threed.PAIR; a and b are not used."""
     return max(found.gap for found in (*threed.face_gaps(*threed.PAIR), *threed.edge_gaps(*threed.PAIR)))
-
-
-def one_test_each(trace: Trace) -> float:
-    """Return SHAPE_COUNT, the claimed number of tests: one for each shape."""
-    return SHAPE_COUNT
-
-
-def count_pairs(a: Shape, b: Shape) -> float:
-    """Return the number of pairs among SHAPE_COUNT shapes; a and b are not used."""
-    return comb(SHAPE_COUNT, 2)
-
-
-def region_of_count(a: Shape, b: Shape, window: Window) -> str:
-    """Return the reason why this case has no error region: a count does not depend on B's place."""
-    return "the count does not depend on where B is"
 
 
 def least_evaluations_of_gjk(trace: Trace) -> float:
@@ -282,9 +258,9 @@ CASES = (
         WRONG_NUMBER,
         (box(0, 0, 1, 1), box(2, 0, 3, 1)),
         quantity="tests:",
-        claimed_value=one_test_each,
-        true_value=count_pairs,
-        error_region=region_of_count,
+        claimed_value=lambda trace: SHAPE_COUNT,
+        true_value=lambda a, b: comb(SHAPE_COUNT, 2),
+        error_region=lambda a, b, window: "the count does not depend on where B is",
         panels=Panels("separate dots", "joined dots"),
         verdicts=("", ""),
     ),

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from functools import partial
 from math import atan2, copysign, cos, dist, nan, sin
+from typing import Any
 
 from ...engine.axes import SLIP, Axis, Choice, directions, edge_normals, needed
 from ...engine.convex_parts import parts
@@ -13,8 +14,7 @@ from ...engine.shortcut import Shortcut, move_along_axis
 from ...engine.trace import Trace, record
 from ..shape_tools import box, translated, vertex_mean
 from . import true_value
-from .claimed_value import push_length
-from .failure_case import FALSE_HIT, MISSED_HIT, WRONG_NUMBER, FailureCase, Panels
+from .failure_case import DEPTH, FALSE_HIT, MISSED_HIT, WRONG_NUMBER, FailureCase, Panels
 from .move_space import (
     TOLERANCE,
     ErrorRegion,
@@ -103,11 +103,6 @@ def distance_from_mtv(trace: Trace) -> float:
     return dist(trace.push, record(trace.a, trace.b).mtv or (0.0, 0.0)) if trace.push else nan
 
 
-def zero(a: Shape, b: Shape) -> float:
-    """Return 0, the distance of the MTV from itself: the true answer beside `distance_from_mtv`."""
-    return 0.0
-
-
 def squared_distance(push: Vec, mtv: Vec) -> float:
     """Return the squared length of the difference of a push and the MTV."""
     x, y = push.x - mtv.x, push.y - mtv.y
@@ -194,28 +189,26 @@ def slanted_bar(y: float) -> Polygon:
     return Polygon([(0, y), (6, y + 2), (6, y + 3), (0, y + 1)])
 
 
+# the fields of a case whose push leaves an overlap
+REMAINING_OVERLAP: dict[str, Any] = {
+    "quantity": "remaining overlap:", "claimed_value": overlap_after_push, "true_value": overlap_after_mtv,
+    "is_about_push": True, "panels": Panels("push", "way out"),
+}  # fmt: skip
+
 CASES = (
     FailureCase(
         Shortcut("push-from-center", "the way out is away from the other's center", push=push_from_center),
         WRONG_NUMBER,
         (Polygon([(0, 0), (8, 0), (0, 1)]), box(0.5, -0.5, 1.5, 1.5)),
-        quantity="remaining overlap:",
-        claimed_value=overlap_after_push,
-        true_value=overlap_after_mtv,
-        is_about_push=True,
+        **REMAINING_OVERLAP,
         error_region=region_of_push_to_mean,
-        panels=Panels("push", "way out"),
     ),
     FailureCase(
         Shortcut("push-along-normal", "the normal of the least overlap points the way out", push=push_along_axis),
         WRONG_NUMBER,
         (box(0, 0, 5, 3), box(-1, 1, 1, 2)),
-        quantity="remaining overlap:",
-        claimed_value=overlap_after_push,
-        true_value=overlap_after_mtv,
-        is_about_push=True,
+        **REMAINING_OVERLAP,
         error_region=region_of_push_along_axis,
-        panels=Panels("push", "way out"),
     ),
     FailureCase(
         Shortcut(
@@ -223,10 +216,7 @@ CASES = (
         ),
         WRONG_NUMBER,
         (box(0, 0, 10, 10), box(4, 4, 5, 5)),
-        quantity="depth",
-        claimed_value=push_length,
-        true_value=true_value.depth,
-        is_about_push=True,
+        **DEPTH,
         error_region=partial(region_of_depth, choose=needed, measure=shared_lengths),
     ),
     FailureCase(
@@ -265,7 +255,7 @@ CASES = (
         (box(0, 0, 8, 2), box(2.9, 1.5, 4.4, 3)),
         quantity="push off by",
         claimed_value=distance_from_mtv,
-        true_value=zero,
+        true_value=lambda a, b: 0.0,
         is_about_push=True,
         error_region=partial(region_of_pieces, split=tiles, error=squared_distance),
     ),
@@ -283,21 +273,14 @@ CASES = (
         Shortcut("largest-overlap", "the way out is along the axis of the largest overlap", push=push_along_largest),
         WRONG_NUMBER,
         (box(0, 0, 4, 4), box(3, 1, 6, 3)),
-        quantity="depth",
-        claimed_value=push_length,
-        true_value=true_value.depth,
-        is_about_push=True,
+        **DEPTH,
         error_region=region_of_every_overlap,
     ),
     FailureCase(
         Shortcut("half-the-way", "each of two shapes moves half the way", push=push_half_the_way),
         WRONG_NUMBER,
         (box(0, 0, 4, 4), box(3, 1, 6, 3)),
-        quantity="remaining overlap:",
-        claimed_value=overlap_after_push,
-        true_value=overlap_after_mtv,
-        is_about_push=True,
+        **REMAINING_OVERLAP,
         error_region=region_of_every_overlap,
-        panels=Panels("push", "way out"),
     ),
 )

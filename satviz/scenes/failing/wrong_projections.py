@@ -11,12 +11,9 @@ from ...engine.shapes import Polygon, Shape
 from ...engine.shortcut import Shortcut
 from ...engine.trace import Trace
 from ..shape_tools import box, decimal_vertices
-from .claimed_value import push_length
-from .failure_case import FALSE_HIT, MISSED_HIT, WRONG_NUMBER, FailureCase, Panels
-from .move_space import Window
+from .failure_case import DEPTH, FALSE_HIT, MISSED_HIT, WRONG_NUMBER, FailureCase, Panels
 from .region_of_axes import ROUNDING
 from .region_of_pushes import overlaps_in_raw_units, region_of_depth
-from .true_value import depth
 from .wrong_steps import measured_test, raw_normals, unit_normals
 
 
@@ -95,16 +92,6 @@ def true_furthest_vertices(a: Shape, b: Shape) -> float:
     return found[0].landings.count(found[0].interval.hi) if found else nan
 
 
-def region_of_halves(a: Shape, b: Shape, window: Window) -> str:
-    """Return the reason why `by_whole_halves` has no error region: its ranges jump while B moves."""
-    return "halves are rounded to whole numbers, so the ranges jump as B moves"
-
-
-def no_region(a: Shape, b: Shape, window: Window) -> str:
-    """Return the reason why this case has no error region: only rounding makes its answer wrong."""
-    return ROUNDING
-
-
 CASES = (
     FailureCase(
         Shortcut("mixed-signs", "a normal or its opposite, for each shape as it comes", edge_normals, mixed_signs),
@@ -121,16 +108,13 @@ CASES = (
         Shortcut("unit-normals", "a normal must first be brought to length 1", edge_normals, unit_normals),
         MISSED_HIT,
         (Polygon([(-7, 5), (2, -2), (-1, 4)]), Polygon([(1, -3), (-9, 7), (-2, -1)])),
-        error_region=no_region,
+        error_region=lambda a, b, window: ROUNDING,
     ),
     FailureCase(
         Shortcut("raw-depth", "the depth can be read off with normals of any length", edge_normals, raw_normals),
         WRONG_NUMBER,
         (box(0, 0, 2, 1), box(1, 0.25, 3, 2.25)),
-        quantity="depth",
-        claimed_value=push_length,
-        true_value=depth,
-        is_about_push=True,
+        **DEPTH,
         error_region=partial(region_of_depth, choose=edge_normals, measure=overlaps_in_raw_units),
     ),
     FailureCase(
@@ -151,19 +135,19 @@ CASES = (
         quantity="furthest vertices:",
         claimed_value=claimed_furthest_vertices,
         true_value=true_furthest_vertices,
-        error_region=no_region,
+        error_region=lambda a, b, window: ROUNDING,
         panels=Panels("rounded digits", "exact digits"),
     ),
     FailureCase(
         Shortcut("touch-on-paper", "what touches on paper touches in the computer", needed, as_written),
         WRONG_NUMBER,
         (box(0, 0, 0.1 + 0.2, 0.3), box(0.3, 0, 0.6, 0.3)),
-        error_region=no_region,
+        error_region=lambda a, b, window: ROUNDING,
     ),
     FailureCase(
         Shortcut("integer-halves", "half of a whole number is a whole number", world, by_whole_halves),
         MISSED_HIT,
         (box(0, 0, 3, 2), box(3, 0, 5, 2)),
-        error_region=region_of_halves,
+        error_region=lambda a, b, window: "halves are rounded to whole numbers, so the ranges jump as B moves",
     ),
 )

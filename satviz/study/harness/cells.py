@@ -22,7 +22,6 @@ from ...safe_write import MADE_BY, write
 from .machine import machine_facts
 
 ROOT = Path(__file__).parents[2]
-JsonRow = dict[str, Any]  # one row of a cell's result or of a chart: plain JSON values by the name of their column
 
 
 class Settings(NamedTuple):

@@ -9,12 +9,7 @@ from pathlib import Path
 
 from ... import __version__
 
-SIMD_WIDTHS = {
-    "avx512f": "512 bits",
-    "avx2": "256 bits",
-    "sse2": "128 bits",
-    "asimd": "128 bits",
-}
+SIMD_WIDTHS = {"avx512f": "512 bits", "avx2": "256 bits", "sse2": "128 bits", "asimd": "128 bits"}
 PEER_PACKAGES = ("numba", "shapely", "pymunk", "scipy", "pyb2d3")
 
 

@@ -14,7 +14,8 @@ from time import thread_time
 from typing import Any
 
 from ...advice.timing import time_in_turn
-from .cells import Cell, JsonRow, Settings
+from ...render.chart import JsonRow
+from .cells import Cell, Settings
 
 BUSY_SPREAD = 0.25  # processes further apart than this share of their median: the machine was busy
 

@@ -15,9 +15,9 @@ from ...engine.axes import Axis, Source, needed
 from ...engine.shapes import Polygon, Shape, centroid
 from ...engine.trace import record
 from ...pictures import Theme
+from ...render.chart import TEXT_POINTS, WIDTH, Chart, JsonRow, add_axes
 from .. import truth
-from ..harness.cells import Cell, JsonRow, Settings
-from ..harness.chart import TEXT_POINTS, WIDTH, Chart, add_axes, draw_headline, head_height
+from ..harness.cells import Cell, Settings
 from ..workloads.generators import ngons
 
 Rng = np.random.Generator
@@ -119,13 +119,10 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
         f"8-gons pass each other on {paths} paths and are apart in {apart:,} frames. They have 16 axes. "
         "Dot: the mean, with its 95 % interval.",
     )
-    head = head_height(title, lines)
-    size = WIDTH, head + 176
 
     def draw(fig: Figure, theme: Theme) -> None:
         """Draw for each order a dot at its mean number of axes, and a bar for the 95 % interval."""
-        draw_headline(fig, theme, title, *lines)
-        ax = add_axes(fig, (142 / WIDTH, 46 / size[1], (WIDTH - 158) / WIDTH, 120 / size[1]), theme)
+        ax = add_axes(fig, (142, 46, WIDTH - 158, 120), theme)
         for y, row in enumerate(rows):
             role = "exact" if row["order"] == LAST_FIRST else "guide" if row["order"] == SHUFFLED else "shortcut"
             ax.plot([row["low"], row["high"]], [y, y], color=theme.roles[role], lw=1.6)
@@ -143,7 +140,7 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     right, total = sum(row["right"] for row in rows), sum(row["frames"] for row in rows)
     text = f"Axes tested in a frame with the shapes apart, mean over {paths} paths with its 95 % interval: {each}. "
     text += f"The verdict is exact in {right:,} of {total:,} runs: the order does not change it."
-    return Chart("order-of-axes", title, size, draw, rows, text)
+    return Chart("order-of-axes", title, lines, 176, draw, rows, text)
 
 
 CHARTS = {"order-of-axes": chart}

@@ -15,18 +15,10 @@ from matplotlib.figure import Figure
 
 from ... import batch
 from ...pictures import Theme
+from ...render.chart import TEXT_POINTS, Chart, JsonRow, add_axes
 from ..harness import timings
-from ..harness.cells import Cell, JsonRow, Settings
-from ..harness.chart import (
-    TEXT_POINTS,
-    WIDTH,
-    Chart,
-    add_axes,
-    draw_headline,
-    draw_time_curves,
-    format_time,
-    head_height,
-)
+from ..harness.cells import Cell, Settings
+from ..harness.chart import draw_time_curves, format_time
 from ..harness.machine import is_installed
 from ..methods import libraries, true_relations
 from ..workloads.generators import Array, Rings, apart_pairs, overlapping_pairs
@@ -143,13 +135,10 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
         title += f"and calipers {factors['rotating calipers']}"
 
     lines = ("Time for a pair of regular polygons, half of them apart. Bars: the spread of the processes.",)
-    head = head_height(title, lines)
-    size = WIDTH, head + 310
 
     def draw(fig: Figure, theme: Theme) -> None:
         """Draw for each method its time against the number of corners, on logarithmic scales."""
-        draw_headline(fig, theme, title, *lines)
-        ax = add_axes(fig, (56 / WIDTH, 54 / size[1], 188 / WIDTH, 246 / size[1]), theme)
+        ax = add_axes(fig, (56, 54, 188, 246), theme)
         ax.set_xscale("log")
         draw_time_curves(ax, theme, counts, rows, LINE_STYLES)
         ax.set_xlabel("corners of each polygon")
@@ -163,7 +152,7 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
         text += f"{name}: {', '.join(times)}; twice the corners take {factors[name]} as long (64 to 256). "
     text += f"Wrong answers: {sum(row['wrong'] for row in rows)} of {sum(row['pairs'] for row in rows):,}, "
     text += "checked by two exact oracles."
-    return Chart("corners", title, size, draw, rows, text, timings.timing_warning(rows, settings))
+    return Chart("corners", title, lines, 310, draw, rows, text, timings.timing_warning(rows, settings))
 
 
 CHARTS = {"corners": chart}

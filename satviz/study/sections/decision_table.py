@@ -12,13 +12,15 @@ from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 
 from ... import batch
 from ...advice.advising_batches import recommend_batch
 from ...advice.records import anywhere, best
 from ...pictures import Theme
-from ..harness.cells import Cell, JsonRow, Settings
-from ..harness.chart import TEXT_LETTER, TEXT_LINE, TEXT_POINTS, WIDTH, Chart, draw_headline, format_time, head_height
+from ...render.chart import TEXT_LETTER, TEXT_LINE, TEXT_POINTS, WIDTH, Chart, JsonRow, add_text, share_of
+from ..harness.cells import Cell, Settings
+from ..harness.chart import format_time
 from ..harness.timings import timing_warning
 from ..workloads.adversary import beside, kilometre_shapes
 from ..workloads.generators import circles, tiles, turn_rings, turned_boxes
@@ -105,50 +107,39 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     table = [_in_words(row) for row in rows]
     heights = [TEXT_LINE * max(len(wrap(words, int(width / TEXT_LETTER)))
                           for words, (_, _, width) in zip(own, COLUMNS, strict=True)) + 8 for own in table]  # fmt: skip
-    head = head_height(title, lines)
-    size = WIDTH, head + sum(heights) + 62
+    tall = sum(heights) + 62
 
     def draw(fig: Figure, theme: Theme) -> None:
         """Draw the table, a line between rows."""
-        draw_headline(fig, theme, title, *lines)
-        style: dict[str, Any] = {"fontsize": TEXT_POINTS, "va": "baseline", "parse_math": False}
 
-        def cell(words: str, column: int, down: float, role: str, weight: str = "normal") -> None:
-            """Write one field of the table; `down`: its first line's distance from the top in points."""
+        def cell(words: str, column: int, up: float, role: str, weight: str = "normal") -> None:
+            """Write one field of the table; `up`: its first line's height in points."""
             _, left, width = COLUMNS[column]
             shade = theme.text.get(role, theme.roles[role])
             for n, line in enumerate(wrap(words, int(width / TEXT_LETTER))):
-                y = 1 - (down + n * TEXT_LINE) / size[1]
-                fig.text(left / WIDTH, y, line, color=shade, fontweight=weight, **style)
+                add_text(fig, left, up - n * TEXT_LINE, line, color=shade, fontweight=weight, va="baseline")
 
-        down = head + 8 + TEXT_POINTS
+        up = tall - 8 - TEXT_POINTS
         for k, (words, _, _) in enumerate(COLUMNS):
-            cell(words, k, down, "guide")
-        down += 34
+            cell(words, k, up, "guide")
+        up -= 34
         for (have, model, time, wrong), row, height in zip(table, rows, heights, strict=True):
-            fig.add_artist(_rule(theme, down - 4 - TEXT_POINTS, size))
-            cell(have, 0, down, "ink")
-            cell(model, 1, down, "exact" if row["kind"] == "exact" else "ink", "bold")
-            cell(time, 2, down, "ink")
-            cell(wrong, 3, down, "wrong" if row["wrong_metres"] else "ink")
-            down += height
+            ends = [share_of(fig, x, up + 4 + TEXT_POINTS) for x in (8, WIDTH - 8)]
+            fig.add_artist(Line2D(*zip(*ends, strict=True), color=theme.roles["guide"], lw=0.6))
+            cell(have, 0, up, "ink")
+            cell(model, 1, up, "exact" if row["kind"] == "exact" else "ink", "bold")
+            cell(time, 2, up, "ink")
+            cell(wrong, 3, up, "wrong" if row["wrong_metres"] else "ink")
+            up -= height
 
     text = f"{title}. " + " ".join(f"{own[0][0].upper()}{own[0][1:]}: {own[1]}, {own[2]}." for own in table)
-    return Chart("decision-table", title, size, draw, rows, text, timing_warning(rows, settings))
+    return Chart("decision-table", title, lines, tall, draw, rows, text, timing_warning(rows, settings))
 
 
 def _in_words(row: JsonRow) -> tuple[str, str, str, str]:
     """Return the four fields of a row in words."""
     wrong = f"up to {in_metres(row['wrong_metres'])} in 1 km" if row["wrong_metres"] else "none: proven"
     return row["have"], row["model"], format_time(row["ns"]), wrong
-
-
-def _rule(theme: Theme, down: float, size: tuple[float, float]) -> Any:
-    """Return a thin line across the chart at a distance from its top."""
-    from matplotlib.lines import Line2D
-
-    y = 1 - down / size[1]
-    return Line2D([8 / WIDTH, 1 - 8 / WIDTH], [y, y], color=theme.roles["guide"], lw=0.6)
 
 
 CHARTS = {"decision-table": chart}

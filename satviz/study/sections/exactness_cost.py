@@ -14,18 +14,10 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from ...pictures import Theme
+from ...render.chart import TEXT_POINTS, Chart, JsonRow, add_axes
 from ..harness import timings
-from ..harness.cells import Cell, JsonRow, Settings
-from ..harness.chart import (
-    TEXT_POINTS,
-    WIDTH,
-    Chart,
-    add_axes,
-    draw_headline,
-    draw_time_curves,
-    format_time,
-    head_height,
-)
+from ..harness.cells import Cell, Settings
+from ..harness.chart import draw_time_curves, format_time
 from ..methods import COMPILED, VECTORISED, all_methods
 from ..workloads.generators import Rings, ngons
 from ..workloads.hard_pairs import touching_quadrilaterals
@@ -106,12 +98,9 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     lines = (
         f"Time for a pair, with {rows[0]['pairs']:,} pairs of 4-gons in a call. Bars: the spread of the processes.",
     )
-    head = head_height(title, lines)
-    size = WIDTH, head + 470
 
     def draw(fig: Figure, theme: Theme) -> None:
         """Draw both panels on one scale of time."""
-        draw_headline(fig, theme, title, *lines)
         shown = [row[column] for row in rows for name, column in LINES if row["method"] == name]
         limits = min(shown) / 1.5, max(shown) * 1.5
         panels = (
@@ -119,7 +108,7 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
             ("outlier", OUTLIERS, 58.0, "how many times as large one 4-gon is"),
         )
         for what, steps, bottom, words in panels:
-            ax = add_axes(fig, (56 / WIDTH, bottom / size[1], 196 / WIDTH, 176 / size[1]), theme)
+            ax = add_axes(fig, (56, bottom, 196, 176), theme)
             ax.set(ylim=limits)
             own = [row for row in rows if row["what"] == what]
             draw_time_curves(ax, theme, range(len(steps)), own, LINES)
@@ -137,7 +126,7 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
                 ratios.append(f"{words}, {kind}: {ratio(what, float(much), column)}, {format_time(exact)} "
                             f"against {format_time(plain)}")  # fmt: skip
     text += f"{'; '.join(ratios)}. {VECTORISED}"
-    return Chart("price-of-exactness", title, size, draw, rows, text, timings.timing_warning(rows, settings))
+    return Chart("price-of-exactness", title, lines, 470, draw, rows, text, timings.timing_warning(rows, settings))
 
 
 CHARTS = {"price-of-exactness": chart}

@@ -21,18 +21,10 @@ from matplotlib.patches import Rectangle
 from ... import batch
 from ...engine.shapes import Circle, Polygon
 from ...pictures import Theme
+from ...render.chart import TEXT_POINTS, WIDTH, Chart, JsonRow, add_axes
 from .. import truth
-from ..harness.cells import Cell, JsonRow, Settings
-from ..harness.chart import (
-    TEXT_POINTS,
-    WIDTH,
-    Chart,
-    add_axes,
-    draw_headline,
-    family_colour,
-    head_height,
-    wilson_interval,
-)
+from ..harness.cells import Cell, Settings
+from ..harness.chart import family_colour, wilson_interval
 from ..methods import (
     COMPILED,
     Method,
@@ -43,7 +35,7 @@ from ..methods import (
     wrong_answers,
 )
 from ..workloads.adversary import boxes_within_one, worst_pair
-from ..workloads.generators import Circles
+from ..workloads.generators import CircleArrays
 from ..workloads.hard_pairs import (
     HARD_KINDS,
     MARGIN_OCTAVES,
@@ -69,7 +61,7 @@ FLOAT32_BEYOND = {"2^70 times as large": (2.0**70, 0.0, 0.5), "2^25 away from th
 
 
 def cells(settings: Settings) -> list[Cell]:
-    """Return the counts on each kind of hard pairs, on touches and on circles, and a search for each method."""
+    """Return the cells: counts on each kind of hard pairs, on touches and on circles, and a search for each method."""
     per_octave = 3 if settings.quick else 60
     n, generations = (1000, 12) if settings.quick else (20_000, 40)
     found = [
@@ -106,7 +98,7 @@ def count_touching(n: int, settings: Settings) -> list[JsonRow]:
             for m, answers in answers_by_method(_methods(), a, b)]  # fmt: skip
 
 
-def _squares(a: Circles, b: Circles) -> Any:
+def _squares(a: CircleArrays, b: CircleArrays) -> Any:
     """Return which circles hit, by the squares of their distance and of the sum of their radii, in float64."""
     (dx, dy), reach = (a[0] - b[0]).T, a[1] + b[1]
     return dx * dx + dy * dy <= reach * reach
@@ -237,13 +229,11 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
         "▲ the worst that a sample or a search found. | proven right from here on, while no product leaves the range "
         "of float64.",
     )
-    head, tall = head_height(title, lines), 22.0 * (len(strips) + 1)
-    size = WIDTH, head + tall + 72
+    tall = 22.0 * (len(strips) + 1)
 
     def draw(fig: Figure, theme: Theme) -> None:
         """Draw a strip of octaves for each method, and before it a field for exact touches."""
-        draw_headline(fig, theme, title, *lines)
-        ax = add_axes(fig, (162 / WIDTH, 50 / size[1], (WIDTH - 174) / WIDTH, (tall + 14) / size[1]), theme)
+        ax = add_axes(fig, (162, 50, WIDTH - 174, tall + 14), theme)
         places = [k + (k >= sum(row["what"] == SHAPES for row in strips)) for k in range(len(strips))]
         for y, row in zip(places, strips, strict=True):
             shade = family_colour(theme, row["family"])
@@ -281,7 +271,7 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
         text += f"float32 is {'wrong' if row['wrong'] else 'right'} about boxes {row['where']}, at a margin of 2^"
         text += f"{log2(row['margin']):.0f}: "
         text += "no relative margin is enough there. "
-    return Chart("relative-margin", title, size, draw, rows, text.strip())
+    return Chart("relative-margin", title, lines, tall + 72, draw, rows, text.strip())
 
 
 CHARTS = {"relative-margin": chart}

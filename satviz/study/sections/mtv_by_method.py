@@ -23,9 +23,10 @@ from ...engine.geometry import Relation
 from ...engine.shapes import Polygon
 from ...engine.trace import record
 from ...pictures import Theme
+from ...render.chart import TEXT_POINTS, Chart, JsonRow, add_axes, add_text, share_of
 from .. import truth
-from ..harness.cells import Cell, JsonRow, Settings
-from ..harness.chart import TEXT_POINTS, WIDTH, Chart, add_axes, draw_headline, head_height, wilson_interval
+from ..harness.cells import Cell, Settings
+from ..harness.chart import wilson_interval
 from ..harness.machine import is_installed
 from ..workloads.generators import Array, ngons, turn_rings, turned_boxes, unit_vectors
 
@@ -144,7 +145,7 @@ def least_push(kind: str, a: Polygon, b: Polygon) -> tuple[float, list[Vector]]:
     computes in floats, and one direction is returned.
     """
     if kind != CONCAVE:
-        return math.sqrt(truth.squared_gap(a, b)), [(Fraction(x), Fraction(y)) for x, y in truth.least_pushes(a, b)]
+        return math.sqrt(truth.squared_gap(a, b)), [(Fraction(x), Fraction(y)) for x, y in truth.mtv_directions(a, b)]
     import shapely
 
     differences = ([(px - qx, py - qy) for px, py in one.vertices for qx, qy in other.vertices]
@@ -216,23 +217,20 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
         "Pairs that overlap, pushed apart by each method and then tested exactly. Right: how far the push is off in "
         "direction and in length; from the median (ring) to the worst (dot).",
     )
-    head, step = head_height(title, lines), 20.0
+    step = 20.0
     kinds = list(dict.fromkeys(row["kind"] for row in rows))
     places, y = list[float](), 0.0
     for kind in kinds:
         places += [y + 1 + k for k in range(sum(row["kind"] == kind for row in rows))]
         y = places[-1] + 1.4
-    size = WIDTH, head + step * y + 108
 
     def draw(fig: Figure, theme: Theme) -> None:
         """Draw for each method a bar of outcomes and its errors, under the name of each kind of pairs."""
-        draw_headline(fig, theme, title, *lines)
         ink = theme.roles["ink"]
 
         def panel(left: float, wide: float, heading: str) -> Axes:
             """Add one column of the chart; they have the same lines."""
-            box = left / WIDTH, 76 / size[1], wide / WIDTH, (step * y) / size[1]
-            ax = add_axes(fig, box, theme)
+            ax = add_axes(fig, (left, 76, wide, step * y), theme)
             ax.set(ylim=(y - 0.8, -0.6), yticks=[])
             ax.spines["left"].set_visible(False)
             ax.text(0.5, -1.2, heading, ha="center", va="center", fontsize=TEXT_POINTS, color=theme.roles["guide"],
@@ -270,13 +268,13 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
             ax.set_xticks(ticks, names)
             ax.minorticks_off()
         for k, (outcome, (role, hatch)) in enumerate(OUTCOMES.items()):
-            x, up = (8 + 190 * (k % 2)) / WIDTH, (30 - 18 * (k // 2)) / size[1]
-            key = fig.add_axes((x, up, 12 / WIDTH, 10 / size[1]))
+            x, up = 8 + 190 * (k % 2), 30 - 18 * (k // 2)
+            key = fig.add_axes((*share_of(fig, x, up), *share_of(fig, 12, 10)))
             key.set_facecolor(theme.paper)
             key.barh(0, 1, 1, color=theme.roles[role], hatch=hatch, edgecolor=theme.paper, lw=0)
             key.set(xlim=(0, 1), ylim=(-0.5, 0.5))
             key.axis("off")
-            fig.text(x + 16 / WIDTH, up + 5 / size[1], outcome, fontsize=TEXT_POINTS, va="center", color=ink)
+            add_text(fig, x + 16, up + 5, outcome, va="center", color=ink)
 
     text = f"{title}. "
     for row in rows:
@@ -287,7 +285,7 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
         text += f"pushes are more than {TURNED:g}° off. "
     text += "For concave outlines the least push is computed in floats, so smaller errors than 10⁻¹² are not seen "
     text += "there."
-    return Chart("mtv", title, size, draw, rows, text)
+    return Chart("mtv", title, lines, step * y + 108, draw, rows, text)
 
 
 CHARTS = {"mtv": chart}

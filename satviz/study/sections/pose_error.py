@@ -16,8 +16,9 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from ...pictures import Theme
-from ..harness.cells import Cell, JsonRow, Settings
-from ..harness.chart import TEXT_POINTS, WIDTH, Chart, add_axes, draw_headline, head_height, label_ends, median_interval
+from ...render.chart import TEXT_POINTS, Chart, JsonRow, add_axes
+from ..harness.cells import Cell, Settings
+from ..harness.chart import label_ends, median_interval
 from .speed_against_accuracy import SAT_MARGIN, in_metres
 
 STEPS = (1, 10, 100, 1000, 10_000)
@@ -135,16 +136,13 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
         f"95 % interval. Turned once by the whole angle it is off by {rebuilt} in float64. So build the pose from its "
         "angle again when the steps have cost too much.",
     )
-    head = head_height(title, lines)
-    size = WIDTH, head + 490
 
     def draw(fig: Figure, theme: Theme) -> None:
         """Draw both panels, and the bound of SAT as a dotted line."""
-        draw_headline(fig, theme, title, *lines)
         for k, (bottom, words) in enumerate(
             ((294.0, "distance from the origin, 10,000 turns"), (48.0, "turns at 1 km"))
         ):
-            ax = add_axes(fig, (52 / WIDTH, bottom / size[1], 178 / WIDTH, 190 / size[1]), theme)
+            ax = add_axes(fig, (52, bottom, 178, 190), theme)
             xs = STEPS if k else DISTANCES
             ends = []
             for (form, way), (label, role, style) in POSES.items():
@@ -173,7 +171,7 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
         text += f"{label}: off by {in_metres(row['median'])} at 1 km after {last:,} turns, {roundings:,.1f} roundings "
         text += f"of a kilometre, and {in_metres(row['worst'])} at worst. "
     text += "The error grows in proportion to the distance. Exact predicates answer exactly about poses that are not."
-    return Chart("pose-error", title, size, draw, rows, text)
+    return Chart("pose-error", title, lines, 490, draw, rows, text)
 
 
 CHARTS = {"pose-error": chart}

@@ -17,8 +17,8 @@ from matplotlib.figure import Figure
 from ...engine.shapes import Polygon
 from ...engine.trace import record
 from ...pictures import Theme
-from ..harness.cells import Cell, JsonRow, Settings
-from ..harness.chart import TEXT_POINTS, WIDTH, Chart, add_axes, draw_headline, head_height
+from ...render.chart import Chart, JsonRow, add_axes, add_text
+from ..harness.cells import Cell, Settings
 from ..workloads.stack import GRAVITY, SLOP, STEP, Contact, Test, simulate
 from .mtv_by_method import Push, box_push, sat_push
 from .speed_against_accuracy import in_metres
@@ -115,27 +115,24 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
         "in joules. Dotted: the truth, at rest. Below: the jitter and the largest energy of the second half. The title "
         f"has the jitters of {len(exact)} stacks; one of them is drawn.",
     )
-    head = head_height(title, lines)
-    size = WIDTH, head + 30 + 118.0 * len(METHODS) + 40
+    height = 30 + 118.0 * len(METHODS) + 40
 
     def draw(fig: Figure, theme: Theme) -> None:
         """Draw a row of four panels for each method: sinking and energy, at the origin and far away."""
-        draw_headline(fig, theme, title, *lines)
         wide, tall, ink = 70.0, 60.0, theme.roles["ink"]
         columns = [(what, away) for what in ("sunk", "energy") for away in PLACES]
         for k, (what, away) in enumerate(columns):
             left = 30 + 80 * k + 24 * (k > 1)
             words = f"{'sunk' if what == 'sunk' else 'energy'},\n{PLACES[away]}"
-            fig.text((left + wide / 2) / WIDTH, 1 - (head + 18) / size[1], words, ha="center", va="center",
-                     fontsize=TEXT_POINTS, color=theme.roles["guide"], linespacing=1.05)  # fmt: skip
+            add_text(fig, left + wide / 2, height - 18, words, ha="center", va="center",
+                     color=theme.roles["guide"], linespacing=1.05)  # fmt: skip
             for n, (test, (name, role)) in enumerate(METHODS.items()):
                 row, shade = by[test, away], theme.roles[role]
-                top = head + 40 + 118 * n
+                top = height - 40 - 118 * n
                 if k == 0:
-                    fig.text(6 / WIDTH, 1 - (top + 8) / size[1], name, fontsize=TEXT_POINTS, va="center",
-                             color=theme.text.get(role, shade), fontweight="bold")  # fmt: skip
-                box = left / WIDTH, 1 - (top + 20 + tall) / size[1], wide / WIDTH, tall / size[1]
-                ax = add_axes(fig, box, theme)
+                    bold = theme.text.get(role, shade)
+                    add_text(fig, 6, top - 8, name, va="center", color=bold, fontweight="bold")
+                ax = add_axes(fig, (left, top - 20 - tall, wide, tall), theme)
                 xs = np.arange(1, len(row[what]) + 1) * STEP * TENTH
                 ax.axhline(0, color=ink, lw=1, ls=(0, (1, 2.2)))
                 ax.set(xlim=(0, seconds))
@@ -154,7 +151,7 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
                 ax.set_xticks([])
                 ax.set_xlabel(words, labelpad=3)
         note = f"Cut off: depths beyond −{-LIMITS[0]:g} and {LIMITS[1]:g} mm, energies beyond {MOST_ENERGY:,.0f} J."
-        fig.text(6 / WIDTH, 10 / size[1], note, fontsize=TEXT_POINTS, color=theme.roles["guide"])
+        add_text(fig, 6, 10, note, color=theme.roles["guide"])
 
     text = f"{title}. "
     for row in rows:
@@ -168,7 +165,7 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     text += f"to {BOXES * SLOP * 1e3:g} mm; the first steps decide where. "
     fall = GRAVITY * STEP
     text += f"In one step without a contact a box gains {fall:.2g} m/s, so each missed hit is seen as energy."
-    return Chart("resting-stack", title, size, draw, rows, text)
+    return Chart("resting-stack", title, lines, height, draw, rows, text)
 
 
 CHARTS = {"resting-stack": chart}

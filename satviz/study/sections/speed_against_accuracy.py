@@ -18,21 +18,11 @@ from matplotlib.figure import Figure
 
 from ...engine.shapes import Polygon
 from ...pictures import Theme
+from ...render.chart import TEXT_POINTS, WIDTH, Chart, JsonRow, add_axes, label_points
 from .. import truth
 from ..harness import timings
-from ..harness.cells import Cell, JsonRow, Settings
-from ..harness.chart import (
-    TEXT_POINTS,
-    WIDTH,
-    Chart,
-    add_axes,
-    draw_headline,
-    family_colour,
-    format_time,
-    head_height,
-    label_points,
-    set_time_ticks,
-)
+from ..harness.cells import Cell, Settings
+from ..harness.chart import family_colour, format_time, set_time_ticks
 from ..methods import (
     COMPILED,
     VECTORISED,
@@ -185,16 +175,13 @@ def main_chart(rows: list[JsonRow], settings: Settings) -> Chart:
         "Dot: the largest gap with a wrong answer that a search found. Dash: the proven bound. Of the two dots of SAT "
         "in float64, the right one has normals of length 1.",
     )
-    head = head_height(title, lines)
-    size = WIDTH, head + 390
     shown = [*LABELS, "SAT, unit normals"]
     limits = min(by_name[name]["ns"] for name in shown) / 3, max(by_name[name]["ns"] for name in shown) * 2
 
     def draw(fig: Figure, theme: Theme) -> None:
         """Draw a dot for each method, in metres and in steps of float64."""
-        draw_headline(fig, theme, title, *lines)
         guide = theme.roles["guide"]
-        ax = add_axes(fig, (70 / WIDTH, 56 / size[1], (WIDTH - 130) / WIDTH, 324 / size[1]), theme)
+        ax = add_axes(fig, (70, 56, WIDTH - 130, 324), theme)
         ax.set(xscale="log", xlim=limits, ylim=(NONE - 1.8, 2))
         set_time_ticks(ax.xaxis, limits)
         ax.set_xlabel("time for a pair: answer only, one core")
@@ -240,7 +227,7 @@ def main_chart(rows: list[JsonRow], settings: Settings) -> Chart:
     checked = sum(exact[f"{work}_pairs"] for work in WORKS)
     wrong = sum(exact[f"{work}_wrong"] for work in WORKS)
     text += f"satviz was wrong on {wrong} of {checked:,} hard pairs that two exact oracles checked. {VECTORISED}"
-    return Chart("speed-against-accuracy", title, size, draw, rows, text, timings.timing_warning(rows, settings))
+    return Chart("speed-against-accuracy", title, lines, 390, draw, rows, text, timings.timing_warning(rows, settings))
 
 
 def all_methods_chart(rows: list[JsonRow], settings: Settings) -> Chart:
@@ -256,13 +243,11 @@ def all_methods_chart(rows: list[JsonRow], settings: Settings) -> Chart:
         f"{exact['touching_pairs']:,} exact touches, and of {exact['extreme_pairs']:,} pairs of sizes at 2^400 and "
         "beyond.",
     )
-    head, tall = head_height(title, lines), 22.0 * len(rows)
-    size = WIDTH, head + tall + 98
+    tall = 22.0 * len(rows)
 
     def draw(fig: Figure, theme: Theme) -> None:
         """Draw a row for each method: both times, and on the right its wrong answers."""
-        draw_headline(fig, theme, title, *lines)
-        ax = add_axes(fig, (132 / WIDTH, 56 / size[1], 92 / WIDTH, tall / size[1]), theme)
+        ax = add_axes(fig, (132, 56, 92, tall), theme)
         style: dict[str, Any] = {"fontsize": TEXT_POINTS, "va": "center_baseline", "parse_math": False}
         heads = ("worst\ngap", "touches\nwrong", "extreme\nwrong")
         places = 1.31, 1.84, 2.44
@@ -292,7 +277,9 @@ def all_methods_chart(rows: list[JsonRow], settings: Settings) -> Chart:
             f"{row['method']}: {format_time(row['ns'])} for the answer, {format_time(row['whole'])} from the arrays; "
         )
         text += f"wrong at {row['touching_wrong']:,} touches and {row['extreme_wrong']:,} extreme pairs. "
-    return Chart("all-methods", title, size, draw, rows, text + VECTORISED, timings.timing_warning(rows, settings))
+    return Chart(
+        "all-methods", title, lines, tall + 98, draw, rows, text + VECTORISED, timings.timing_warning(rows, settings)
+    )
 
 
 CHARTS = {"speed-against-accuracy": main_chart, "all-methods": all_methods_chart}

@@ -14,8 +14,8 @@ from .. import truth
 
 Array = NDArray[np.float64]
 Rings = Array  # (N, V, 2), counter-clockwise
-Circles = tuple[Array, Array]  # (N, 2) centers, (N,) radii
-Side = Rings | Circles
+CircleArrays = tuple[Array, Array]  # (N, 2) centers, (N,) radii
+Side = Rings | CircleArrays
 MakePairs = Callable[[np.random.Generator, int], tuple[Side, Side]]
 
 
@@ -56,7 +56,7 @@ def outward_normals(p: Array, q: Array) -> Array:
     return np.asarray(normal / np.sqrt((edge * edge).sum(axis=1, keepdims=True)))
 
 
-def circles(rng: np.random.Generator, n: int, spread: float) -> Circles:
+def circles(rng: np.random.Generator, n: int, spread: float) -> CircleArrays:
     """Return n circles with radii 0.3 to 1; centers have coordinates up to `spread`."""
     return _random_centers(rng, n, spread)[:, 0], rng.uniform(0.3, 1, n)
 

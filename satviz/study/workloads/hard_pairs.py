@@ -18,7 +18,7 @@ from ...engine.shapes import Polygon
 from .. import truth
 from .generators import (
     Array,
-    Circles,
+    CircleArrays,
     Rings,
     circles,
     ngons,
@@ -30,20 +30,20 @@ from .generators import (
 )
 
 Rng = np.random.Generator
-Pairs = tuple[Rings, Rings]
+RingPairs = tuple[Rings, Rings]
 MARGIN_OCTAVES = range(-2, 36)  # k for 2**k <= relative margin < 2**(k + 1); 2**35 is some 4e-6 of the size
 ROUNDING_UNIT = 2.0**-53
 MAX_OCTAVES = 18  # thinness, smallness and distance go up to 2**18: such shapes fit the 24 bits of float32
 
 
 class HardKind(NamedTuple):
-    """One reason to be hard: `shapes(rng, n)` makes both sides, which are then moved until B is near A's first edge.
+    """A kind of hard pairs: `shapes(rng, n)` makes both sides, and B is then moved until it is near A's first edge.
 
     `power`: the range of the random power of two by which the whole scene is made larger or smaller at the end.
     """
 
     name: str
-    shapes: Callable[[Rng, int], Pairs]
+    shapes: Callable[[Rng, int], RingPairs]
     power: tuple[int, int] = (0, 0)
 
 
@@ -67,7 +67,7 @@ def margins_of(a: batch.Shapes, b: batch.Shapes) -> Array:
     return np.abs(signed_relative_margins(a, b, engine="numpy"))
 
 
-def moved_to_margin(rng: Rng, a: Rings, b: Rings, margin: Array) -> Pairs:
+def moved_to_margin(rng: Rng, a: Rings, b: Rings, margin: Array) -> RingPairs:
     """Return the pairs with B moved along the normal of A's first edge until the relative margin is about `margin`.
 
     margin: (n,) relative margins, negative for pairs that overlap.
@@ -86,7 +86,7 @@ def moved_to_margin(rng: Rng, a: Rings, b: Rings, margin: Array) -> Pairs:
     return a[good], b[good]
 
 
-def touching_quadrilaterals(rng: Rng, n: int) -> Pairs:
+def touching_quadrilaterals(rng: Rng, n: int) -> RingPairs:
     """Return pairs of 4-gons with a corner of B exactly on A's first edge.
 
     A has coordinates of 40 bits, so that the point on its edge, 10 bits finer, is a float64.
@@ -100,7 +100,7 @@ def touching_quadrilaterals(rng: Rng, n: int) -> Pairs:
     return a, np.stack(corners, axis=1)
 
 
-def hard_circles(rng: Rng, per_octave: int) -> tuple[Circles, Circles, Array]:
+def hard_circles(rng: Rng, per_octave: int) -> tuple[CircleArrays, CircleArrays, Array]:
     """Return (circles A, circles B, (n,) relative margins), `per_octave` pairs for each octave of margins.
 
     Half of the pairs overlap.
@@ -127,23 +127,23 @@ def _log_uniform(rng: Rng, n: int, octaves: int) -> Array:
     return np.ldexp(rng.uniform(1, 2, (n, 1, 1)), rng.integers(3, octaves, (n, 1, 1)))
 
 
-def _ordinary(rng: Rng, n: int) -> Pairs:
+def _ordinary(rng: Rng, n: int) -> RingPairs:
     """Return pairs of 4-gons of like sizes near the origin."""
     return ngons(rng, n, 4, 2.0), ngons(rng, n, 4, 2.0)
 
 
-def _boxes(rng: Rng, n: int) -> Pairs:
+def _boxes(rng: Rng, n: int) -> RingPairs:
     """Return pairs of turned boxes."""
     return turned_boxes(rng, n, 2.0), turned_boxes(rng, n, 2.0)
 
 
-def _far_out(rng: Rng, n: int) -> Pairs:
+def _far_out(rng: Rng, n: int) -> RingPairs:
     """Return ordinary pairs moved up to 2**18 away from the origin."""
     away = _log_uniform(rng, n, MAX_OCTAVES) * unit_vectors(rng, n, 1)
     return ngons(rng, n, 4, 2.0) + away, ngons(rng, n, 4, 2.0) + away
 
 
-def _needles(rng: Rng, n: int) -> Pairs:
+def _needles(rng: Rng, n: int) -> RingPairs:
     """Return pairs of thin rhombi."""
     return _needle(rng, n), _needle(rng, n)
 
@@ -155,7 +155,7 @@ def _needle(rng: Rng, n: int) -> Rings:
     return turn_rings(thin, unit_vectors(rng, n)) + rng.uniform(-2, 2, (n, 1, 2))
 
 
-def _parallel(rng: Rng, n: int) -> Pairs:
+def _parallel(rng: Rng, n: int) -> RingPairs:
     """Return pairs with an edge of B that faces A's first edge at a small angle, from 2**-3 to 2**-40."""
     a = turned_boxes(rng, n, 2.0)
     p, q = a[:, 0], a[:, 1]
@@ -165,12 +165,12 @@ def _parallel(rng: Rng, n: int) -> Pairs:
     return a, np.concatenate([0 * edge, out, along + out, along], axis=1) + p[:, None]
 
 
-def _many_corners(rng: Rng, n: int) -> Pairs:
+def _many_corners(rng: Rng, n: int) -> RingPairs:
     """Return pairs of 24-gons."""
     return ngons(rng, n, 24, 2.0), ngons(rng, n, 24, 0.0)
 
 
-def _unequal_sizes(rng: Rng, n: int) -> Pairs:
+def _unequal_sizes(rng: Rng, n: int) -> RingPairs:
     """Return pairs in which B is up to 2**18 times smaller than A."""
     return ngons(rng, n, 4, 2.0), ngons(rng, n, 4, 0.0) / _log_uniform(rng, n, MAX_OCTAVES)
 

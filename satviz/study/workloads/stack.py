@@ -58,7 +58,7 @@ class ContactPoint:
 
 
 class StackState(NamedTuple):
-    """How far the top box has sunk below its place at rest (metres), and the kinetic energy of the stack (joules)."""
+    """The state of a stack: how far the top box has sunk below its place at rest (m), and the kinetic energy (J)."""
 
     sunk: float
     energy: float
