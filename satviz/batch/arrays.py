@@ -317,14 +317,14 @@ def upright_box_mask(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[
 
 
 def _bounding_boxes(group: CornerColumns) -> NDArray[np.float64]:
-    """Return the bounding boxes of a group's shapes, (N, 4)."""
+    """Return the (n, 4) bounding boxes of the shapes in these columns: x min, y min, x max, y max."""
     x, y = group.x, group.y
     box = np.stack([x.min(axis=0), y.min(axis=0), x.max(axis=0), y.max(axis=0)], axis=1)
     return box if group.r is None else _widen(box, group.r)
 
 
 def _widen(box: NDArray[np.float64], radius: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the boxes (N, 4) widened by each radius on all sides, rounded outwards."""
+    """Return (N, 4) boxes, each widened by its radius, (N,), on all sides and rounded outwards."""
     with np.errstate(over="ignore"):
         box = box + np.stack([-radius, -radius, radius, radius], axis=1)
         return np.nextafter(box, [-np.inf, -np.inf, np.inf, np.inf])
