@@ -2,6 +2,7 @@
 
 import gc
 import os
+import re
 from fcntl import LOCK_EX, flock
 
 import pytest
@@ -15,6 +16,14 @@ def pytest_collection_finish():
     gc.freeze()
     gc.set_threshold(50_000, 20, 20)
     gc.enable()
+
+
+def pytest_ignore_collect(collection_path, config):
+    """Leave out a file whose tests are all slow, unread, where the run leaves these out."""
+    if collection_path.suffix == ".py" and "not slow" in config.option.markexpr:
+        text = collection_path.read_text(encoding="utf-8")
+        return True if re.search(r"^pytestmark = \[?\s*pytest\.mark\.slow\b", text, re.MULTILINE) else None
+    return None
 
 
 @pytest.hookimpl(optionalhook=True)  # tests/mutants.py does without

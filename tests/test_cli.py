@@ -459,7 +459,9 @@ def vanishing(work):
         (["figures", "--only", "1", "--only", "2", "--out"], "satviz.render.files.encode_frames"),
         (["draw", "aabb", "--format", "svg", "--format", "html", "--out"], "satviz.render.files.encode_frames"),
         (["study", "--quick", "--out"], "satviz.study.harness.cells._load_result"),
-        (["bench", "--pairs", "10", "--rounds", "1"], "satviz.study.bench.time_in_turn"),
+        pytest.param(
+            ["bench", "--pairs", "10", "--rounds", "1"], "satviz.study.bench.time_in_turn", marks=pytest.mark.slow
+        ),  # compiles the study's kernels
         (["trace", "aabb"], "satviz.scenes.named.scene"),
         (["notebook", "--no-open"], "satviz.safe_write.write"),
     ],

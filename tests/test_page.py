@@ -27,10 +27,14 @@ def with_looks(data, marks):
     return [mark | {"look": data["looks"][mark["look"]]} for mark in marks]
 
 
-def test_a_page_of_two_triangles_is_small_and_the_same_each_time():
-    page = sv.page(TRIANGLES)
-    assert page == sv.page(sv.Trace.from_json(TRIANGLES.to_json()))
-    assert len(page.encode()) <= 250_000
+@pytest.fixture(scope="module")
+def triangles():
+    return sv.page(TRIANGLES)
+
+
+def test_a_page_of_two_triangles_is_small_and_the_same_each_time(triangles):
+    assert triangles == sv.page(sv.Trace.from_json(TRIANGLES.to_json()))
+    assert len(triangles.encode()) <= 250_000
 
 
 @pytest.mark.parametrize("scene", SCENES, ids=lambda scene: scene.name)
@@ -78,9 +82,8 @@ def test_a_show_holds_every_step_as_it_is_drawn(scene):
         assert (step["sentence"], step["limits"]) == (drawn.sentence, list(drawn.limits))
 
 
-def test_without_a_script_the_page_has_two_pictures_the_table_and_every_sentence():
-    page = sv.page(TRIANGLES)
-    static = page.split('class="sv-static"')[1].split("</section>")[0]
+def test_without_a_script_the_page_has_two_pictures_the_table_and_every_sentence(triangles):
+    static = triangles.split('class="sv-static"')[1].split("</section>")[0]
     assert static.count("<svg") == 2 and "normal of B&#x27;s edge v1v3" in static
     for i in range(len(sv.steps(TRIANGLES))):
         assert sv.picture(TRIANGLES, i).sentence.replace("'", "&#x27;") in static
@@ -160,13 +163,13 @@ def test_too_many_steps_are_thinned_then_refused(monkeypatch):
         playback(TRIANGLES)
 
 
-def test_a_page_that_asks_folds_the_answer_where_no_script_runs_and_on_paper():
+def test_a_page_that_asks_folds_the_answer_where_no_script_runs_and_on_paper(triangles):
     asks = sv.page("triangles", predict=True)
     section = asks[asks.index('<section class="sv-static">') : asks.index("</section>")]
     open_part, folded, rest = section.partition("<details><summary>The answer</summary>")
     assert folded and rest.rstrip().endswith("</details>") and open_part.count("<svg") == 1 == rest.count("<svg")
     assert "1.213" not in open_part and "1.213" in rest
-    assert "<details><summary>The answer" not in sv.page("triangles")
+    assert "<details><summary>The answer" not in triangles
 
 
 @pytest.mark.skipif(shutil.which("node") is None, reason="no node is installed")

@@ -253,6 +253,21 @@ def test_nothing_is_said_to_be_taken_while_a_question_is_open():
     assert "was taken" in str(sv.paste("[0, 0, 10, 10]\n[1, 1, 11, 11]"))
 
 
+@pytest.mark.parametrize(
+    "comment",
+    [
+        "# a circle at (9, 9) with radius 3",
+        "// newpath 0 0 moveto 4 0 lineto 4 4 lineto closepath",
+        '<!-- <circle cx="9" cy="9" r="1"/> -->',
+        "/* circle((9, 9), 1) */",
+    ],
+)
+def test_a_shape_in_a_comment_is_none(comment):
+    circles = "circle((1, 1), 1)\n", "circle((2, 1), 1)\n"
+    for text in (f"{circles[0]}{comment}\n{circles[1]}", f"{circles[0]}{circles[1]}{comment}"):
+        assert [each.read.points for each in sv.paste(text).readings] == [((1, 1),), ((2, 1),)]
+
+
 def test_a_name_with_two_values_is_asked_about():
     text = "a = [(0,0),(1,0),(1,1)]\na = [(9,9),(10,9),(10,10)]\nb = [(3,3),(4,3),(4,4)]"
     assert [len(sv.paste(text, as_).shapes) for as_ in ("", "each-value", "last-value")] == [0, 3, 2]

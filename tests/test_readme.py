@@ -62,13 +62,16 @@ LINES = chain.from_iterable(block.splitlines() for text in DOCUMENTS.values() fo
 COMMANDS = [line for line in dict.fromkeys(LINES) if line.startswith("satviz ")]
 SLOW = (
     "satviz study", "satviz bench", "satviz site", "satviz advise", "satviz figures --", "satviz reference",
-    "satviz check --command",
+    "satviz check --command", "satviz draw my-scene.json --out steps", "satviz handout my-scene.json",
 )  # fmt: skip
 
 
 @pytest.mark.parametrize(
     "line",
-    [pytest.param(c, marks=pytest.mark.slow) if c.startswith(SLOW) or " gif" in c else c for c in COMMANDS],
+    [
+        pytest.param(c, marks=pytest.mark.slow) if c.startswith(SLOW) or " gif" in c or " --predict" in c else c
+        for c in COMMANDS
+    ],
     ids=COMMANDS,
 )
 def test_every_command_runs(line, tmp_path, monkeypatch, capsys):

@@ -12,6 +12,8 @@ from satviz.engine.trace import record
 from satviz.scenes.failing import FAILURE_CASES, FALSE_HIT, MISSED_HIT, NAMED
 from satviz.scenes.shape_tools import translated
 
+pytestmark = pytest.mark.slow
+
 NOTHING, THROUGH, JITTERS, TOO_FAR, WRONG_WAY, STICKS = SYMPTOMS
 OF_OVERLAPS = THROUGH, TOO_FAR, WRONG_WAY, STICKS
 # without the scenes of mistakes, so that a new case does not change the shares of the others
@@ -67,7 +69,6 @@ LISTED = {name for names in SYMPTOMS.values() for name in names}
 CASES = sorted(LISTED | {case.name for case in FAILURE_CASES if gives_an_answer(case)})
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("name", CASES)
 def test_a_mistake_stands_under_what_users_see_of_it_and_nowhere_else(name):
     listed = {symptom for symptom, names in SYMPTOMS.items() if name in names}

@@ -207,7 +207,7 @@ def _fails(result: ModelResult, summary: InputSummary) -> str:
 
 
 def _adds(result: ModelResult, summary: InputSummary, results: "Sequence[ModelResult]") -> str:
-    """Return what a model larger than the recommended one adds, or why it fails too."""
+    """Return a text on a model larger than the recommended one: what it is also right for, or why it fails too."""
     if not result.proven:
         return _fails(result, summary)
     adds = "also right, but not needed here"

@@ -119,7 +119,7 @@ def from_shapely(geometries: Any, *, concave: str = "refuse") -> Polygons:
 
 
 def from_padded(corners: Any, counts: Any, radii: validation.Numbers) -> Shapes:
-    """Return a batch of circles and convex polygons that lie in arrays of one size, in scene units.
+    """Return a batch of circles and convex polygons from padded arrays, one row for each shape, in scene units.
 
     corners: (N, V, 2), of which shape i has the first counts[i]; what follows them is not read.  counts: (N,) integers,
     1 for a circle, whose only corner is its center.  radii: (N,), 0 for polygons.  Corners as in Polygons; what is
@@ -131,8 +131,9 @@ def from_padded(corners: Any, counts: Any, radii: validation.Numbers) -> Shapes:
         and (certified_padded := engine_for_checks(corners.size // 2).certified_padded) is not None
     ):
         warn_if_flushed()
-        if (rings := certified_padded(corners, counts, radii)) is not None:
-            return Shapes(rings=rings, radius=radii + 0.0)
+        shapes: Shapes | None = certified_padded(corners, counts, radii)
+        if shapes is not None:
+            return shapes
     return build_mixed(*_unpadded(corners, counts, radii), "separately")
 
 

@@ -62,10 +62,10 @@ def _orient_adaptive(px: Array, py: Array, qx: Array, qy: Array, rx: Array, ry: 
     with np.errstate(all="ignore"):
         (a, ea), (b, eb), (c, ec), (d, ed) = (two_sum(u, -v) for u, v in ((qx, px), (ry, py), (qy, py), (rx, px)))
         terms, size = _expand_products([(a, b), (-c, d)])
-        turn = terms[0] + terms[1]
-        turn += (a * eb + ea * b) - (c * ed + ec * d)
-        turn += terms[2] + terms[3]
-        found = certified_sign(turn, ERRBOUND_C * size)
+        orientation = terms[0] + terms[1]
+        orientation += (a * eb + ea * b) - (c * ed + ec * d)
+        orientation += terms[2] + terms[3]
+        found = certified_sign(orientation, ERRBOUND_C * size)
     plain = (ea == 0) & (eb == 0) & (ec == 0) & (ed == 0)
     for mask, pairs in (
         (plain, [(a, b), (-c, d)]),

@@ -180,7 +180,7 @@ BLOCK_PART_PAIRS = 1 << 18  # pairs of parts at a time: what bounds the memory
 
 
 def _evaluate_block(kernels: Engine, a: CornerColumns, b: CornerColumns, first: int, out: Relations) -> None:
-    """Fill `out` with the relations of columns of two groups from `first` on; UNDECIDED if floats cannot tell."""
+    """Fill `out` with the relation of column k of `a` and of `b`, from `first` on; UNDECIDED if not certain."""
     with np.errstate(all="ignore"):
         if a.upright and b.upright:
             kernels.boxes(a, b, first, out)

@@ -151,7 +151,7 @@ class CalledInProcess:
 
 
 def end_group(process: Any) -> None:
-    """End a process and what it has started, where it leads a group of processes; else the process alone."""
+    """Kill a process, and with it the group of processes that it leads, if it leads one."""
     with suppress(AttributeError, OSError):
         os.killpg(process.pid, signal.SIGKILL)
     process.kill()

@@ -175,7 +175,7 @@ class Checked:
 
     @property
     def said_in_words(self) -> str:
-        """Return the answer about the counterexample in words."""
+        """Return in words the answer that the function gave for the counterexample."""
         result = self.smallest
         return "" if result is None else result.line if result.problem else in_words(result.answer, self.rules.returns)
 

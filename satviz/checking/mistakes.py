@@ -92,7 +92,7 @@ class Likeness(NamedTuple):
 
     @property
     def is_close(self) -> bool:
-        """Return whether, on nearly all pairs about which one of the two is wrong, both are wrong alike."""
+        """Return whether function and mistake give the same wrong answer on nearly all pairs where either is wrong."""
         return self.wrong_alike >= CLOSE * self.either_wrong
 
     @property
@@ -128,7 +128,7 @@ NOT_AT_REST = "faces-in-3d", "tunnelling"  # about boxes in space, and about mot
 
 
 def _own_kind(name: str) -> str:
-    """Return the kind of a mistake's own scene, where upright boxes are convex polygons."""
+    """Return the kind of pair in the failing case of this name; upright boxes count as convex polygons."""
     kind = kind_of(*NAMED[name].shapes)
     return CONVEX if kind == BOXES else kind
 

@@ -19,7 +19,7 @@ from .written import LARGE_RADII, SMALL_RADII, Middle, Radius, Ring, Variant, Wr
 
 
 def by_shortcut(shortcut: Shortcut, a: Shape, b: Shape) -> tuple[Relation, Vec | None]:
-    """Return what a shortcut claims for a pair."""
+    """Return (relation, push) as a shortcut claims them for two shapes."""
     trace = record(a, b, axes=shortcut, every_axis=True)
     return trace.claim, trace.push
 
@@ -210,7 +210,7 @@ def _other_ways() -> Iterator[Variant]:
 
 
 def _fixed(reach: float, ring: Ring) -> float:
-    """Return the reach, whatever the shape."""
+    """Return the given reach, whatever the ring of vertices."""
     return reach
 
 

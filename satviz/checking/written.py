@@ -224,7 +224,7 @@ def half_is_whole(whole_middle: bool, ring: Ring, n: Vec) -> Interval:
 
 
 def twice_as_wide(ring: Ring, n: Vec) -> Interval:
-    """Return a range that reaches as far as it is long to both sides of its middle."""
+    """Return a range with the right middle and twice the right length."""
     lo, hi = ends(ring, n)
     return Interval((lo + hi) / 2 - (hi - lo), (lo + hi) / 2 + (hi - lo))
 
@@ -233,12 +233,12 @@ def twice_as_wide(ring: Ring, n: Vec) -> Interval:
 
 
 def a_before_b(a: Interval, b: Interval) -> float:
-    """Return how far A's end lies beyond B's start, also where B's end is nearer."""
+    """Return how far A's maximum lies above B's minimum, which is no overlap where A lies above B."""
     return a.hi - b.lo
 
 
 def by_an_end_of_a(a: Interval, b: Interval) -> float:
-    """Return how deep an end of A's range lies within B's range, at most."""
+    """Return the larger depth at which an end of A's range lies inside B's range; negative if both lie outside."""
     return max(min(b.hi - end, end - b.lo) for end in a)
 
 
@@ -251,7 +251,7 @@ def along_normal(sign: int, a: Ring, b: Ring, found: Overlap) -> int:
 
 
 def from_middle(middle: Middle, a: Ring, b: Ring, found: Overlap) -> int:
-    """Return 1 where the way from the middle of A to that of B leads along n, else -1."""
+    """Return 1 if the vector from the middle of A to that of B points along n, else -1."""
     (ax, ay), (bx, by) = middle(a), middle(b)
     return 1 if (bx - ax) * found.n.x + (by - ay) * found.n.y >= 0 else -1
 

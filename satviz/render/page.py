@@ -8,6 +8,7 @@ from base64 import b64encode
 from collections.abc import Sequence
 from hashlib import sha256
 from html import escape
+from importlib.resources import files
 
 from ..engine import describe
 from ..engine.shapes import Shape
@@ -28,24 +29,6 @@ START = """
 const data = JSON.parse(document.getElementById("satviz-show").textContent);
 arrowKeys(new Player(document.getElementById("satviz-player"), data.shows, data));
 document.documentElement.classList.add("with-player");
-"""
-STYLE = """
-body.satviz { margin: 0; border-radius: 0; }
-main { max-width: 1200px; margin: 0 auto; padding: 8px 0; min-height: 100vh; }
-h1 { font-size: 20px; margin: 8px; }
-/* the picture, its sentence and the buttons fit into one window, if this makes no letter smaller than it is */
-#satviz-player:not(.sv-wide) .sv-picture { max-height: max(var(--sv-height) * 1px, 100vh - 240px); }
-.sv-static svg { display: block; width: 100%; max-width: 620px; height: auto; background: #fff; }
-.sv-light svg, .sv-dark svg { max-width: 420px; background: none; }
-.sv-dark { display: none; }
-@media screen and (prefers-color-scheme: dark) { .sv-light { display: none; } .sv-dark { display: block; } }
-.sv-static pre { overflow-x: auto; font-size: 12px; }
-.sv-static figure { margin: 12px 0; break-inside: avoid; }
-.sv-static h2 { font-size: 16px; }
-.sv-static { padding: 0 8px; }
-footer { font-size: 12px; color: var(--sv-guide); margin: 12px 8px; }
-.with-player .sv-static { display: none; }
-@media print { #satviz-player { display: none; } .with-player .sv-static { display: block; } main { padding: 0; } }
 """
 
 
@@ -115,6 +98,7 @@ def page(
 
 def _document(title: str, about: str, policy: str, body: Sequence[str]) -> str:
     """Return an HTML file with this title, description, content security policy and body."""
+    style = (files(__package__) / "browser" / "page.css").read_text(encoding="utf-8")
     lines = [
         "<!doctype html>",
         '<html lang="en">',
@@ -125,7 +109,7 @@ def _document(title: str, about: str, policy: str, body: Sequence[str]) -> str:
         f'<meta name="generator" content="{MADE_BY}">',
         f'<meta name="description" content="{escape(about)}">',
         f"<title>{escape(describe.printable(title))}</title>",
-        f"<style>\n{stylesheet()}{STYLE}</style>",
+        f"<style>\n{stylesheet()}\n{style}</style>",
         "</head>",
         '<body class="satviz"><main>',
         f"<h1>{escape(describe.printable(title))}</h1>",

@@ -141,7 +141,7 @@ def bench(plan: BenchPlan) -> Iterator[TimingRow]:
 def _time_jobs(
     section: str, work: str, size: int, jobs: Jobs, items: int | Mapping[str, int], unit: str, rounds: int
 ) -> Iterator[TimingRow]:
-    """Time the jobs in turn and yield a row for each; `items`: how many items a job does, in all or by job."""
+    """Time the jobs in turn and yield a row for each; `items`: the number of items of each job, or of each by name."""
     items_of = dict.fromkeys(jobs, items) if isinstance(items, int) else items
     nanoseconds = {"ns": 1.0, "us": 1e3, "ms": 1e6}[unit]
     for method, times in time_in_turn(jobs, rounds, items_of).items():
@@ -336,7 +336,7 @@ def _bench_broad_phase(plan: BenchPlan) -> Iterator[TimingRow]:
 
 
 def _bench_frames(plan: BenchPlan) -> Iterator[TimingRow]:
-    """Time the way from the raw arrays of a frame to all colliding pairs for N moving shapes, for growing N."""
+    """Time the work from the raw arrays of a frame to all colliding pairs, for growing numbers of moving shapes."""
     for work, make in MOVING_SHAPES.items():
         for n in plan.frames:
             rng = np.random.default_rng(plan.seed)
@@ -353,7 +353,7 @@ def _bench_frames(plan: BenchPlan) -> Iterator[TimingRow]:
 
 
 def _bench_hits(plan: BenchPlan) -> Iterator[TimingRow]:
-    """Time the way from two raw arrays of boxes to the answers, beside plain SAT, which checks nothing.
+    """Time the work from two raw arrays of boxes to the answers, and plain SAT, which validates nothing.
 
     Answers are checked by two exact oracles.
     """

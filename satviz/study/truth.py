@@ -33,7 +33,7 @@ def relation(a: Shape, b: Shape) -> Relation:
 
 
 def polygons(a: Polygon, b: Polygon) -> Relation:
-    """Return the relation of two polygons, by what is left of a after clipping it to b."""
+    """Return the relation of two polygons by clipping a to b: an area is left, only a point or segment, or nothing."""
     _, rings = _rings(a, b)
     return _relation_by_clipping(*rings)
 
@@ -135,7 +135,7 @@ def _sides_of_difference(a: Polygon, b: Polygon) -> tuple[int, list[tuple[int, I
 
 
 def _relation_by_clipping(p: Sequence[Ints], q: Sequence[Ints]) -> Relation:
-    """Return the relation of two convex rings, by what is left of p after clipping it to q."""
+    """Return the relation of two convex rings by clipping p to q; see `polygons`."""
     common = _clipped(p, q)
     if not common:
         return Relation.APART
@@ -270,7 +270,7 @@ def _has_area(points: Sequence[Homogeneous]) -> bool:
 
 
 def _inside(c: Ints, ring: Sequence[Ints]) -> bool:
-    """Return whether the point c lies inside the ring, by crossings of a ray; on the ring either answer."""
+    """Return whether the point c lies inside the ring, by crossings of a ray; either answer for a point on the ring."""
     cx, cy = c
     odd = False
     for (px, py), (qx, qy) in _edges(ring):

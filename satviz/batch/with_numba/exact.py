@@ -268,9 +268,9 @@ def orient(px: float, py: float, qx: float, qy: float, rx: float, ry: float, ter
     if size > MIN_SAFE_PRODUCT and size < MAX_SAFE_PRODUCT:
         # with the errors of the differences and products; error bound as in exact_signs._orient_adaptive
         (e, left), (f, right) = two_product(a, b), two_product(c, d)
-        turn = (left - right) + ((e - f) + ((a * eb + ea * b) - (c * ed + ec * d)))
-        if abs(turn) > ERRBOUND_C * size:
-            return 1 if turn > 0 else -1
+        orientation = (left - right) + ((e - f) + ((a * eb + ea * b) - (c * ed + ec * d)))
+        if abs(orientation) > ERRBOUND_C * size:
+            return 1 if orientation > 0 else -1
     # a product that overflows leaves an infinity among the terms, and then the sum has no certified sign
     if ea == 0 and eb == 0 and ec == 0 and ed == 0 and _is_product_exact(a, b) and _is_product_exact(c, d):
         terms[0], terms[2] = two_product(a, b)

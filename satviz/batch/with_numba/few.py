@@ -14,7 +14,7 @@ from ..arrays import Flat, Shapes
 from ..broad_rule import (
     ALL_PAIRS,
     GRID,
-    MAX_ALL_PAIRS_NUMBA,
+    MAX_ALL_PAIRS,
     MAX_CANDIDATES_PER_BOX,
     MAX_SWEEP_COMPARISONS,
     MAX_SWEEP_NUMBA,
@@ -32,7 +32,7 @@ MIN_CELL = 2.0**-48  # of the farthest coordinate: smaller cells run together
 
 
 def colliding_pairs(shapes: Shapes) -> Pairs | None:
-    """Return the pairs i < j, in order, of the shapes that share a point; None where this way does not decide them."""
+    """Return the pairs i < j, in order, of the shapes that share a point; None for too many or an undecided pair."""
     runs = vars(shapes).get("runs")  # read once, since another thread may join them
     if runs is not None and len(runs) == 1:
         pairs, decided = _collide_block(runs[0].block)
@@ -174,7 +174,7 @@ def _candidate_pairs(bounds: Array) -> tuple[Pairs, int, int, bool]:
     both compare too many boxes.
     """
     n = len(bounds)
-    if n <= MAX_ALL_PAIRS_NUMBA:
+    if n <= MAX_ALL_PAIRS:
         return _all_pairs(bounds), ALL_PAIRS, n * (n - 1) // 2, True
     axis, most = sweep_axis(bounds), MAX_SWEEP_COMPARISONS * n
     if n <= MAX_SWEEP_NUMBA:

@@ -228,11 +228,11 @@ def _distance_from_edge(
     The edge leads from (x, y) to (u, z), and (dx, dy) is its vector, computed before the center was moved to the
     origin.  `orientation_error`: the error bound of the orientation determinant, divided by |dx| + |dy|.
     """
-    turn = x * dy - y * dx
+    orientation = x * dy - y * dx
     along, square = -(x * dx + y * dy), dx * dx + dy * dy
-    foot = turn / square * turn
+    foot = orientation / square * orientation
     distance = x * x + y * y if along <= 0 else u * u + z * z if along >= square else foot
-    return distance, turn > (abs(dx) + abs(dy)) * orientation_error, square
+    return distance, orientation > (abs(dx) + abs(dy)) * orientation_error, square
 
 
 def _circle_kernel(corners: int | None) -> Callable[..., None]:

@@ -102,14 +102,14 @@ def _features_within_radius(
     lowest, shortest = np.full((2, len(cx)), np.inf)
     for i in range(len(x)):
         dx, dy = px[i + 1] - px[i], py[i + 1] - py[i]
-        turn, along, square = x[i] * dy, x[i] * dx, dx * dx
-        turn -= y[i] * dx
+        orientation, along, square = x[i] * dy, x[i] * dx, dx * dx
+        orientation -= y[i] * dx
         along += y[i] * dy
         square += dy * dy
-        near[i] = turn * (turn / square) <= within
+        near[i] = orientation * (orientation / square) <= within
         near[i] &= np.maximum(along, -square - along) < error_bound
         upright[i] = (dx == 0) | (dy == 0)
-        np.minimum(lowest, turn, out=lowest)
+        np.minimum(lowest, orientation, out=lowest)
         np.minimum(shortest, square, out=shortest)
     unsafe = np.flatnonzero(
         ~(
@@ -151,7 +151,7 @@ def _upright_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array, qx: Ar
 def _foot_signs(
     cx: Array, cy: Array, cr: Array, px: Array, py: Array, qx: Array, qy: Array, *, error_bound: Array
 ) -> tuple[Signs, NDArray[np.bool_]]:
-    """Return (signs of the distance from each edge's line minus radius, mask: the foot may lie beyond the ends).
+    """Return (signs of distance from each edge's line minus radius, mask of feet that may lie beyond the edge's ends).
 
     The length is a float and what it misses: the difference of squares over twice the float, as
     its own square is too small.  In units of exact_signs.sum_with_error: what it misses is off by 41uu of the
@@ -159,7 +159,7 @@ def _foot_signs(
     function's own sums 88uuR in all, below the 256uuR of ERRBOUND_B.
     """
     (x, a), (y, b), (dx, f), (dy, g) = two_sum(px, -cx), two_sum(py, -cy), two_sum(qx, -px), two_sum(qy, -py)
-    turn, along, square = y * dx - x * dy, x * dx + y * dy, dx * dx + dy * dy
+    orientation, along, square = y * dx - x * dy, x * dx + y * dy, dx * dx + dy * dy
     doubtful = np.maximum(along, -square - along) >= -error_bound
     length = np.sqrt(square)
     remainder = dx * f + dy * g
@@ -170,8 +170,8 @@ def _foot_signs(
     missing[exact] = 0.0
     no_remainder = np.zeros(len(x), bool)
     no_remainder[exact] = (a[exact] == 0) & (b[exact] == 0)
-    side = np.copysign(1.0, turn)
-    unclear = np.flatnonzero(np.abs(turn) <= error_bound)
+    side = np.copysign(1.0, orientation)
+    unclear = np.flatnonzero(np.abs(orientation) <= error_bound)
     if unclear.size:
         side[unclear] = -exact_signs.orient(*(c[unclear] for c in (px, py, qx, qy, cx, cy)))
     remainder = side * (b * dx + y * f - a * dy - x * g) - cr * missing

@@ -43,7 +43,10 @@ def polygons(a: CornerColumns, b: CornerColumns, first: int, out: Signs) -> None
 
 
 def _max_widths(group: CornerColumns, first: int, n: int) -> Array:
-    """Return an upper bound of the widths of n columns from `first` on: half of the edges of a tile laid end to end."""
+    """Return (n,) upper bounds of the widths and heights of the shapes in columns from `first` on.
+
+    A bound is the largest edge component in the column's tile, times half of the number of edges.
+    """
     tiles = slice(first // TILE_SHAPES, (first + n - 1) // TILE_SHAPES + 1)
     widths: Array = np.repeat(group.tile_maxima.edge[tiles] * (len(group.x) // 2), TILE_SHAPES)
     return widths[first % TILE_SHAPES :][:n]
@@ -172,15 +175,15 @@ def circle_polygon_gaps(cx: Array, cy: Array, cr: Array, closed: Array) -> tuple
     for start in range(0, edges, rows):
         one, other = slice(start, start + rows), slice(start + 1, start + rows + 1)
         dx, dy = closed[0, other] - closed[0, one], closed[1, other] - closed[1, one]
-        turn = x[one] * dy - y[one] * dx
+        orientation = x[one] * dy - y[one] * dx
         tolerance = (np.abs(dx) + np.abs(dy)) * (far * 2.0**-48)
-        inside &= (turn > tolerance).all(axis=0)
+        inside &= (orientation > tolerance).all(axis=0)
         along, square = -(x[one] * dx + y[one] * dy), dx * dx + dy * dy
         safe &= (square > MIN_SAFE_PRODUCT).all(axis=0)
         distance = np.where(
             along <= 0,
             x[one] * x[one] + y[one] * y[one],
-            np.where(along >= square, x[other] * x[other] + y[other] * y[other], turn / square * turn),
+            np.where(along >= square, x[other] * x[other] + y[other] * y[other], orientation / square * orientation),
         )
         np.minimum(nearest, distance.min(axis=0), out=nearest)  # of edges that face away too: none lies nearer
     nearest -= cr * cr

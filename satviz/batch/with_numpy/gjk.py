@@ -84,6 +84,6 @@ def _certified_cross(u: Array, v: Array) -> Array:
     """Return the cross products of u and v, or 0 where rounding may hide the sign."""
     left, right = u[0] * v[1], u[1] * v[0]
     size = np.abs(left) + np.abs(right)
-    turn: Array = left - right
-    turn[~((np.abs(turn) > ERRBOUND_A * size) & (size > MIN_SAFE_PRODUCT))] = 0.0
-    return turn
+    cross: Array = left - right
+    cross[~((np.abs(cross) > ERRBOUND_A * size) & (size > MIN_SAFE_PRODUCT))] = 0.0
+    return cross

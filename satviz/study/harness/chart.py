@@ -9,6 +9,7 @@ from matplotlib.axis import XAxis, YAxis
 from ...pictures import Theme
 from ...render.chart import TEXT_POINTS, JsonRow
 
+LABEL_GAP, LABEL_SPACE = 15.0, 8.0  # points between labels, and between the axes and the labels beside them
 # the colour role of each family of methods; every mark has its name beside it as well
 FAMILY_ROLES = {
     "exact": "exact",
@@ -67,13 +68,8 @@ def draw_time_curves(
     label_ends(ax, ends)
 
 
-def label_ends(
-    ax: Axes, ends: Sequence[tuple[float, float, str, str]], *, gap: float = 15.0, space: float = 8.0
-) -> None:
-    """Write a label for each (x, y, text, colour) right of the axes, `gap` points apart, tied to its point.
-
-    `space`: points between the axes' right side and the letters.
-    """
+def label_ends(ax: Axes, ends: Sequence[tuple[float, float, str, str]]) -> None:
+    """Write a label for each (x, y, text, colour) right of the axes, clear of each other, tied to its point."""
     if not ends:
         return
     scale = 72 / ax.figure.dpi
@@ -84,7 +80,7 @@ def label_ends(
     for _ in range(200):  # push neighbours apart until none is too close
         moved = False
         for i in range(len(heights) - 1):
-            short = gap - (heights[i] - heights[i + 1])
+            short = LABEL_GAP - (heights[i] - heights[i + 1])
             if short > 0.01:
                 heights[i] += short / 2
                 heights[i + 1] -= short / 2
@@ -97,7 +93,7 @@ def label_ends(
         ax.annotate(
             text,
             xy=(x, y),
-            xytext=(box.x1 * scale + space, height),
+            xytext=(box.x1 * scale + LABEL_SPACE, height),
             textcoords="figure points",
             color=shade,
             fontsize=TEXT_POINTS,

@@ -20,6 +20,7 @@ from .. import truth
 from ..harness.machine import is_installed
 from ..workloads.generators import Side, unpadded_rings
 from . import libraries, numpy_rivals, python_rivals
+from .libraries import one_by_one, pymunk_hit, shapely_hit
 
 COMPILED, NUMPY, PYTHON = "compiled", "NumPy", "Python"
 TOLERANCE = 1e-9  # scene units
@@ -203,7 +204,6 @@ def _python_methods() -> Iterator[Method]:
         """Return each shape of a workload's side as points and a radius."""
         return [python_rivals.points_and_radius(shape) for shape in engine_shapes(side)]
 
-    one_by_one = libraries.one_by_one
     yield Method("satviz", PYTHON, "exact", engine_shapes, one_by_one(relate), circles=True)
     yield Method("GJK", PYTHON, "GJK", points, one_by_one(python_rivals.gjk), circles=True)
 
@@ -213,20 +213,6 @@ def _library_methods() -> Iterator[Method]:
     if is_installed("shapely"):
         yield Method("shapely", COMPILED, "library", libraries.shapely_geometries, libraries.shapely_hits, circles=True)
         yield Method("shapely, prepared", COMPILED, "library", libraries.prepared_geometries, libraries.shapely_hits)
-        yield Method(
-            "shapely",
-            PYTHON,
-            "library",
-            libraries.geometry_list,
-            libraries.one_by_one(libraries.shapely_hit),
-            circles=True,
-        )
+        yield Method("shapely", PYTHON, "library", libraries.geometry_list, one_by_one(shapely_hit), circles=True)
     if is_installed("pymunk"):
-        yield Method(
-            "pymunk",
-            PYTHON,
-            "library",
-            libraries.pymunk_shapes,
-            libraries.one_by_one(libraries.pymunk_hit),
-            circles=True,
-        )
+        yield Method("pymunk", PYTHON, "library", libraries.pymunk_shapes, one_by_one(pymunk_hit), circles=True)

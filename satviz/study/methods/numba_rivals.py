@@ -343,7 +343,7 @@ def support_search_sat(ax: Array, ay: Array, bx: Array, by: Array, out: Out) -> 
 
 @compiled
 def _edge_clears_lowest(x: Array, y: Array, p: Array, q: Array, i: int) -> bool:
-    """Return whether the lowest corner of (p, q), and so each, lies strictly beyond some edge of (x, y)."""
+    """Return whether some edge of (x, y) clears (p, q): the lowest corner of (p, q) along its normal lies beyond it."""
     for e in range(x.shape[0]):
         f = e + 1 if e + 1 < x.shape[0] else 0
         nx, ny = y[f, i] - y[e, i], x[e, i] - x[f, i]

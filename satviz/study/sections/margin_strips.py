@@ -61,7 +61,7 @@ FLOAT32_BEYOND = {"2^70 times as large": (2.0**70, 0.0, 0.5), "2^25 away from th
 
 
 def cells(settings: Settings) -> list[Cell]:
-    """Return the counts on each kind of hard pairs, on touches and on circles, and a search for each method."""
+    """Return the cells: counts on each kind of hard pairs, on touches and on circles, and a search for each method."""
     per_octave = 3 if settings.quick else 60
     n, generations = (1000, 16) if settings.quick else (20_000, 64)
     found = [
