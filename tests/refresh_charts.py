@@ -26,7 +26,7 @@ from satviz.study.stored_run import STORED_RUN, stored_charts, stored_run
 
 ROOT = Path(__file__).parent.parent
 FIGURES, GUIDES = ROOT / "figures", ROOT / "satviz" / "guides"
-READ_ALOUD = {"frames": 3, "bench": 1}  # sentences of the reading in an alternative text, below 450 letters in all
+READ_ALOUD = {"frames": 2, "bench": 1}  # sentences of the reading in an alternative text, below 450 letters in all
 BENCH_CHARTS = {"bench": bench_chart.bench_chart, "frames": frames_chart.frames_chart}
 STUDY_STEMS = "speed-against-accuracy", "decision-table", "pose-error"  # shown in the guides
 
