@@ -872,6 +872,12 @@ def test_a_frame_is_as_high_as_its_content(framed, options):
         page.frames[1].wait_for_function(f"() => ({width} === 200 || {readable}) && {fits}")
         assert page.frames[1].evaluate("document.documentElement.scrollWidth <= innerWidth")
         assert page.frames[1].evaluate(cut) == []
+        if width == 200:
+            assert page.frames[1].evaluate(
+                "[...document.querySelectorAll('.sv-board')].every(e => e.scrollWidth <= e.clientWidth)"
+            )
+            says = page.frames[1].evaluate("getComputedStyle(document.querySelector('main'), '::after').content")
+            assert "needs 350 px" in says
     assert not frame.locator(".sv-text").is_visible()  # the box to paste into is there, but closed
     for hidden in "header", "footer", "h1", ".lead":
         assert not frame.locator(hidden).is_visible(), hidden
