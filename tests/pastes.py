@@ -3300,4 +3300,24 @@ b2Circle b = {{5, 0}, 1};""",
         "a := resolv.NewConvexPolygon(0, 0, []float64{0, 0, 4, 0, 4, 4})\nb := resolv.NewCircle(5, 0, 1)",
         ((0, 0, 4, 4), (4, -1, 6, 1)),
     ),
+    # -- calls with names of their own, and named arguments
+    Paste(
+        "a box of a call of one's own",
+        "MyRect((1, 2), 3, 4)\nMyRect((0, 0), 3, 4)",
+        ((1, 2, 4, 6), (0, 0, 3, 4)),
+        as_="corner-size",
+    ),
+    Paste("a named radius", "Circle((0, 0), radius=3)\nCircle((5, 0), radius=3)", ((-3, -3, 3, 3), (2, -3, 8, 3))),
+    Paste(
+        "a center that is no point",
+        '{"center": [1, 2, 3, 4], "radius": 2}\n{"center": [1, 2], "radius": 2}',
+        ((-1, 0, 3, 4),),
+        says="is not a point",
+    ),
+    Paste(
+        "a named argument that is no corner",
+        "Polygon([(0, 0), (4, 0), (4, 4)], foo=(3, 4))",
+        ((0, 0, 4, 4),),
+        says="foo 3, 4",
+    ),
 )

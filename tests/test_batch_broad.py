@@ -386,19 +386,15 @@ def test_the_grid_of_numba_finds_all_pairs_of_few_boxes_also_where_its_sample_mi
         assert np.array_equal(batch.candidate_pairs(bounds, engine=engine), pairs.reshape(-1, 2))
 
 
-def test_the_grid_of_numba_takes_few_blocks_also_where_its_estimate_is_zero(monkeypatch):
-    grid = kernels_of("grid")
-    monkeypatch.setattr(grid, "count_candidates", lambda *_: 0.0)
-    x, y = (c.ravel() for c in np.meshgrid(np.arange(130.0), np.arange(130.0)))  # more pairs than fit into one block
-    bounds, blocks, real = np.c_[x, y, x + 1, y + 1], [], grid.fill_pairs
-    monkeypatch.setattr(grid, "fill_pairs", lambda *given: blocks.append(1) or real(*given))
-    i = np.arange(130 * 130)
-    beside = [(i[inside], i[inside] + step) for step, inside in (
-        (1, x < 129), (129, (x > 0) & (y < 129)), (130, y < 129), (131, (x < 129) & (y < 129)),
-    )]  # fmt: skip
-    pairs = np.concatenate([np.stack(both, axis=1) for both in beside])
-    assert np.array_equal(batch.candidate_pairs(bounds, engine="numba"), pairs[np.lexsort(pairs.T[::-1])])
-    assert 0 < len(blocks) < 10
+def test_the_grid_of_numba_takes_few_blocks_also_where_its_estimate_is_zero():
+    """Each box stands in a cell of its own and each query touches it there, but the sampled ones find empty cells."""
+    grid, k = kernels_of("grid"), np.arange(17 * 300)
+    places, sizes = np.r_[k + 0.25, k + 0.5], np.full(2 * len(k), 0.25)
+    bounds = np.stack([places, 0 * places, places + sizes, sizes], axis=1)
+    stored = k[k % grid.SAMPLE_STEP > 0]
+    blocks = [*grid.meeting_pairs(bounds, (k + len(k)).astype(np.int32), stored.astype(np.int32), (1.0, 1.0), 0)]
+    assert np.array_equal(np.concatenate(blocks), np.stack([stored, stored + len(k)], axis=1))
+    assert len(blocks) < 10
 
 
 def test_candidate_pairs_accept_few_boxes_and_refuse_invalid_ones():

@@ -143,10 +143,13 @@ def test_few_shapes_near_contact_and_where_squares_lose_bits_or_overflow_collide
     scenes = [[small, ((0.0, d), d * (1 + sign * 2.0**-10))] for sign in (-1, 1)]
     scenes += [[wide, ((0.0, 0.3 * 2.0**512), r * 2.0**512)] for r in (0.1, 0.31)]
     scenes += [scene for _ in range(30) for scene in near_contact(rng)]
+    cut = np.array([(0, 0), (1e-200, 0), (1e-100, 1e-100), (-1e-100, 1e-100)])  # turns about its short edge vanish
+    scenes += [[cut, ((0.0, y), r)] for y in (1e-101, -1e-101, 5e-101) for r in (1e-103, 1e-120)]
     for shapes in scenes:
         made = batch.from_padded(*padded(shapes, rng))
         right = colliding(shapes_of(made))
-        for form in made, batch.concat([made, others]):
+        many = batch.concat([made, others, others[:20], others])  # all with all by boxes, or a sweep
+        for form in made, batch.concat([made, others]), many:
             found = batch.colliding_pairs(form, engine="numpy")
             assert found[found.max(axis=1) < 2].tolist() == right
 

@@ -68,7 +68,7 @@ KNOWN = {
     "dart": (FALSE_HIT, -1.012, 0.283),
     "box-in-u": (FALSE_HIT, -2, 1),
     "sum-of-parts": (WRONG_NUMBER, 0, 2.5),
-    "half-the-normals": (FALSE_HIT, -0.1, 0.212),
+    "half-the-normals": (FALSE_HIT, -0.5, 0.495),
     "same-shape": (FALSE_HIT, -0.614, 0.131),
     "far-centers": (MISSED_HIT, 4.5, -1),
     "corner-inside": (MISSED_HIT, 1, -2),

@@ -156,6 +156,8 @@ def test_what_stands_around_a_shape_is_never_dropped_without_a_question(plain, c
         "ctx.moveTo(0, 0);\nctx.lineTo(40, 0) or d;\nctx.lineTo(0, 30);\ncircle((9,9), 1)",
         "v[0] = (0,0)\nv[1] = (4,0) and d\nv[2] = (0,3)\ncircle((9,9), 1)",
         "circle((9,9), 1) if big\ncircle((0,0), 1)",
+        "circle((9,9), 1) . flip\ncircle((0,0), 1)",
+        "a = flip . id $ [(0,0),(4,0),(4,4)]\ncircle((0,0), 1)",
         "p = [(0,0),(4,0),(4,4)]\nhull = ConvexHull(p)\nflip(hull)\ncircle((0,0), 1)",
         "a circle at (0, 0) with radius 2 m.sin()\ncircle((0,0), 1)",
         "draw.circle(s, (255, 0, 9\u00b2), (4, 4), 9)\ncircle((0,0), 1)",
@@ -251,6 +253,21 @@ def test_nothing_is_said_to_be_taken_while_a_question_is_open():
     assert pasted.open and [question.matters for question in pasted.questions] == [True, False]
     assert "was taken" not in str(pasted)
     assert "was taken" in str(sv.paste("[0, 0, 10, 10]\n[1, 1, 11, 11]"))
+
+
+@pytest.mark.parametrize(
+    "comment",
+    [
+        "# a circle at (9, 9) with radius 3",
+        "// newpath 0 0 moveto 4 0 lineto 4 4 lineto closepath",
+        '<!-- <circle cx="9" cy="9" r="1"/> -->',
+        "/* circle((9, 9), 1) */",
+    ],
+)
+def test_a_shape_in_a_comment_is_none(comment):
+    circles = "circle((1, 1), 1)\n", "circle((2, 1), 1)\n"
+    for text in (f"{circles[0]}{comment}\n{circles[1]}", f"{circles[0]}{circles[1]}{comment}"):
+        assert [each.read.points for each in sv.paste(text).readings] == [((1, 1),), ((2, 1),)]
 
 
 def test_a_name_with_two_values_is_asked_about():

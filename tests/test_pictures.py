@@ -631,6 +631,20 @@ def test_a_picture_by_itself_has_no_room_for_what_other_steps_show():
     assert first.size[1] < 0.6 * whole.size[1] and first.scale >= whole.scale
 
 
+@pytest.mark.parametrize("options", [{}, {"largest": NARROW_SIZE_PT, "by_itself": True}], ids=["wide", "narrow"])
+def test_no_separating_line_runs_through_the_heading(options):
+    lines = 0
+    for name in (n for n in names()[1::3] if refused_case(n) is None):  # with aabb-rotated
+        drawn = sv.picture(name, **options)
+        for heading in (m for m in drawn.labels if m.weight == "title" and m.part.endswith("verdict")):
+            (x, y), (w, h) = heading.points[0], (side / drawn.scale for side in text_size(heading.text, "title"))
+            around = x - w / 2, y - h / 2, x + w / 2, y + h / 2
+            for mark in (m for m in drawn.marks if m.kind == "segment" and m.part.endswith("line")):
+                lines += 1
+                assert clip_segment(*mark.points[0], *mark.points[1], *around) is None, (name, heading.text)
+    assert lines > 3
+
+
 def test_two_panels_have_one_canvas_however_they_are_asked_for():
     trace = sv.scene("far-centers").record()
     assert sv.picture(trace, 0, by_itself=True) == sv.picture(trace, 0)

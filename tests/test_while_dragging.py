@@ -266,7 +266,15 @@ def before_axis(name, axes):
     return not number or number in axes
 
 
-@pytest.mark.parametrize("seeds", [range(3), pytest.param(range(3, 100), marks=pytest.mark.slow)], ids=["few", "many"])
+@pytest.mark.parametrize(
+    "seeds",
+    [
+        range(3),
+        pytest.param(range(3, 40), marks=pytest.mark.slow),
+        pytest.param(range(40, 100), marks=pytest.mark.full),
+    ],
+    ids=["few", "many", "most"],
+)
 def test_no_label_leaps_unless_what_it_names_does_and_few_are_left_out(seeds):
     found = {seed: leaps_and_missing(seed) for seed in seeds}
     assert not {seed: leaps for seed, (leaps, _, _) in found.items() if leaps}

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+Complexes = NDArray[np.complex128]
 Signs = NDArray[np.int8]  # signs, or relations by their codes
 Indices = NDArray[np.intp]
 Mask = NDArray[np.bool_]

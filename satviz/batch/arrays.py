@@ -18,20 +18,55 @@ TILE_SHAPES = 128  # columns that share error bounds; their corners stay in the 
 Selection = SupportsIndex | slice | Sequence[int] | NDArray[np.integer[Any] | np.bool_]  # one, a range, indices, a mask
 
 
+class ComplexColumns(NamedTuple):
+    """Hold few shapes side by side, one in each column; a corner is a complex number x + iy.
+
+    closed: (V + 1, n) corners; the rows after an outline's last corner start it again.  Circles alone have one row.
+    edges: (V, n), each from a corner to the next, none for circles alone; radius: (n,), 0 for polygons, or None where
+    there are only polygons.
+    """
+
+    closed: NDArray[np.complex128]
+    edges: NDArray[np.complex128]
+    radius: NDArray[np.float64] | None
+
+
 class CornerColumns:
     """Hold shapes with the same number V of corners: one row per corner, one column per shape.
 
     block: (2, V, n) x and y of the corners in scene units, counter-clockwise, no repeats, none straight on; of circles
     (3, 1, n) x and y of the centers, and the radii.  Contiguous, since NumPy else copies all of it for each selection.
+    It is made of the block, or of ComplexColumns, from which the block is then computed when it is needed.
     maxima: the rows of `tile_maxima`, if they are known.
     """
 
-    def __init__(self, block: NDArray[np.float64], maxima: NDArray[np.float64] | None = None) -> None:
-        self.block, self._maxima = block, maxima
+    def __init__(
+        self,
+        block: NDArray[np.float64] | None = None,
+        maxima: NDArray[np.float64] | None = None,
+        as_complex: ComplexColumns | None = None,
+    ) -> None:
+        self._maxima, self.as_complex = maxima, as_complex
+        if block is not None:
+            self.block = block
+
+    @cached_property
+    def block(self) -> NDArray[np.float64]:
+        """Return the shapes as rows of numbers, where they were made as columns."""
+        assert self.as_complex is not None
+        closed, _, radius = self.as_complex
+        corners = closed[: self.corners]
+        rows = [corners.real, corners.imag] if radius is None else [corners.real, corners.imag, radius[None]]
+        return np.add(rows, 0.0)  # -0.0 becomes 0.0
 
     def __len__(self) -> int:
         """Return the number of shapes."""
-        return int(self.block.shape[2])
+        return int((self.block if self.as_complex is None else self.as_complex.closed).shape[-1])
+
+    @property
+    def corners(self) -> int:
+        """Return the number of corners of each shape; 1 for circles."""
+        return int(self.block.shape[1]) if self.as_complex is None else max(1, len(self.as_complex.edges))
 
     @property
     def x(self) -> NDArray[np.float64]:
@@ -108,14 +143,16 @@ class Shapes:
     """Hold many convex polygons and circles; make a batch with Polygons, Circles, from_shapely or concat.
 
     `count`: (N,) corners of each part (a circle has one); `owner`: (N,) which shape each is a part of, where concave
-    polygons were split.  Made of `rings` with (N,) radii (None: all are polygons), or of `runs`: groups whose shapes
-    follow each other.  Other attributes are computed when first needed, and kept; several runs are then
+    polygons were split.  Made of `rings` with (N,) radii (None: all are polygons), of `runs`: groups whose shapes
+    follow each other, or of ComplexColumns and `count`.  Other attributes are computed when first needed, and kept;
+    several runs are then
     joined to rings.  These arrays are the batch's own memory: read them, but do not write to them, since what is
     written there is not checked.
     """
 
     owner: NDArray[np.int64] | None = None
     runs: Sequence[CornerColumns]
+    as_complex: ComplexColumns
 
     def __init__(
         self,
@@ -124,9 +161,12 @@ class Shapes:
         radius: NDArray[np.float64] | None = None,
         owner: NDArray[np.int64] | None = None,
         runs: Sequence[CornerColumns] | None = None,
+        as_complex: tuple[ComplexColumns, NDArray[np.int64]] | None = None,
     ) -> None:
         if runs is not None:
             self.runs = runs
+        if as_complex is not None:
+            self.as_complex, self.count = as_complex
         if rings is not None:
             self.rings = rings
             self.radius = np.zeros(len(rings.start) - 1) if radius is None else radius
@@ -143,7 +183,9 @@ class Shapes:
     def part_count(self) -> int:
         """Return the number of convex parts: more than `len` where concave polygons were split."""
         runs = vars(self).get("runs")  # read once, since another thread may join them
-        return len(self.rings.start) - 1 if runs is None else sum(map(len, runs))
+        if runs is not None:
+            return sum(map(len, runs))
+        return len(self.count) if "as_complex" in vars(self) else len(self.rings.start) - 1
 
     def _only_run(self) -> CornerColumns | None:
         """Return the group that the batch was made of; None if it was made of several or of rings."""
@@ -167,6 +209,10 @@ class Shapes:
     @cached_property
     def rings(self) -> RaggedRings:
         """Return the corners of all parts, one outline after another."""
+        if (columns := vars(self).get("as_complex")) is not None:
+            start = np.concatenate([[0], np.cumsum(self.count)])
+            corners = columns.closed.T[np.arange(len(columns.closed)) < self.count[:, None]] + 0.0  # -0.0 becomes 0.0
+            return RaggedRings(corners.real.copy(), corners.imag.copy(), start)
         if (run := self._only_run()) is None:
             return self._joined()[0]
         return RaggedRings(run.x.ravel("F"), run.y.ravel("F"), np.arange(0, run.x.size + 1, len(run.x)))
@@ -174,6 +220,8 @@ class Shapes:
     @cached_property
     def radius(self) -> NDArray[np.float64]:
         """Return the radius of each part, (N,) scene units: 0 for polygons."""
+        if (columns := vars(self).get("as_complex")) is not None:
+            return np.zeros(len(self.count)) if columns.radius is None else columns.radius
         if (run := self._only_run()) is None:
             return self._joined()[1]
         return np.zeros(len(run)) if run.r is None else run.r
@@ -317,14 +365,14 @@ def upright_box_mask(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[
 
 
 def _bounding_boxes(group: CornerColumns) -> NDArray[np.float64]:
-    """Return the bounding boxes of a group's shapes, (N, 4)."""
+    """Return the (n, 4) bounding boxes of the shapes in these columns: x min, y min, x max, y max."""
     x, y = group.x, group.y
     box = np.stack([x.min(axis=0), y.min(axis=0), x.max(axis=0), y.max(axis=0)], axis=1)
     return box if group.r is None else _widen(box, group.r)
 
 
 def _widen(box: NDArray[np.float64], radius: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the boxes (N, 4) widened by each radius on all sides, rounded outwards."""
+    """Return (N, 4) boxes, each widened by its radius, (N,), on all sides and rounded outwards."""
     with np.errstate(over="ignore"):
         box = box + np.stack([-radius, -radius, radius, radius], axis=1)
         return np.nextafter(box, [-np.inf, -np.inf, np.inf, np.inf])

@@ -40,7 +40,7 @@ class BroadPhase(NamedTuple):
 def broad_phase_of(shapes: Shapes, *, engine: str | None = None) -> BroadPhase:
     """Return the broad phase that `colliding_pairs` chooses for these shapes (for the convex parts of concave ones).
 
-    Up to 128 boxes (with NumPy 48) are compared all with all.  Up to 512 (with NumPy 4,096, if that makes at most 160
+    Up to 128 boxes are compared all with all.  Up to 512 (with NumPy 4,096, if that makes at most 160
     comparisons a box) are sorted along one axis and swept: the axis on which they are spread more widely, in units of
     the largest box, or the other one if more than 160 become fewer.  More are put into a grid with cells as large as
     the largest box.  Where sizes differ so much that one grid would compare more than 48 boxes with each, up to 16,384

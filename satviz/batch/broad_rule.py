@@ -1,6 +1,6 @@
 """The rule that chooses the broad phase: by the number of boxes and by counting comparisons, never by a time.
 
-Up to MAX_ALL_PAIRS_NUMBA or MAX_ALL_PAIRS boxes are compared all with all.  Up to MAX_SWEEP_NUMBA or MAX_SWEEP_NUMPY
+Up to MAX_ALL_PAIRS boxes are compared all with all.  Up to MAX_SWEEP_NUMBA or MAX_SWEEP_NUMPY
 boxes are sorted along one axis and swept; with NumPy only if that makes at most MAX_SWEEP_COMPARISONS comparisons a
 box.  The axis is that on which boxes are spread more widely in units of the largest box, or the other one if the first
 makes more comparisons than that and the other fewer.  More boxes are put into the cells of a grid, which are as large
@@ -12,7 +12,7 @@ box.  Else there are several grids, one for each size.  So the same boxes always
 ALL_PAIRS, SWEEP, GRID = range(3)
 NAMES = "all pairs", "sort and sweep", "grid"
 
-MAX_ALL_PAIRS_NUMBA, MAX_ALL_PAIRS = 128, 48  # boxes; above it sorting costs less than it saves
+MAX_ALL_PAIRS = 128  # boxes; above it sorting costs less than it saves
 MAX_SWEEP_NUMBA, MAX_SWEEP_NUMPY = 512, 4096  # boxes; above it a grid is faster where sizes are alike
 MAX_SWEEP_COMPARISONS = 160  # per box; above it several grids are faster
 MAX_CANDIDATES_PER_BOX = 48  # in one grid; above it a sweep or grids for each size are faster

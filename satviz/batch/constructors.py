@@ -131,8 +131,9 @@ def from_padded(corners: Any, counts: Any, radii: validation.Numbers) -> Shapes:
         and (certified_padded := engine_for_checks(corners.size // 2).certified_padded) is not None
     ):
         warn_if_flushed()
-        if (rings := certified_padded(corners, counts, radii)) is not None:
-            return Shapes(rings=rings, radius=radii + 0.0)
+        shapes: Shapes | None = certified_padded(corners, counts, radii)
+        if shapes is not None:
+            return shapes
     return build_mixed(*_unpadded(corners, counts, radii), "separately")
 
 

@@ -210,7 +210,7 @@ def _other_ways() -> Iterator[Variant]:
 
 
 def _fixed(reach: float, ring: Ring) -> float:
-    """Return the reach, whatever the shape."""
+    """Return the given reach, whatever the ring of vertices."""
     return reach
 
 

@@ -71,7 +71,7 @@ def smaller(scene: Scene) -> Iterator[Scene]:
 
 
 def _with(scene: Scene, which: int, ring: Numbers) -> Scene:
-    """Return the scene with one of its shapes replaced."""
+    """Return the scene with shape A (`which` 0) or B (1) replaced by `ring`, the numbers of a shape."""
     return (ring, scene[1]) if which == 0 else (scene[0], ring)
 
 

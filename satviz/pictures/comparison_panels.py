@@ -6,17 +6,18 @@ that space, which returns the sketch it has drawn.
 
 from collections.abc import Sequence
 from dataclasses import replace
-from itertools import combinations, pairwise
+from itertools import pairwise
 from math import ceil, cos, hypot, isnan, pi, sin, ulp
+from typing import NamedTuple
 
 from ..engine import describe
 from ..engine.certificate import SeparatingLine
 from ..engine.geometry import Relation, Vec
-from ..engine.number_format import MINUS, number
+from ..engine.number_format import number
 from ..engine.sat import AxisTest, axis_tests
 from ..engine.shapes import Shape, centroid
+from ..engine.shortcut import move_along_axis
 from ..engine.trace import Trace, record
-from ..scenes.failing.move_space import convex_hull
 from ..scenes.failing.saved_work import MIN_SUPPORT_POINTS, corner_tests
 from ..scenes.failing.true_value import FLIGHT, contact_times, separating_angles
 from ..scenes.failing.true_value import distance as true_distance
@@ -38,8 +39,8 @@ from .default_panels import (
 )
 from .draw_steps import draw_mtv, draw_separating_line
 from .float_geometry import bounding_box, crossing_point, midpoint, point_along
-from .layout import NARROW_PAD_PT, Layout, PanelContents, arrange
-from .letters import text_size, wrap_text
+from .label_placer import LabelOptions
+from .layout import Layout, PanelContents
 from .sketch import RING_PT, Sketch
 from .solid_panels import solid_panel
 
@@ -186,59 +187,34 @@ def dots_panel(every_pair: bool) -> Panel:
     return Panel(_shapes_and, panel)
 
 
-def draw_support_points(trace: Trace, layout: Layout) -> Sketch:
-    """Draw B - A, the origin, and the fewest support points GJK may need: 3 for a hit, 1 for a miss."""
-    corners = [Vec(q.x - p.x, q.y - p.y) for p in trace.a.vertices for q in trace.b.vertices]
-    if len(corners) < 3:
-        return draw_shapes(trace, layout)
-    best = max(record(trace.a, trace.b, every_axis=True).tests, key=lambda test: test.gap, default=None)
-    if best is None:
-        return draw_shapes(trace, layout)  # with a dent B - A has none of its own
-    supports = [_support(corners, unit_vector(45.0 * k + 10.0)) for k in range(8)]
-    found = next(filter(_holds_origin, combinations(dict.fromkeys(supports), MIN_SUPPORT_POINTS)), tuple(supports[::3]))
-    if not trace.hit:  # one that lies nearest on the axis of a gap
-        n = best.axis.direction
-        way = 1.0 if best.b.interval.lo > best.a.interval.hi else -1.0
-        found = (_support(corners, Vec(-n.x * way, -n.y * way)),)
-    xs, ys = [0.0, *(v.x for v in corners)], [0.0, *(v.y for v in corners)]
-    count = len(trace.a.vertices) + len(trace.b.vertices)
-    rest = f"three corners round the origin: {MIN_SUPPORT_POINTS} \u00d7 {count} = {MIN_SUPPORT_POINTS * count}"
-    if not trace.hit:
-        rest = "a miss may need only this one"
-    wide, high = layout.size
-    lines = f"GJK, one corner of B {MINUS} A: {count} vertices looked at;", rest
-    text = "\n".join(wrap_text(line, wide - 2 * NARROW_PAD_PT) for line in lines)
-    band = text_size(text)[1] + NARROW_PAD_PT  # below the picture, for words
-    around = PanelContents([box(min(xs), min(ys), max(xs), max(ys))])
-    layout = arrange([around], largest=(wide, high - band), least=(wide, high - band))[0]
-    (x0, y0, x1, y1), (wide, high) = layout.limits, layout.size
-    low = y0 - layout.units(band)
-    sketch = Sketch(trace, layout._replace(limits=(x0, low, x1, y1), size=(wide, high + band)))
-    rim = convex_hull(corners)
-    sketch.add("difference", "outline", "guide", *rim)
-    middle = Vec(sum(v.x for v in rim) / len(rim), sum(v.y for v in rim) / len(rim))
-    sketch.label("difference-name", f"B {MINUS} A", "guide", middle, prefer=Vec(1.0, -1.0), inside=True, weight="title")
-    for i, v in enumerate(rim):
-        sketch.add("corner", "dot", "guide", v, number=i)
-    if len(found) == MIN_SUPPORT_POINTS:
-        sketch.add("triangle", "segment", "ink", found[0], found[1], found[1], found[2], found[2], found[0])
-    for i, v in enumerate(found):
-        sketch.add("support", "dot", "ink", v, number=i)
-    sketch.add("origin", "dot", "wrong", Vec(0.0, 0.0))
-    sketch.label("origin-name", "origin", "wrong", Vec(0.0, 0.0), first=1)
-    sketch.label("looked-at", text, "guide", Vec((x0 + x1) / 2, low + layout.units(band / 2)), first=1, inside=True)
+def draw_searches(trace: Trace, layout: Layout) -> Sketch:
+    """Draw how often GJK looks at each corner: once in each search for the furthest one, 3 for a hit, 1 for a miss."""
+    sketch = draw_shapes(trace, layout)
+    count = len(trace.a.core) + len(trace.b.core)
+    searches = MIN_SUPPORT_POINTS if trace.hit else 1
+    draw_looks(sketch, searches)
+    fewest = f"GJK searches {searches} times at least" if searches > 1 else "GJK searches once at least"
+    sketch.note(
+        "looked-at", f"{fewest};\neach time it looks at {_sum_of_looks(trace, searches, count)}", "guide", first=3
+    )
     return sketch
 
 
-def _support(points: Sequence[Vec], n: Vec) -> Vec:
-    """Return the support point: the one that lies furthest along n."""
-    return max(points, key=lambda p: p.x * n.x + p.y * n.y)
+def _sum_of_looks(trace: Trace, times: int, count: int) -> str:
+    """Return "all 8 corners: 3 \u00d7 8 = 24", with "points" where a shape is a circle."""
+    what = "corners" if trace.a.vertices and trace.b.vertices else "points"
+    return f"all {count} {what}: {times} \u00d7 {count} = {times * count}"
 
 
-def _holds_origin(ring: Sequence[Vec]) -> bool:
-    """Return whether the origin lies in a convex ring of either winding order, or on its rim, as where shapes touch."""
-    turns = [p.x * q.y - p.y * q.x for p, q in zip(ring, (*ring[1:], ring[0]), strict=True)]
-    return min(turns) >= 0 or max(turns) <= 0
+def draw_looks(sketch: Sketch, times: int) -> None:
+    """Write beside each corner how often it is looked at."""
+    for role, name, shape in sketch.roles():
+        middle = centroid(shape)
+        for i, v in enumerate(shape.vertices):  # a circle has none
+            away = Vec(v.x - middle.x, v.y - middle.y)
+            sketch.add("looked", "dot", role, v, owner=name, number=i)
+            options: LabelOptions = {"owner": name, "number": i, "prefer": away, "optional": True, "near": True}
+            sketch.label("looks", f"{times}\u00d7", role, v, first=3, **options)
 
 
 def axes_of_sat(run: Trace) -> Sequence[AxisTest]:
@@ -254,12 +230,12 @@ def draw_axes_of_sat(trace: Trace, layout: Layout) -> Sketch:
     sketch = draw_shapes(run, layout)
     for test, place in zip(tests, sketch.layout.places, strict=True):
         sketch.project(test, place, numbers=False)
-    corners = len(trace.a.vertices) + len(trace.b.vertices)
-    if len(run.tests) == len(tests) and corners:
-        text = (
-            f"SAT, {len(tests)} axes, {corners} corners on each: {len(tests)} \u00d7 {corners} = {len(tests) * corners}"
-        )
-        sketch.note("tested", text, "guide", first=7)
+    if tests and len(run.tests) == len(tests):
+        count = len(tests[0].a.points) + len(tests[0].b.points)  # a circle has two on each axis
+        draw_looks(sketch, len(tests))
+        axes = "1 axis" if len(tests) == 1 else f"{len(tests)} axes"
+        text = f"SAT measures on {axes};\non each {_sum_of_looks(trace, len(tests), count)}"
+        sketch.note("tested", text, "guide", first=3)
     elif len(run.tests) > len(tests):
         sketch.note("tested", f"one of {len(run.tests)} axes that SAT looks at", "guide", first=7)
     return sketch
@@ -423,6 +399,81 @@ def draw_way_out(trace: Trace, layout: Layout) -> Sketch:
     return sketch
 
 
+class WayOut(NamedTuple):
+    """A move along the axis of `test` that ends the overlap there, or that a shortcut takes for it."""
+
+    test: AxisTest
+    overlap: float
+    move: Vec
+
+
+def ways_out(trace: Trace, *, raw: bool = False) -> list[WayOut]:
+    """Return the way out that a shortcut takes and the one that is right: as long as they are, or `raw` as measured."""
+    tests = [test for test in claimed_tests(trace) if any(test.axis.normal)]
+    exact = axis_tests(trace.a, trace.b, [test.axis for test in tests])
+    gaps = [test.gap for test in (tests if raw else exact)]
+    return [WayOut(test, -gap, move_along_axis(test, -gap)) for test, gap in zip(tests, gaps, strict=True)]
+
+
+def ways_out_panel(of_overlap: Panel, without: Panel) -> Panel:
+    """Return a panel of two ways out of an overlap; where there is none to compare, the panel `without`."""
+
+    def has_any(trace: Trace) -> bool:
+        """Check whether there is a push to compare with the MTV."""
+        return trace.hit and trace.push is not None
+
+    return Panel(
+        lambda trace: (of_overlap if has_any(trace) else without).needs(trace),
+        lambda trace, layout: (of_overlap if has_any(trace) else without).draw(trace, layout),
+    )
+
+
+def needs_ways_out(trace: Trace) -> PanelContents:
+    """Return both shapes, and B at the end of each way out."""
+    moves = [trace.push, *(way.move for way in (*ways_out(trace, raw=True), *ways_out(trace)))]
+    return PanelContents(
+        [trace.a, trace.b, *(translated(trace.b, move) for move in moves if move and is_near(trace, move))]
+    )
+
+
+def draw_raw_ways_out(trace: Trace, layout: Layout) -> Sketch:
+    """Draw both ways out as long as the shortcut measured them, and the length of the normal that made them so."""
+    sketch = draw_shapes(trace, layout)
+    draw_push(sketch)
+    digits = describe.digits(trace).gap
+    for true, raw in zip(ways_out(trace), ways_out(trace, raw=True), strict=True):
+        long, wrong = f"normal {number(raw.test.axis.length)} long: ", f"read as {digits(raw.overlap)}"
+        pieces = (f"overlap {digits(true.overlap)},\n", "overlap"), (long, "guide"), (wrong, "wrong")
+        _draw_way_out(sketch, raw, "wrong", pieces, drawn=raw.test is trace.shallowest)
+    return sketch
+
+
+def draw_true_ways_out(trace: Trace, layout: Layout) -> Sketch:
+    """Draw both ways out as long as they are, the shortest as the MTV."""
+    sketch = draw_way_out(trace, layout)
+    mtv = trace.truth.known_mtv or Vec(0.0, 0.0)
+    for way in ways_out(trace):
+        if hypot(*way.move) > hypot(*mtv) * (1 + 1e-9):
+            text = f"overlap {describe.digits(trace).gap(way.overlap)}"
+            _draw_way_out(sketch, way, "guide", ((text, "overlap"),))
+    return sketch
+
+
+def _draw_way_out(
+    sketch: Sketch, way: WayOut, role: str, pieces: tuple[tuple[str, str], ...], *, drawn: bool = False
+) -> None:
+    """Draw a way out as an arrow from the middle of B, unless it is `drawn` already, and the words at its tip."""
+    start, near = centroid(sketch.trace.b), is_near(sketch.trace, way.move)
+    tip, axis = point_along(start, way.move, 1.0) if near else start, sketch.axis_id(way.test)
+    if near and not drawn:
+        sketch.add("way-out", "arrow", role, start, tip, axis=axis)
+    text = "".join(piece for piece, _ in pieces)
+    prefer = Vec(0.0, -1.0) if drawn else way.move  # its push is named at its tip
+    sketch.label(
+        "way-out-name", text, pieces[0][1], tip, axis=axis, prefer=prefer, pieces=pieces, far=not near, first=3
+    )
+
+
 def needs_fold(trace: Trace) -> PanelContents:
     """Return what a frame of `draw_fold` must hold: both shapes, and the exact test of the last axis."""
     return PanelContents(
@@ -477,16 +528,17 @@ def needs_pieces(trace: Trace) -> PanelContents:
     return PanelContents([*shapes, box(x0, y1, x1, y1 + (y1 - y0) / 4.5)])
 
 
+TESTS, PROOF = Panel(needs_claimed_tests, draw_claimed_tests), Panel(needs_proof, draw_proof)
 PIECES = Panel(needs_pieces, draw_pieces_panel)
 PANELS: dict[str, Panel] = {
-    "tests": Panel(needs_claimed_tests, draw_claimed_tests),
-    "proof": Panel(needs_proof, draw_proof),
+    "tests": TESTS,
+    "proof": PROOF,
     "separating directions": Panel(_shapes_and, draw_separating_directions),
     "rounded digits": digits_panel(exact=False),
     "exact digits": digits_panel(exact=True),
     "separate dots": dots_panel(every_pair=False),
     "joined dots": dots_panel(every_pair=True),
-    "support points": Panel(_shapes_and, draw_support_points),
+    "searches": Panel(_shapes_and, draw_searches),
     "axes of SAT": Panel(lambda trace: _shapes_and(trace, axes_of_sat(record(trace.a, trace.b))), draw_axes_of_sat),
     "two frames": Panel(needs_flight, draw_two_frames),
     "flight": Panel(needs_flight, draw_flight),
@@ -495,6 +547,8 @@ PANELS: dict[str, Panel] = {
     "line as axis": Panel(needs_claimed_tests, draw_line_as_axis),
     "push": Panel(needs_push, draw_push_alone),
     "way out": Panel(needs_push, draw_way_out),
+    "raw ways out": ways_out_panel(Panel(needs_ways_out, draw_raw_ways_out), TESTS),
+    "true ways out": ways_out_panel(Panel(needs_ways_out, draw_true_ways_out), PROOF),
     "corners": Panel(_shapes_and, draw_corners),
     "edges": Panel(_shapes_and, draw_edges),
     "fold": Panel(needs_fold, draw_fold),

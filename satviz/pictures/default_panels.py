@@ -23,7 +23,7 @@ from ..engine.axes import (
 )
 from ..engine.certificate import SeparatingLine, SharedPoint
 from ..engine.geometry import Vec
-from ..engine.number_format import MINUS, number
+from ..engine.number_format import MINUS
 from ..engine.sat import AxisTest, axis_tests
 from ..engine.shapes import Polygon, Shape, centroid
 from ..engine.trace import Trace, record
@@ -36,7 +36,6 @@ from .layout import Layout, PanelContents
 from .sketch import RING_PT, Sketch
 
 PROVES_NOTHING = "true, but proves nothing"
-RAW_NORMAL = "its normal is"
 LEAST_WORDY_PT = 200.0  # width of a panel from which on it explains the MTV
 
 
@@ -89,8 +88,6 @@ def draw_claimed_tests(trace: Trace, layout: Layout) -> Sketch:
     if len(tests) > 1 and set(remarks) == {PROVES_NOTHING}:
         sketch.note("remark", "true, but they prove nothing", "overlap", first=3)
         remarks = [""] * len(tests)
-    elif any(remark.startswith(RAW_NORMAL) for remark in remarks):
-        remarks = [r or f"{RAW_NORMAL} {number(t.axis.length)} long" for r, t in zip(remarks, tests, strict=True)]
     for test, place, remark in zip(tests, layout.places, remarks, strict=False):
         if any(test.axis.normal):
             if len(tests) == 1:
@@ -110,18 +107,12 @@ def draw_claimed_tests(trace: Trace, layout: Layout) -> Sketch:
 
 
 def remark_on(trace: Trace, test: AxisTest) -> str:
-    """Return a remark on a test, or "": that it proves nothing, how touching is compared, how long its normal is."""
+    """Return a remark on a test, or "": that it proves nothing, or how touching is compared."""
     if trace.shortcut and trace.shortcut.touching_separates and test.gap == 0:
         spot = meeting_point(trace, test)
         return f"{spot} \u2264 {spot}, so it counts as a gap"
-    if not any(test.axis.normal):
-        return ""
-    if is_as_measured(trace, test):
-        return PROVES_NOTHING if trace.false_hit and test.gap < 0 else ""
-    exact = next(axis_tests(trace.a, trace.b, [test.axis])).gap
-    if is_about_push(trace) and test.axis.length != 1 and isclose(exact * test.axis.length, test.gap, rel_tol=1e-9):
-        return f"{RAW_NORMAL} {number(test.axis.length)} long"
-    return ""
+    proves_nothing = trace.false_hit and test.gap < 0 and is_as_measured(trace, test)
+    return PROVES_NOTHING if proves_nothing else ""
 
 
 def meeting_point(trace: Trace, test: AxisTest) -> str:
@@ -156,10 +147,9 @@ def _draw_what_is_missing(sketch: Sketch, test: AxisTest) -> None:
     """Draw the normals that a shortcut never tested, the corners that it never looked at, and its circles."""
     trace = sketch.trace
     left_out = forgotten_normals(trace) if trace.false_hit and trace.ended_by is None else []
-    sketch.crossed_normals(left_out)
-    if left_out:
+    if left_out and not _draw_missing_edges(sketch, left_out):
+        sketch.crossed_normals(left_out)
         sketch.note("left-out-name", "crossed: never tested", "wrong", first=7)
-    _draw_missing_edges(sketch, left_out)
     for (role, name, shape), side in zip(sketch.roles(), (test.a, test.b), strict=True):
         if test.source.kind == CENTROIDS:
             p, q = side.points[0], side.points[-1]
@@ -174,18 +164,18 @@ def _draw_what_is_missing(sketch: Sketch, test: AxisTest) -> None:
             sketch.label("missed-name", text, "wrong", missed[0], owner=name, along=tuple(missed[1:]), first=3)
 
 
-def _draw_missing_edges(sketch: Sketch, left_out: Sequence[Axis]) -> None:
-    """Draw both outlines open, and the edges that close them as dotted lines, if these alone were left out."""
+def _draw_missing_edges(sketch: Sketch, left_out: Sequence[Axis]) -> bool:
+    """Draw both outlines open, and the edges that close them as ghosts, if these alone were left out; else False."""
     closing = [(role, (0, len(shape.vertices) - 1)) for role, _, shape in sketch.roles()]
     if sorted((axis.source.shape or "", axis.source.ids) for axis in left_out) != closing:
-        return
+        return False
     sketch.marks = [m._replace(weight="fill") if m.part == "outline" else m for m in sketch.marks]
     for role, name, shape in sketch.roles():
         sketch.add("open-outline", "bracket", role, *shape.vertices, owner=name)
         p, q = shape.vertices[0], shape.vertices[-1]
         sketch.add("missing-edge", "segment", role, p, q, owner=name, weight="faint")
-        text = "the edge that\nwas left out"
-        sketch.label("missing-name", text, role, midpoint(p, q), owner=name, optional=True, first=3)
+    sketch.note("missing-name", "dotted: the edges that were left out", "wrong", first=7)
+    return True
 
 
 def claimed_tests(trace: Trace) -> list[AxisTest]:

@@ -25,6 +25,7 @@ MAX_NAMED_CORNERS = 6  # of an outline whose vertices have no labels
 HATCH_PT = 6.0  # between the lines of a hatched area
 NOTE_PT = 20.0  # from the top of the canvas to a note
 RIM_PT = 14.0  # between the ends of a line across the canvas and the canvas's rim
+HEADING_PT = 34.0  # from the top of the canvas, where the verdict stands: no line across the canvas runs through it
 
 
 class ShapeSketch:
@@ -145,12 +146,15 @@ class ShapeSketch:
                 self.vertices(role, shape.corner_ids, as_role=as_role)
 
     def line_across(self, part: str, through: Vec, normal: Vec, role: str, number: int | None = None) -> Segment:
-        """Draw the line through a point at right angles to a unit normal, across the canvas; return its ends."""
+        """Draw the line through a point at right angles to a unit normal, across the canvas below the heading.
+
+        Return its ends.
+        """
         x0, y0, x1, y1 = self.layout.scene_limits
         rim = self.layout.units(RIM_PT)
         d = Vec(-normal.y, normal.x)
         across = Vec(*(u if abs(u) > 1e-12 else 0.0 for u in d))  # what rounding left of 0 would divide to nonsense
-        start, end = clip_line(through, across, (x0 + rim, y0 + rim, x1 - rim, y1 - rim))
+        start, end = clip_line(through, across, (x0 + rim, y0 + rim, x1 - rim, y1 - self.layout.units(HEADING_PT)))
         ends = point_along(through, d, start), point_along(through, d, end)
         self.add(part, "segment", role, *ends, number=number)
         return ends

@@ -19,7 +19,7 @@ from .float_geometry import gap_or_overlap, midpoint, point_along
 from .insets import BRACKET_PT
 from .label_placer import LabelOptions, Segment
 from .labels import short_name
-from .layout import MAX_LINE_LETTERS, NARROW_PAD_PT, Layout, range_label
+from .layout import MAX_LINE_LETTERS, NARROW_PAD_PT, NARROW_PT, Layout, range_label
 from .letters import text_size, wrap_text
 from .marks import MarkOptions
 from .shape_sketch import ShapeSketch
@@ -29,11 +29,13 @@ NORMAL_PT = 34.0  # the length of a normal's arrow
 RING_PT = 8.0  # the radius of a ring round a corner
 CROSS_PT = 4.5  # half of the side of a cross
 MIN_ARROW_PT, MIN_STRONG_PT = 14.0, 28.0  # a shorter edge is drawn without an arrow head, or with a thin arrow
+CLEAR_OF_DOT_PT = 8.0  # from the tip of an arrow along a line to the dot at the line's end
 RIGHT_ANGLE_PT = 7.0  # the side of the mark between an edge and its normal
 MIN_TICK_PT = 24.0  # between two ticks
 ZERO_TICK_PT = 4.5  # half of the tick at coordinate 0
 MAX_LIST_LETTERS = 34  # in a line of the list of axes that were not tested
-MAX_LISTED_AXES = 8
+MAX_LISTED_AXES, MAX_NARROW_LISTED_AXES = 8, 5  # on a wide canvas and on a telephone's
+GREY_NORMAL = 0.6  # how long the normal of an axis not tested is, in normals of a test
 MAX_GREY_NORMALS = 16  # more of them would fill the gap
 
 
@@ -83,18 +85,22 @@ class Sketch(ShapeSketch):
     def normal_arrow(self, test: AxisTest) -> Segment | None:
         """Return tail and tip of the axis's direction at its edge or line; None if it comes from neither."""
         kind, role, ids = test.source
+        length = self.layout.units(NORMAL_PT)
         if kind in FROM_EDGES:
             _, polygon = self.named_polygon(role)
             start = midpoint(*(polygon.vertices[i] for i in ids))
         elif kind in (CENTERS, VERTEX):
-            start = midpoint(*self.joined_points(test))
+            p, q = self.joined_points(test)
+            start, clear = midpoint(p, q), hypot(q.x - p.x, q.y - p.y) / 2 - self.layout.units(CLEAR_OF_DOT_PT)
+            length = min(length, clear) if clear > self.layout.units(MIN_ARROW_PT) else length
         else:
             return None
-        return start, point_along(start, self.arrow_direction(test.axis), self.layout.units(NORMAL_PT))
+        return start, point_along(start, self.arrow_direction(test.axis), length)
 
     def upcoming_normals(self) -> list[Segment]:
         """Return the arrow (tail, tip) of each test's normal, drawn already or not."""
-        return [arrow for arrow in map(self.normal_arrow, self.trace.tests) if arrow]
+        arrows = [arrow for arrow in map(self.normal_arrow, self.trace.tests) if arrow]
+        return [*arrows, *(self.small_normal_arrow(axis, GREY_NORMAL) for axis in self.grey_normals())]
 
     def arrow_direction(self, axis: Axis) -> Vec:
         """Return the axis's direction, or its opposite where the axis is a normal that points into its shape."""
@@ -107,7 +113,7 @@ class Sketch(ShapeSketch):
         if arrow is None:
             return
         kind, owner, _ = test.source
-        role, direction = owner or "ink", self.arrow_direction(test.axis)
+        role, direction = (owner if kind in FROM_EDGES else "") or "ink", self.arrow_direction(test.axis)
         if kind in (EDGE, HULL):
             self.right_angle(arrow[0], direction)
         self.add("normal", "arrow", role, *arrow, start=arrow[:1])
@@ -167,10 +173,13 @@ class Sketch(ShapeSketch):
 
     def small_normal(self, part: str, edge_normal: Axis, size: float, role: str, **more: Unpack[MarkOptions]) -> None:
         """Draw an edge's outward normal as an arrow, `size` times as long as the normal of a test."""
+        self.add(part, "arrow", role, *self.small_normal_arrow(edge_normal, size), **more)
+
+    def small_normal_arrow(self, edge_normal: Axis, size: float) -> Segment:
+        """Return tail and tip of an edge's outward normal, `size` times as long as the normal of a test."""
         _, polygon = self.named_polygon(edge_normal.source.shape)
         foot = midpoint(*(polygon.vertices[i] for i in edge_normal.source.ids))
-        tip = point_along(foot, self.arrow_direction(edge_normal), self.layout.units(NORMAL_PT * size))
-        self.add(part, "arrow", role, foot, tip, **more)
+        return foot, point_along(foot, self.arrow_direction(edge_normal), self.layout.units(NORMAL_PT * size))
 
     # -- the axis and what lands on it
 
@@ -387,18 +396,29 @@ class Sketch(ShapeSketch):
             self.range(test, place, role, numbers=numbers)
         self.gap(test, place, interval=interval and numbers and not self.layout.brief, remark=remark, on=on)
 
+    def axes_left_out(self) -> list[Axis]:
+        """Return the axes that the early exit made unnecessary."""
+        return [s.axis for s in self.trace.skipped if s.why == EARLY_EXIT]
+
+    def grey_normals(self) -> list[Axis]:
+        """Return those of the axes left out that are drawn in grey, as normals of edges."""
+        left = self.axes_left_out()
+        edges = (axis for axis in left if axis.source.kind in (EDGE, HULL))
+        drawn = [axis for axis in edges if not self.is_crowded(self.named_shape(axis.source.shape)[1])]
+        return drawn if len(left) <= MAX_GREY_NORMALS else []
+
     def untested_axes(self) -> None:
         """List the axes that the early exit made unnecessary, in grey, with a small normal on each edge."""
-        left = [s.axis for s in self.trace.skipped if s.why == EARLY_EXIT]
+        left = self.axes_left_out()
         if not left:
             return
         self.corners(as_role="guide")
-        for n, axis in enumerate(left if len(left) <= MAX_GREY_NORMALS else (), 1):
-            if axis.source.kind in (EDGE, HULL) and not self.is_crowded(self.named_shape(axis.source.shape)[1]):
-                self.small_normal("untested", axis, 0.6, "guide", number=n)
+        for n, axis in enumerate(self.grey_normals(), 1):
+            self.small_normal("untested", axis, GREY_NORMAL, "guide", number=n)
         names = [describe.short_axis_name(axis, (self.trace.a, self.trace.b), self.trace.names) for axis in left]
-        if len(names) > MAX_LISTED_AXES:
-            names = [*names[: MAX_LISTED_AXES - 1], f"{len(names) - MAX_LISTED_AXES + 1} more"]
+        most = MAX_LISTED_AXES if self.layout.size[0] >= NARROW_PT else MAX_NARROW_LISTED_AXES
+        if len(names) > most:
+            names = [*names[: most - 1], f"{len(names) - most + 1} more"]
         lines = ["not tested:"]
         for i, name in enumerate(names):
             piece = name + ("," if i < len(names) - 1 else "")

@@ -256,8 +256,8 @@ def challenges_page(info: SiteInfo) -> bytes:
 starts with shapes for which its claim is right. <b>Drag the shapes until it is wrong.</b> If you have broken a shortcut
 once, you will not use it. If you give up, most scenes show in red where the claim is wrong.</p>
 <p class="action"><a href="{escape(link(scene("aabb"), goal=TOUCH))}">Begin with the first challenge</a></p>
-<p class="progress" hidden><span class="count" role="status" tabindex="-1"></span>
-<button type="button">Forget what I have solved</button></p>
+<p class="progress"><span class="count" role="status" tabindex="-1"></span>
+<button type="button" hidden>Forget what I have solved</button></p>
 {listed}
 <p class="note">What you have solved is kept in this browser only. The address of a challenge opens it for anybody.</p>
 """

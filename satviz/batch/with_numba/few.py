@@ -14,7 +14,7 @@ from ..arrays import Flat, Shapes
 from ..broad_rule import (
     ALL_PAIRS,
     GRID,
-    MAX_ALL_PAIRS_NUMBA,
+    MAX_ALL_PAIRS,
     MAX_CANDIDATES_PER_BOX,
     MAX_SWEEP_COMPARISONS,
     MAX_SWEEP_NUMBA,
@@ -174,7 +174,7 @@ def _candidate_pairs(bounds: Array) -> tuple[Pairs, int, int, bool]:
     both compare too many boxes.
     """
     n = len(bounds)
-    if n <= MAX_ALL_PAIRS_NUMBA:
+    if n <= MAX_ALL_PAIRS:
         return _all_pairs(bounds), ALL_PAIRS, n * (n - 1) // 2, True
     axis, most = sweep_axis(bounds), MAX_SWEEP_COMPARISONS * n
     if n <= MAX_SWEEP_NUMBA:

@@ -11,10 +11,12 @@ import numpy as np
 
 from ...engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
 from ..array_types import Array, Indices
-from ..arrays import TILE_SHAPES, CornerColumns
+from ..arrays import TILE_SHAPES, CornerColumns, Shapes
 from ..exact_signs import ERRBOUND_A
 from ..ragged import RaggedRings
 from .jit_cache import compiled, inlined
+
+MAX_FEW_CORNERS = 1 << 12  # arrays up to this length are not cut off, which takes longer than the memory is worth
 
 
 def certified_group(vertices: Array) -> CornerColumns | None:
@@ -94,17 +96,22 @@ def certified_rings(points: Array, start: Indices, accept_centers: bool = False)
 
 
 def _rings_of(x: Array, y: Array, kept: Indices) -> RaggedRings:
-    """Return outlines as RaggedRings, after shrinking x and y in place to the corners that were filled in."""
+    """Return outlines as RaggedRings: x and y end after the last corner, and long ones are shrunk in place."""
+    end = int(kept[-1])
+    if len(x) <= MAX_FEW_CORNERS:
+        return RaggedRings(x[:end], y[:end], kept)
     for c in (x, y):
-        c.resize(int(kept[-1]), refcheck=False)  # a copy would double the memory
+        c.resize(end, refcheck=False)  # a copy would double the memory
     return RaggedRings(x, y, kept)
 
 
-def certified_padded(corners: Array, counts: Indices, radii: Array) -> RaggedRings | None:
-    """Return shapes in padded arrays, as `from_padded` takes them, as RaggedRings; None if one is not certified."""
+def certified_padded(corners: Array, counts: Indices, radii: Array) -> Shapes | None:
+    """Return shapes in padded arrays, as `from_padded` takes them; None if one is not certified."""
     n, most, _ = corners.shape
     x, y, kept = np.empty(n * most), np.empty(n * most), np.empty(n + 1, np.intp)
-    return _rings_of(x, y, kept) if _fill_padded(corners, counts, radii, x, y, kept) else None
+    if not _fill_padded(corners, counts, radii, x, y, kept):
+        return None
+    return Shapes(rings=_rings_of(x, y, kept), radius=radii + 0.0)
 
 
 @compiled

@@ -5,28 +5,29 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ...engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
 from ...engine.relate import ERROR_FACTOR_F64, MIN_ERROR_BOUND
-from ..array_types import Array, Indices, Pairs
-from ..arrays import CornerColumns, Shapes
+from ..array_types import Array, Complexes, Indices, Mask, Pairs
+from ..arrays import ComplexColumns, CornerColumns, Shapes
 from ..broad_rule import ALL_PAIRS, GRID, MAX_ALL_PAIRS, MAX_SWEEP_COMPARISONS, MAX_SWEEP_NUMPY, SWEEP
 from ..codes import APART, UNDECIDED
 from .indexed import relations
 
-Complexes = NDArray[np.complex128]
-
 MAX_WHOLE_CORNERS = 200  # corners up to which all pairs are tested without comparing boxes first
 MAX_SHAPES, MAX_CORNERS = 1 << 12, 8  # above these, blocks of pairs in float32 are faster
 MAX_PRODUCTS = 1 << 17  # of normals and corners at a time, so that they stay in the second-level cache
+MAX_KEPT = 64  # numbers of shapes whose pairs are kept
+NO_PLACES = np.empty(0, np.intp)
 MAX_DISTANCES = 1 << 13  # from corners to centers at a time, for the same reason
 # column V: the corners of an outline with V corners, again and again
 CLOSING = np.arange(MAX_CORNERS + 1)[:, None] % np.maximum(1, np.arange(MAX_CORNERS + 1))
 OUTWARD = np.array([1.0, -1.0])[:, None, None]  # turns (dy, dx) of a counter-clockwise edge into its outward normal
-# the bound for squared distances, of the larger square, and that for turns, of edge times distance: as in filter
+# Distances from a center to an outline of which no corner is farther than m: |error| <= 30 u m (u = 2**-53), rounded up
+# to 128 u.  Turns, of edge times distance: as in filter.
 DISTANCE_ERROR, TURN_ERROR = 2.0**-46, 2.0**-48
-NO_LENGTH = 1e-300  # edge times distance: its root, times a distance, is far below every bound
+NO_TURN = 1e-300  # edge times distance: what underflow takes is far less
+MIN_DISTANCE_ERROR = 2.0**-440  # edges whose squares lose bits, below 2**-500, are far shorter
+MAX_DISTANCE = 2.0**500  # squares of edges between corners that near do not overflow
 
 
 class Sweep(NamedTuple):
@@ -82,11 +83,20 @@ def _swept_pairs(bounds: Array, sweep: Sweep) -> Pairs:
     return np.stack([np.minimum(i, j), np.maximum(i, j)], axis=1)
 
 
-@lru_cache(maxsize=MAX_ALL_PAIRS + 1)
-def _all_pairs(n: int) -> tuple[Pairs, Indices]:
-    """Return the pairs i < j of n boxes in order, and the place of each in an (n, n) array."""
+class AllPairs(NamedTuple):
+    """The pairs i < j of some shapes, in order, as rows and as two arrays; and the place of each in an (n, n) array."""
+
+    pairs: Pairs
+    i: Indices
+    j: Indices
+    places: Indices
+
+
+@lru_cache(maxsize=MAX_KEPT)
+def _all_pairs(n: int) -> AllPairs:
+    """Return the pairs of n shapes."""
     i, j = np.triu_indices(n, 1)
-    return np.stack([i, j], axis=1), i * n + j
+    return AllPairs(np.stack([i, j], axis=1), i, j, i * n + j)
 
 
 def _meeting_of_all(low: Array, high: Array) -> Pairs:
@@ -94,8 +104,8 @@ def _meeting_of_all(low: Array, high: Array) -> Pairs:
     before = low[:, :, None] <= high[:, None]  # does box i begin on this axis before box j ends?
     meet = before[0] & before[1]
     meet &= meet.T
-    pairs, places = _all_pairs(low.shape[1])
-    return pairs.take(np.flatnonzero(meet.take(places)), axis=0)
+    every = _all_pairs(low.shape[1])
+    return every.pairs.take(np.flatnonzero(meet.take(every.places)), axis=0)
 
 
 def colliding_pairs(shapes: Shapes) -> Pairs | None:
@@ -104,25 +114,31 @@ def colliding_pairs(shapes: Shapes) -> Pairs | None:
     All pairs are evaluated in float64 by a few expressions, since calls take longer than the work: a corner is a
     complex number x + iy.
     """
-    closed, radius = _closed_columns(shapes)
-    if closed is None:
+    columns = _columns_of(shapes)
+    if columns is None:
         return None
+    closed, _, radius = columns
     n = closed.shape[1]
     with np.errstate(all="ignore"):
         is_upright = radius is None and _are_upright(closed)
         if n <= MAX_ALL_PAIRS and closed.size <= MAX_WHOLE_CORNERS and not is_upright:
-            pairs, places = _all_pairs(n)
-            clear = _clearances_of_all(closed, radius).take(places)
+            every = _all_pairs(n)
+            pairs = every.pairs
+            clear, bound = _clearances_of_all(columns, every)
+            hit, rest = _decided(clear, bound)
+            if rest.size and len(closed) > 1:  # one bound for all says little where one shape is far larger or farther
+                clear = _clearances(columns, *pairs.take(rest, axis=0).T)
+                hit[rest], doubtful = _decided(clear, 1.0)
+                rest = rest[doubtful]
         else:
             low, high = _boxes(closed, radius)
             meeting, *_ = candidate_pairs(np.concatenate([low, high]).T)
             if meeting is None:
                 return None
             pairs = meeting
-            clear = np.full(len(pairs), -np.inf) if is_upright else _clearances(closed, radius, *meeting.T)
-    hit, apart = clear < -1, clear > 1
-    if np.count_nonzero(hit) + np.count_nonzero(apart) < len(pairs):
-        rest = np.flatnonzero(~(hit | apart))
+            clear = np.full(len(pairs), -np.inf) if is_upright else _clearances(columns, *meeting.T)
+            hit, rest = _decided(clear, 1.0)
+    if rest.size:
         settled = np.empty(len(rest), np.int8)
         relations(shapes.flat, pairs[rest, 0], shapes.flat, pairs[rest, 1], settled)
         if settled.min() == UNDECIDED:  # circles that nearly touch
@@ -130,6 +146,17 @@ def colliding_pairs(shapes: Shapes) -> Pairs | None:
         hit[rest] = settled != APART
     pairs = pairs.take(hit.nonzero()[0], axis=0)
     return pairs if n <= MAX_ALL_PAIRS else np.asarray(pairs[np.lexsort((pairs[:, 1], pairs[:, 0]))])
+
+
+def _decided(clear: Array, bound: float) -> tuple[Mask, Indices]:
+    """Return (is the shape not certainly apart? the places of those that are not certain either way).
+
+    clear: gaps, certain above the bound and below its negative; NaN is not certain.
+    """
+    hit, apart = clear < -bound, clear > bound
+    if np.count_nonzero(hit) + np.count_nonzero(apart) == len(clear):
+        return hit, NO_PLACES
+    return hit, (~(hit | apart)).nonzero()[0]
 
 
 def _are_upright(closed: Complexes) -> bool:
@@ -159,91 +186,105 @@ def _planes(z: Complexes) -> Array:
     return planes
 
 
-def _clearances_of_all(closed: Complexes, radius: Array | None) -> Array:
-    """Return what `_clearances` does for all n by n shapes: each normal with each corner in one product."""
-    n = closed.shape[1]
-    if len(closed) == 1 and radius is not None:
-        return _round_clearances(closed[:, :, None], closed[0], radius[:, None] + radius)
-    corners, edges = closed[:-1], closed[1:] - closed[:-1]
-    normals = edges * -1j
+def _clearances_of_all(columns: ComplexColumns, every: AllPairs) -> tuple[Array, float]:
+    """Return (the gaps of all pairs, their error bound): each normal with each corner in one product."""
+    closed, edges, radius = columns
+    v, n = edges.shape
+    if radius is not None and len(closed) == 1:
+        away = closed[0].take(every.i) - closed[0].take(every.j)
+        return _coin_clearances(np.abs(away), radius.take(every.i) + radius.take(every.j)), 1.0
     # corner by corner of each shape, edge by edge of each
-    values = corners.reshape(-1, 1).view(np.float64) @ normals.reshape(-1, 1).view(np.float64).T
-    least = np.minimum.reduce(values.reshape(len(corners), n, len(corners), n), axis=0)
-    least -= (normals.conj() * corners).real
-    gap = np.maximum.reduce(least, axis=1)
-    edge, reach = np.maximum.reduce(np.abs(edges), axis=0), np.maximum.reduce(np.abs(corners), axis=0)
-    clear = _in_error_bounds(np.maximum(gap, gap.T), (edge[:, None] + edge) * (reach[:, None] + reach))
+    values = closed[:-1].reshape(-1, 1).view(np.float64).dot((edges * -1j).reshape(-1, 1).view(np.float64).T)
+    least, at = np.minimum.reduce(values.reshape(v, n, v, n)), values.reshape(-1)[:: v * n + 1].reshape(v, 1, n)
+    # by edge, by shape with these corners, by shape with this edge: a reduction of the first axis is the quickest
+    over = np.maximum.reduce(np.subtract(least.transpose(1, 0, 2), at, order="C"))
+    gap, reach = np.maximum(over, over.T), _largest(closed)
+    # what underflow takes is far less than MIN_ERROR_BOUND; where a product overflows, so does the bound
+    bound = max(4 * _largest(edges) * reach * ERROR_FACTOR_F64, MIN_ERROR_BOUND)
     if radius is not None:
-        circles = np.flatnonzero(radius)
-        radius_sum = radius[:, None] + radius.take(circles)
-        clear[:, circles] = others = _round_clearances(closed[:, :, None], closed[0].take(circles), radius_sum)
-        clear[circles] = others.T
-    return clear
+        circles = radius.nonzero()[0]
+        centers, radii = closed[0].take(circles), radius.take(circles)
+        outside = over.take(circles, axis=0)
+        outside[:, circles] = np.inf
+        near = _distances(centers[:, None] - closed[:-1, None], edges[:, None]) - (radii[:, None] + radius)
+        farthest = 2 * (reach + float(radii[radii.argmax()]))
+        error = farthest * DISTANCE_ERROR + MIN_DISTANCE_ERROR if farthest < MAX_DISTANCE else np.inf
+        near *= bound / error
+        gap[circles] = near = np.minimum(near, outside)  # as in _round_clearances
+        gap[:, circles] = near.T
+    return gap.take(every.places), bound
 
 
-def _in_error_bounds(gap: Array, size: Array) -> Array:
-    """Return gaps of polygons in units of their error bounds; size: largest edge times largest coordinate.
+def _largest(values: Array | Complexes) -> float:
+    """Return the largest absolute value; of few, argmax finds it in half the time of max."""
+    size = np.abs(values).reshape(-1)
+    return float(size[size.argmax()])
 
-    What underflow takes is far less than MIN_ERROR_BOUND; where a product overflows, so does the size.
+
+def _distances(away: Complexes, edges: Complexes) -> Array:
+    """Return the distances from centers to outlines that do not hold them, from the boundary otherwise.
+
+    away: (V, ...) from each corner to the center; edges: (V, ...) from it to the next corner.
     """
-    return np.asarray(gap / np.maximum(size * ERROR_FACTOR_F64, MIN_ERROR_BOUND))
+    back = edges.conj()
+    along = (back * away).real / (back * edges).real
+    along = np.fmin(np.fmax(along, 0.0), 1.0)  # 0 for an edge without a length
+    return np.asarray(np.minimum.reduce(np.abs(away - along * edges), axis=0))
 
 
-def _clearances(closed: Complexes, radius: Array | None, i: Indices, j: Indices) -> Array:
+def _coin_clearances(distance: Array, radius_sum: Array) -> Array:
+    """Return the gaps between circles in units of their error bounds; distance: between the centers."""
+    return np.asarray((distance - radius_sum) / ((distance + radius_sum) * DISTANCE_ERROR + MIN_DISTANCE_ERROR))
+
+
+def _clearances(columns: ComplexColumns, i: Indices, j: Indices) -> Array:
     """Return the gap between shapes i[k] and j[k] in units of its error bound: certain above 1 and below -1."""
+    closed, _, radius = columns
     if radius is None:
-        return _polygon_clearances(closed, i, j)
+        return _polygon_clearances(columns, i, j)
+    radius_sum = radius.take(i) + radius.take(j)
+    if len(closed) == 1:
+        return _coin_clearances(np.abs(closed[0].take(i) - closed[0].take(j)), radius_sum)
     clear = np.empty(len(i))
-    radius_sum = radius[i] + radius[j]
     is_round = radius_sum > 0
     where = np.flatnonzero(~is_round)
     if where.size:
-        clear[where] = _polygon_clearances(closed, i[where], j[where])
+        clear[where] = _polygon_clearances(columns, i[where], j[where])
     where = np.flatnonzero(is_round)
     size = MAX_DISTANCES // len(closed)
     for start in range(0, len(where), size):
         part = where[start : start + size]
         a, b = i[part], j[part]
         a, b = np.where(radius[a] > 0, (a, b), (b, a))
-        clear[part] = _round_clearances(closed.take(b, axis=1), closed[0].take(a), radius_sum[part])
+        clear[part] = _round_clearances(columns, a, b, radius_sum[part], radius[b] > 0)
     return clear
 
 
-def _round_clearances(closed: Complexes, centers: Complexes, radius: Array) -> Array:
-    """Return what `_clearances` does for circles with these centers and outlines, which may be those of circles too.
+def _round_clearances(columns: ComplexColumns, a: Indices, b: Indices, radius_sum: Array, is_coin: Mask) -> Array:
+    """Return what `_clearances` does for circles a[k] and shapes b[k]; is_coin: is b[k] a circle too?
 
-    The gap is the squared distance from the center to the outline minus the squared sum of radii; -inf for a center
-    certainly inside.  A center that rounding hides from the inside is so near to the boundary that its distance from
-    there decides as well.
-    closed: (V + 1, ...) corners, the first one again at the end, or (1, ...) centers of other circles.
+    The gap is the distance from the center to the outline minus the sum of radii, if the center is certainly outside;
+    it is certainly negative if the center is certainly inside; in between only a hit by the distance is certain.
     """
-    away = centers - closed
-    distance = (away * away.conj()).real
-    square = radius * radius
-    if len(closed) == 1:
-        error_bound = np.maximum(distance[0], square) * DISTANCE_ERROR
-        return np.asarray((distance[0] - square) / np.maximum(error_bound, MIN_SAFE_PRODUCT))
-    error_bound = np.maximum(np.maximum.reduce(distance, axis=0), square)
-    error_bound *= DISTANCE_ERROR
-    error_bound[error_bound > MAX_SAFE_PRODUCT * DISTANCE_ERROR] = np.inf  # squares of edges may overflow
-    np.maximum(error_bound, MIN_SAFE_PRODUCT, out=error_bound)  # underflow takes far less
-    edges = closed[1:] - closed[:-1]
-    turns = edges.conj() * away[:-1]
-    along, turn, length = turns.real, turns.imag, (edges * edges.conj()).real
-    inside = np.logical_and.reduce(turn > np.abs(turns) * TURN_ERROR + NO_LENGTH, axis=0)
-    # a foot this near to the first corner is that corner, which also settles edges so short that products are lost
-    ends = np.where(along >= length, distance[1:], turn / length * turn)
-    gap = np.minimum.reduce(np.where(along <= NO_LENGTH, distance[:-1], ends), axis=0)
-    gap -= square
-    gap[inside] = -np.inf
-    return np.asarray(gap / error_bound)
+    closed, edges, _ = columns
+    away, own = closed[0].take(a) - closed[:-1].take(b, axis=1), edges.take(b, axis=1)
+    farthest = np.maximum.reduce(np.abs(away), axis=0)
+    distance = _distances(away, own)
+    error = (farthest + radius_sum) * DISTANCE_ERROR + MIN_DISTANCE_ERROR
+    error[farthest > MAX_DISTANCE] = np.inf
+    turns = own.conj() * away
+    inside = np.minimum.reduce(turns.imag / (np.abs(turns) * TURN_ERROR + NO_TURN), axis=0)
+    inside[is_coin] = -np.inf  # there are no edges
+    return np.asarray(np.minimum((distance - radius_sum) / error, -inside))
 
 
-def _polygon_clearances(closed: Complexes, i: Indices, j: Indices) -> Array:
+def _polygon_clearances(columns: ComplexColumns, i: Indices, j: Indices) -> Array:
     """Return what `_clearances` does for polygons."""
-    corners, edges = _planes(closed[:-1]), _planes(closed[1:] - closed[:-1])
+    corners, edges = _planes(columns.closed[:-1]), _planes(columns.edges)
     edge, reach = (np.abs(c).max(axis=(0, 1)) for c in (edges, corners))
-    return _in_error_bounds(_gaps(corners, edges, i, j), (edge[i] + edge[j]) * (reach[i] + reach[j]))
+    size = (edge[i] + edge[j]) * (reach[i] + reach[j])
+    # what underflow takes is far less than MIN_ERROR_BOUND; where a product overflows, so does the size
+    return np.asarray(_gaps(corners, edges, i, j) / np.maximum(size * ERROR_FACTOR_F64, MIN_ERROR_BOUND))
 
 
 def _gaps(corners: Array, edges: Array, i: Indices, j: Indices) -> Array:
@@ -264,43 +305,49 @@ def _gaps(corners: Array, edges: Array, i: Indices, j: Indices) -> Array:
     return np.asarray(np.maximum(gap[: len(i)], gap[len(i) :]))
 
 
-def _closed_columns(shapes: Shapes) -> tuple[Complexes | None, Array | None]:
-    """Return ((V + 1, n) corners, one column a shape, or None for many shapes or corners; radii if there are any).
-
-    The row after an outline's last corner starts it again; circles alone have one row.
-    """
+def _columns_of(shapes: Shapes) -> ComplexColumns | None:
+    """Return the shapes as columns, or None for many shapes or corners."""
+    runs = vars(shapes).get("runs")  # read once, since another thread may join them
+    if runs is not None:
+        return _columns_of_runs(runs)
     if not 1 < shapes.part_count <= MAX_SHAPES:
-        return None, None
-    if (runs := vars(shapes).get("runs")) is not None:  # read once, since another thread may join them
-        return _closed_runs(runs)
+        return None
+    if (columns := vars(shapes).get("as_complex")) is not None:
+        return columns if len(columns.edges) <= MAX_CORNERS else None
     x, y, start = shapes.rings
     count = start[1:] - start[:-1]
-    most = int(np.maximum.reduce(count))
+    most = int(count[count.argmax()])
     if most > MAX_CORNERS:
-        return None, None
+        return None
     places = CLOSING.take(count, axis=1)[: _rows(most)] + start[:-1]
     closed = np.empty(places.shape, np.complex128)
     closed.real, closed.imag = x.take(places), y.take(places)
-    return closed, shapes.radius if shapes.radius.any() else None
+    return ComplexColumns(closed, closed[1:] - closed[:-1], shapes.radius if shapes.radius.any() else None)
 
 
-def _closed_runs(runs: Sequence[CornerColumns]) -> tuple[Complexes | None, Array | None]:
-    """Return (corners, radii) in the form of `_closed_columns`, for the shapes of several groups, group after group."""
-    most = max(run.block.shape[1] for run in runs)
-    if most > MAX_CORNERS:
-        return None, None
+def _columns_of_runs(runs: Sequence[CornerColumns]) -> ComplexColumns | None:
+    """Return the shapes of groups as columns, group after group; None for many shapes or corners."""
+    if len(runs) == 1 and (columns := runs[0].as_complex) is not None:
+        return columns if len(runs[0]) > 1 else None
+    most, n = max([run.corners for run in runs]), sum([len(run) for run in runs])  # lists are quicker for few
+    if not 1 < n <= MAX_SHAPES or most > MAX_CORNERS:
+        return None
     rows, start = _rows(most), 0
-    closed = np.empty((rows, sum(run.block.shape[2] for run in runs)), np.complex128)
+    closed, radius = np.empty((rows, n), np.complex128), None
     for run in runs:
-        _, corners, n = run.block.shape
-        part, again = closed[:, start : start + n], CLOSING[:rows, corners]
-        part.real, part.imag = run.block[0].take(again, axis=0), run.block[1].take(again, axis=0)
-        start += n
-    if len(runs) == 1:
-        return closed, runs[0].r
-    if all(run.r is None for run in runs):
-        return closed, None
-    return closed, np.concatenate([np.zeros(len(run)) if run.r is None else run.r for run in runs])
+        corners, end = run.corners, start + len(run)
+        part = closed[:, start:end]
+        if run.as_complex is not None:
+            part[:corners] = run.as_complex.closed[:corners]
+        else:
+            part.real[:corners], part.imag[:corners] = run.block[0], run.block[1]
+        if corners < rows:
+            part[corners:] = part.take(CLOSING[corners:rows, corners], axis=0)
+        if corners == 1:
+            radius = np.zeros(n) if radius is None else radius
+            radius[start:end] = run.block[2, 0] if run.as_complex is None else run.as_complex.radius
+        start = end
+    return ComplexColumns(closed, closed[1:] - closed[:-1], radius)
 
 
 def _rows(most: int) -> int:

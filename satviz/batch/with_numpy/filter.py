@@ -43,7 +43,10 @@ def polygons(a: CornerColumns, b: CornerColumns, first: int, out: Signs) -> None
 
 
 def _max_widths(group: CornerColumns, first: int, n: int) -> Array:
-    """Return an upper bound of the widths of n columns from `first` on: half of the edges of a tile laid end to end."""
+    """Return (n,) upper bounds of the widths and heights of the shapes in columns from `first` on.
+
+    A bound is the largest edge component in the column's tile, times half of the number of edges.
+    """
     tiles = slice(first // TILE_SHAPES, (first + n - 1) // TILE_SHAPES + 1)
     widths: Array = np.repeat(group.tile_maxima.edge[tiles] * (len(group.x) // 2), TILE_SHAPES)
     return widths[first % TILE_SHAPES :][:n]

@@ -1,15 +1,18 @@
 """Outlines of one number of corners validated while they are copied, in NumPy: a few expressions for all of them."""
 
+from functools import lru_cache
+
 import numpy as np
 
 from ...engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
-from ..array_types import Array, Indices, Mask
-from ..arrays import CornerColumns
+from ..array_types import Array, Complexes, Indices, Mask
+from ..arrays import ComplexColumns, CornerColumns, Shapes
 from ..exact_signs import ERRBOUND_A
-from ..ragged import RaggedRings
+from ..ragged import MAX_LANE_CORNERS
 
 BLOCK_CORNERS = 1 << 15  # corners at a time: they and the scratch arrays stay in the second-level cache
 TURN_ERROR = 2.0**-51  # |error| <= 3.1 u |edge| |next edge| (u = 2**-53), rounded up to 4 u
+MAX_FEW = 64  # outlines that are checked in a few expressions, in the form in which few are evaluated
 MAX_PADDED_CORNERS = 1 << 15  # of padded arrays, which are checked all at once: few shapes
 
 
@@ -20,6 +23,8 @@ def certified_group(vertices: Array) -> CornerColumns | None:
     underflow passes.
     """
     n, corners = vertices.shape[:2]
+    if 1 < n <= MAX_FEW and (few := _certified_columns(vertices) or _certified_columns(vertices[:, ::-1].copy())):
+        return CornerColumns(as_complex=few)
     columns = np.empty((2, corners, n))
     size = max(1, BLOCK_CORNERS // corners)
     with np.errstate(all="ignore"):
@@ -36,41 +41,86 @@ def certified_group(vertices: Array) -> CornerColumns | None:
     return CornerColumns(columns)
 
 
+def _certified_columns(vertices: Array) -> ComplexColumns | None:
+    """Return (N, V, 2) outlines as columns; None if one is not certified to be convex and counter-clockwise."""
+    n, corners = vertices.shape[:2]
+    closed = vertices.view(np.complex128).take(_closing_places(n, corners))
+    edges, left = _certified_left(closed)
+    if np.count_nonzero(left) < n * corners:
+        return None
+    # with 3 or 4 corners of one orientation there is no going round twice
+    if corners > 4 and np.count_nonzero(_changes_along_x(edges)) > 2 * n:
+        return None
+    return ComplexColumns(closed[:-1], edges[:-1], None)
+
+
+def _certified_left(closed: Complexes) -> tuple[Complexes, Mask]:
+    """Return (edges, are each and the next one certified to be counter-clockwise?).
+
+    closed: (V + 2, n) corners, the first two again at the end.
+    """
+    with np.errstate(all="ignore"):
+        edges = closed[1:] - closed[:-1]
+        turns = edges[:-1].conj() * edges[1:]
+        # where a product overflows, so does the size
+        return edges, turns.imag > np.abs(turns) * TURN_ERROR + MIN_SAFE_PRODUCT
+
+
+def _changes_along_x(edges: Complexes) -> Mask:
+    """Return whether only one of each edge and the next one leads to smaller x.
+
+    An outline that is counter-clockwise at all corners goes round once for every two of these.
+    """
+    rises = edges.real >= 0
+    return np.asarray(rises[1:] != rises[:-1])
+
+
+@lru_cache(maxsize=MAX_FEW * MAX_LANE_CORNERS)
+def _closing_places(n: int, corners: int) -> Indices:
+    """Return the places of corners one after another, (V + 2, n): those of one outline below each other, and again."""
+    return np.asarray(np.arange(corners + 2)[:, None] % corners + np.arange(0, n * corners, corners))
+
+
 def certified_circles(centers: Array, radii: Array) -> CornerColumns | None:
     """Return circles from (N, 2) centers and (N,) radii as a group; None if a number is not finite or not positive."""
-    block = np.empty((3, 1, len(centers)))
+    n = len(radii)
+    if not (n and np.count_nonzero(np.isfinite(centers)) == 2 * n and radii[radii.argmin()] > 0):
+        return None
+    if not radii[radii.argmax()] < np.inf:
+        return None
+    if n <= MAX_FEW:
+        closed = centers.view(np.complex128).T.copy()
+        return CornerColumns(as_complex=ComplexColumns(closed, closed[:0], radii.copy()))
+    block = np.empty((3, 1, n))
     np.add(centers.T, 0.0, out=block[:2, 0])  # -0.0 becomes 0.0
     block[2, 0] = radii
-    return CornerColumns(block) if np.isfinite(block).all() and (radii > 0).all() else None
+    return CornerColumns(block)
 
 
-def certified_padded(corners: Array, counts: Indices, radii: Array) -> RaggedRings | None:
-    """Return few shapes in padded arrays, as `from_padded` takes them, as RaggedRings.
+def certified_padded(corners: Array, counts: Indices, radii: Array) -> Shapes | None:
+    """Return few shapes in padded arrays, as `from_padded` takes them.
 
     None for many, or if one is not certified: a circle, or counter-clockwise, convex and without repeats.
     """
     n, most, _ = corners.shape
-    if not (0 < n * most <= MAX_PADDED_CORNERS and np.minimum.reduce(counts) > 0 and np.maximum.reduce(counts) <= most):
+    if not (0 < n * most <= MAX_PADDED_CORNERS and counts[counts.argmin()] > 0 and counts[counts.argmax()] <= most):
         return None
-    row = np.arange(most + 2)[:, None]
-    own = row[:most] < counts
-    # each outline goes on with its own first corners: what follows its last one is not read
-    z = corners.reshape(-1).view(np.complex128).take(row % counts + np.arange(0, n * most, most))
-    with np.errstate(all="ignore"):
-        edges = z[1:] - z[:-1]
-        turns = edges[:-1].conj() * edges[1:]
-        size = np.abs(turns)
-        left = (turns.imag > size * TURN_ERROR) & (size > MIN_SAFE_PRODUCT) & (size < MAX_SAFE_PRODUCT)
-        rises = (edges.real > 0) | ((edges.real == 0) & (edges.imag > 0))
-    once = np.add.reduce((rises[1:] != rises[:-1]) & own, axis=0) == 2
-    are_polygons = np.logical_and.reduce(left, axis=0) & once & (radii == 0)
-    are_circles = (counts == 1) & (radii > 0) & (radii < np.inf) & np.isfinite(z[0])
-    if not (are_polygons | are_circles).all():
+    are_circles, row = radii > 0, np.arange(most + 2)[:, None]
+    circles, polygons = np.count_nonzero(are_circles), np.count_nonzero(radii == 0)
+    if circles + polygons < n or np.count_nonzero(are_circles != (counts == 1)) or not radii[radii.argmax()] < np.inf:
         return None
-    start = np.zeros(n + 1, np.intp)
-    np.cumsum(counts, out=start[1:])
-    kept = z[:most].T[own.T] + 0.0  # -0.0 becomes 0.0
-    return RaggedRings(kept.real.copy(), kept.imag.copy(), start)
+    for order in row, -1 - row:
+        # each outline goes on with its own first corners: what follows its last one is not read
+        closed = corners.reshape(-1).view(np.complex128).take(order % counts + np.arange(0, n * most, most))
+        edges, left = _certified_left(closed)
+        if (
+            np.count_nonzero(left) == most * polygons  # a circle has none
+            and np.count_nonzero(_changes_along_x(edges) & (row[:most] < counts)) == 2 * polygons
+            and np.count_nonzero(np.isfinite(closed[0])) == n
+        ):
+            columns = ComplexColumns(closed[:-1], edges[:-1], radii + 0.0 if circles else None)
+            return Shapes(as_complex=(columns, counts.astype(np.int64)))
+    return None
 
 
 def _turns_one_way(xy: Array) -> tuple[Mask, Mask] | None:

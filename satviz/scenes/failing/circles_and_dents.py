@@ -11,7 +11,7 @@ from ...engine.shapes import Circle, Polygon, Shape
 from ...engine.shortcut import Shortcut
 from ...engine.trace import record
 from ..shape_tools import box
-from .failure_case import DEPTH, FALSE_HIT, WRONG_NUMBER, FailureCase
+from .failure_case import DEPTH, FALSE_HIT, WRONG_NUMBER, FailureCase, Panels
 from .move_space import ErrorRegion, RegionOrReason, Window, hits_in_window, subtract, window_ring
 from .region_of_axes import TURNING
 from .region_of_pushes import region_of_pieces
@@ -84,5 +84,6 @@ CASES = (
         (box(0, 0, 4, 4), box(1.5, 1.5, 2.5, 2.5)),
         **DEPTH,
         error_region=partial(region_of_pieces, split=halves, error=excess_length),
+        panels=Panels(actual="way out"),
     ),
 )

@@ -220,7 +220,7 @@ CASES = (
     FailureCase(
         Shortcut("half-the-normals", "opposite edges are parallel, so half the normals will do", first_half_of_normals),
         FALSE_HIT,
-        (Polygon([(0, 0), (6, 0), (4, 2), (2, 2)]), box(-0.9, 0.4, 0.1, 1.4)),
+        (box(0, 2.5, 1.8, 4.3), Polygon([(0, 0), (7, 0), (4, 3), (3, 3)])),
     ),
     FailureCase(
         Shortcut("same-shape", "two squares have the same normals, so one's will do", edge_normals_of_a),
@@ -280,7 +280,7 @@ CASES = (
         true_value=evaluations_of_sat,
         claims_less=True,
         error_region=region_of_few_evaluations,
-        panels=Panels("support points", "axes of SAT"),
+        panels=Panels("searches", "axes of SAT"),
         verdicts=("", ""),
     ),
 )

@@ -258,6 +258,7 @@ CASES = (
         true_value=lambda a, b: 0.0,
         is_about_push=True,
         error_region=partial(region_of_pieces, split=tiles, error=squared_distance),
+        panels=Panels(actual="way out"),
     ),
     FailureCase(
         Shortcut("rounded-normals", "a rounded normal still points the right way", rounded_normals),

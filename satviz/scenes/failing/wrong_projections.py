@@ -116,6 +116,7 @@ CASES = (
         (box(0, 0, 2, 1), box(1, 0.25, 3, 2.25)),
         **DEPTH,
         error_region=partial(region_of_depth, choose=edge_normals, measure=overlaps_in_raw_units),
+        panels=Panels("raw ways out", "true ways out"),
     ),
     FailureCase(
         Shortcut("lengths", "a landing place is a length, so it has no sign", needed, without_signs),

@@ -620,6 +620,10 @@ class Account:
             self.counts.add(after.end)  # a range of C++: Polygon p(points, points + 4)
             return
         escapes = token.text[0] == "\\" and token.text != "\\ "
+        loose = before.end < token.start and token.end < after.start
+        if loose and ((token.text == "." and self.is_data(i - 1)) or (token.text == "$" and self.is_data(i + 1))):
+            self.miss(i, i + 1)  # of Haskell: circle (0, 0) 1 . flip, and flip . id $ [(0, 0), (4, 0), (0, 3)]
+            return
         known = token.text in PUNCTUATION or escapes or self.is_of_code(i, frame)
         if known or (not frame.data and self.is_of_text(i)):
             return
@@ -677,7 +681,7 @@ class Account:
             factorial = token.text == "!" and before.kind == NUMBER and before.end == token.start
             if (factorial and self.is_written(i - 1)) or before.text == "?":  # 6!, size ?? box
                 return False
-            chooses = token.text == "?" and (self.is_ternary(i) or after.kind == NUMBER)
+            chooses = token.text == "?" and (":" in self.text[token.end : self.line(token)[1]] or after.kind == NUMBER)
             return not chooses and after.text not in (":", "[") and (after.kind == LINE or not tight)
         if token.text in "-\u2013\u2014":
             prose = after.kind == NAME and not self.is_variable(after) and self.at(i + 2).kind == NAME
@@ -700,19 +704,6 @@ class Account:
         """Return whether a bracket is that of the call of a test."""
         word = self.callee(self.open.get(i, i))
         return word is not None and is_test(word.text)
-
-    def is_ternary(self, i: int) -> bool:
-        """Return whether a colon follows a question mark in its line."""
-        k = i + 1
-        for _ in range(20):
-            if k >= len(self.tokens):
-                return False
-            if self.tokens[k].kind == LINE or self.tokens[k].text == ";":
-                return False
-            if self.tokens[k].text == ":":
-                return True
-            k = self.close.get(k, k) + 1
-        return False
 
 
 def within(spans: Sequence[tuple[int, int]], values: Sequence[Any]) -> set[Any]:

@@ -6,10 +6,9 @@ from fractions import Fraction
 from typing import Any
 
 from .harmless import listed
-from .tokens import MARK, NAME, OTHER, Token, number
+from .tokens import MARK, NAME, NUMERAL, OTHER, Token, number
 from .tree import Group, Name, Num
 
-NUMERAL = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 # words of a language before a value
 IGNORED_NAMES = listed(
     """
@@ -45,7 +44,7 @@ def is_mark(atom: Any, texts: tuple[str, ...]) -> bool:
 
 def is_numeral(atom: Token) -> bool:
     """Return whether a text in quotes is a number."""
-    return NUMERAL.fullmatch(atom.text[1:-1].strip()) is not None
+    return re.fullmatch(NUMERAL, atom.text[1:-1].strip()) is not None
 
 
 def text_value(atom: Token) -> Num | Name:

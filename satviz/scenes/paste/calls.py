@@ -66,8 +66,6 @@ class Calls(Keyed):
                 if isinstance(value, Bad) or key(parts_of(value.text)[-1]):
                     kept.append(item)  # player.x, width: a number that is not in the text
                 continue  # null, a body, options
-            if isinstance(value, Group) and not value.items and not value.name:
-                continue
             if isinstance(value, Group) and any(isinstance(v, Pair) for v in value.items) and not value.name:
                 options = self.as_object(value)
                 if options.get("x") is None and not any(isinstance(k, int) for k in options.fields):
@@ -145,8 +143,6 @@ class Calls(Keyed):
         if "hull" in group.name.lower():  # a call that takes points and gives their hull
             given |= places(*(c for p in outline for c in p))
             outline = hull(outline) if len(hull(outline)) < len(set(outline)) else outline
-        if any(not key(name) and self.point(value) is not None for name, value in named.fields.items()):
-            raise Unreadable("a list of corners holds something that is not a corner")
         shift = place or ZERO
         how = f", the convex hull of {count} points" if len(outline) < count else ""
         made = self._outline(outline, group, label, shift, f"{how} and a position" if shift != ZERO else how)

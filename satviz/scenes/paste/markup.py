@@ -1,15 +1,16 @@
 """Elements of SVG as calls: <circle cx="1" cy="2" r="3"/> is read as svg.circle(cx=1, cy=2, r=3)."""
 
 import re
+from bisect import bisect_left
 from collections.abc import Iterator
 from fractions import Fraction
 from itertools import islice
 
 from ...engine.geometry import InvalidScene
 from .prose import fields, keys, sentences
-from .svg_path import NUMERAL, PATH_DATA, path_tokens
+from .svg_path import PATH_DATA, path_tokens
 from .tables import tables
-from .tokens import CLOSE, FIELD, MARK, MAX_TOKENS, NAME, NUMBER, OPEN, TOO_MANY, Token, tokens
+from .tokens import CLOSE, FIELD, MARK, MAX_TOKENS, NAME, NUMBER, NUMERAL, OPEN, TOO_MANY, Token, tokens
 
 _QUOTED = r"\"[^\"<>]*\"|'[^'<>]*'"
 _ELEMENT = re.compile(rf"<(circle|ellipse|rect|polygon|polyline|path|area)(?=[\s/>])((?:[^<>\"']|{_QUOTED})*)>")
@@ -64,6 +65,8 @@ def all_tokens(text: str) -> tuple[list[Token], list[Token], list[tuple[int, int
             parts.append((m.start(), m.end(), found))
     parts += [(m.start(), m.end(), []) for m in _OTHER.finditer(text)]
     parts += [*tables(text), *sentences(text), *fields(text), *keys(text)]
+    begins = [token.start for token in plain]
+    parts = [part for part in parts if bisect_left(begins, part[0]) < bisect_left(begins, part[1])]  # not in a comment
     if not parts:
         return plain, plain, []
     parts.sort(key=lambda part: part[0])
@@ -86,14 +89,11 @@ def _replaced(plain: list[Token], parts: list[tuple[int, int, list[Token]]]) -> 
             part = next(rest, None)
         if token.start >= reached:
             yield token
-    while part is not None:
-        yield from part[2] if part[0] >= reached else ()
-        part = next(rest, None)
 
 
 def _are_numbers(text: str) -> bool:
     """Return whether there are numbers in a text, and nothing else."""
-    return _BETWEEN.fullmatch(NUMERAL.sub("", text)) is not None
+    return _BETWEEN.fullmatch(re.sub(NUMERAL, "", text)) is not None
 
 
 def _attributes(text: str, at: int) -> dict[str, tuple[str, int]]:

@@ -116,16 +116,10 @@ class Names:
         made = Obj(group.start, group.end)
         for item in group.items:
             if isinstance(item, Pair):
-                node = made
-                for part in item.path[:-1]:
-                    child = node.fields.get(part)
-                    if not isinstance(child, Obj):
-                        child = Obj(item.start, item.end)
-                        node.fields[part] = child
-                    node = child
-                if item.path[-1] in node.fields:
-                    made.twice = str(item.path[-1])
-                node.fields.setdefault(item.path[-1], item.value)
+                name = item.path[0] if len(item.path) == 1 else ".".join(map(str, item.path))
+                if name in made.fields:
+                    made.twice = str(name)
+                made.fields.setdefault(name, item.value)
             elif item is not None:
                 made.rest.append(item)
         return made

@@ -123,8 +123,6 @@ class _Parser:
             if token.kind == CLOSE:
                 if bracket and PAIRS[bracket] == token.text:
                     break
-                if bracket and any(PAIRS[bracket] == later.text for later in self.tokens[self.at : self.at + 1]):
-                    continue
                 if not bracket:
                     continue  # one too many, as "A)" in prose
                 self.remark(f"a bracket {bracket} is closed by {token.text}")
@@ -187,13 +185,12 @@ class _Parser:
             return False  # 1, 2, 3 and 4
         near = atoms[-MAX_WORDS_BETWEEN:]
         said = any(isinstance(a, Group) or (isinstance(a, Token) and a.kind in (NUMBER, TEXT)) for a in near)
-        if said and self.at < len(self.tokens) and self.tokens[self.at].text == ".":
-            self.at += 1  # vs.
         return (said or bool(row)) and not (atoms and is_mark(atoms[-1], ("=", ":", ":=")))
 
     def ends_sentence(self, token: Token) -> bool:
         """Return whether a point ends a sentence, and another one begins behind it."""
-        return token.text == "." and self.next_is(NAME) and self.tokens[self.at].start > token.end
+        loose = self.text[token.start - 1] == " "  # f . g
+        return token.text == "." and not loose and self.next_is(NAME) and self.tokens[self.at].start > token.end
 
     def ends_list(self, token: Token, atoms: Sequence[Any], row: Sequence[Any]) -> bool:
         """Return whether a word stands before the last of several points: (0, 0), (4, 0) and (0, 3)."""

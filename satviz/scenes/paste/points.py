@@ -80,11 +80,7 @@ class Points(Statements):
         if row and row.kind != POINT and not (row.kind == RING and value.bracket in "[("):
             return None
         if any(isinstance(item, Pair) for item in value.items):
-            made = self.as_object(value)
-            found = self._xy(made)
-            if found and made.rest:
-                raise Unreadable("a point has a value besides x and y: write x and y alone")
-            return found
+            return self._xy(self.as_object(value))
         items = value.items
         if len(items) == 1 and isinstance(items[0], Group) and items[0].bracket in " ({[" and not items[0].name:
             items = items[0].items

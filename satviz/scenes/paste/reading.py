@@ -57,21 +57,18 @@ MAX_PROBLEMS = 50  # of what is not read; fewer are shown
 class Reader(Calls):
     """Reads a tree once, with the readings that were chosen; `problems` says what could not be read."""
 
-    def __init__(self, text: str, chosen: Sequence[str] = ()) -> None:
-        super().__init__(text, chosen)
-        self.axes: list[tuple[Group, tuple[Group, Group]]] = []  # points, and the lists of x and y that they are of
-
     def read(self, root: Group) -> list[Read]:
         """Return every shape of a tree, in the order of the text."""
         self.assign(root.items)
         entries = [(self._begin(value), str(name), value) for name, value in self.env.fields.items()]
         entries += [(value.start, "", value) for value in self.loose]
+        axes = []  # points, and the lists of x and y that they are of
         for name, x, y in pairs_of_lists(self.env.fields):
             points = joined(x, y)
             if points is None:
                 self.problems.append(lengths(x, y))
             elif not self.used & {id(x), id(y)}:
-                self.axes.append((points, (x, y)))
+                axes.append((points, (x, y)))
                 entries.append((points.start, name, points))
             self.taken |= {id(x), id(y)}
         entries = [e for e in entries if id(e[2]) not in self.taken and not isinstance(e[2], Name)]  # b = a
@@ -86,7 +83,7 @@ class Reader(Calls):
         for run in self.runs:  # a name of it stands in another shape
             if any(id(value) in self.used for value in run.value.fields.values()):
                 self.used.add(id(run.value))
-        for points, lists in self.axes:
+        for points, lists in axes:
             if any(id(each) in self.used for each in lists):
                 self.used.add(id(points))
         kept = [(owner, shape) for owner, shape in found if owner not in self.used]

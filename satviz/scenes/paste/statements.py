@@ -96,9 +96,7 @@ class Statements(Names):
     def _line(self, item: Any) -> None:
         """Take one line."""
         held = item.value if isinstance(item, Pair) else None
-        if isinstance(held, Group) and not held.name and held.bracket == "{" and held.ended and is_block(held):
-            self.assign(held.items)  # class Test : Base { ... }
-        elif isinstance(item, Pair) and isinstance(item.value, Pair):  # a heading over the lines of an object: a:
+        if isinstance(item, Pair) and isinstance(item.value, Pair):  # a heading over the lines of an object: a:
             self._end_run("")
             self._line(item.value)
         elif isinstance(item, Pair):

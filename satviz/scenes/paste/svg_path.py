@@ -4,10 +4,9 @@ import re
 from collections.abc import Iterator
 from fractions import Fraction
 
-from .tokens import CLOSE, MARK, NUMBER, OPEN, Token, number
+from .tokens import CLOSE, MARK, NUMBER, NUMERAL, OPEN, Token, number
 
-NUMERAL = re.compile(r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?")
-_PART = re.compile(rf"[A-Za-z]|{NUMERAL.pattern}")
+_PART = re.compile(rf"[A-Za-z]|{NUMERAL}")
 _REST = re.compile(r"[\s,]*")
 PATH_DATA = re.compile(r"\s*[Mm][\s,]*[-+.]?[0-9][\s0-9.,+\-eEMmLlHhVvZzCcSsQqTtAa]*")
 _TAKES = {"M": 2, "L": 2, "H": 1, "V": 1}

@@ -15,6 +15,7 @@ MAX_DIGITS = 400  # no float64 needs more, and no exponent beyond this size fits
 NUMBER, NAME, FIELD, TEXT, OPEN = "number", "name", "field", "text", "open"
 CLOSE, MARK, LINE, OTHER = "close", "mark", "line", "other"
 
+NUMERAL = r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?"
 # Units of length.  They may follow a number after a space, and one text has only one of them.
 LENGTHS = ("px", "mm", "cm", "m", "km", "ft")
 # What may follow a number directly: the suffixes of C, C++, C#, Java, Rust, Scala, and units.

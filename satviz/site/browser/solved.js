@@ -48,6 +48,5 @@ export function showSolved(place) {
     count.focus();
   });
   addEventListener("pageshow", show); // also when the reader comes back from a challenge
-  place.hidden = false;
   show();
 }

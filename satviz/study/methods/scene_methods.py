@@ -93,7 +93,7 @@ def _short_sweep_pairs(frame: Frame, kind: int) -> NDArray[np.int64]:
 
 
 def _tree_pairs(frame: Frame, prepared: bool) -> NDArray[np.intp]:
-    """Return the pairs that shapely finds: its STRtree on boxes, then each pair once.
+    """Return the (K, 2) pairs that shapely finds: by its STRtree on bounding boxes, then each pair tested once.
 
     This is quicker than a query with a predicate, which prepares the shapes by itself and tests each pair twice.
     """
