@@ -156,6 +156,8 @@ def test_what_stands_around_a_shape_is_never_dropped_without_a_question(plain, c
         "ctx.moveTo(0, 0);\nctx.lineTo(40, 0) or d;\nctx.lineTo(0, 30);\ncircle((9,9), 1)",
         "v[0] = (0,0)\nv[1] = (4,0) and d\nv[2] = (0,3)\ncircle((9,9), 1)",
         "circle((9,9), 1) if big\ncircle((0,0), 1)",
+        "circle((9,9), 1) . flip\ncircle((0,0), 1)",
+        "a = flip . id $ [(0,0),(4,0),(4,4)]\ncircle((0,0), 1)",
         "p = [(0,0),(4,0),(4,4)]\nhull = ConvexHull(p)\nflip(hull)\ncircle((0,0), 1)",
         "a circle at (0, 0) with radius 2 m.sin()\ncircle((0,0), 1)",
         "draw.circle(s, (255, 0, 9\u00b2), (4, 4), 9)\ncircle((0,0), 1)",

@@ -620,6 +620,10 @@ class Account:
             self.counts.add(after.end)  # a range of C++: Polygon p(points, points + 4)
             return
         escapes = token.text[0] == "\\" and token.text != "\\ "
+        loose = before.end < token.start and token.end < after.start
+        if loose and ((token.text == "." and self.is_data(i - 1)) or (token.text == "$" and self.is_data(i + 1))):
+            self.miss(i, i + 1)  # of Haskell: circle (0, 0) 1 . flip, and flip . id $ [(0, 0), (4, 0), (0, 3)]
+            return
         known = token.text in PUNCTUATION or escapes or self.is_of_code(i, frame)
         if known or (not frame.data and self.is_of_text(i)):
             return

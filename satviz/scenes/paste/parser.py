@@ -189,7 +189,8 @@ class _Parser:
 
     def ends_sentence(self, token: Token) -> bool:
         """Return whether a point ends a sentence, and another one begins behind it."""
-        return token.text == "." and self.next_is(NAME) and self.tokens[self.at].start > token.end
+        loose = self.text[token.start - 1] == " "  # f . g
+        return token.text == "." and not loose and self.next_is(NAME) and self.tokens[self.at].start > token.end
 
     def ends_list(self, token: Token, atoms: Sequence[Any], row: Sequence[Any]) -> bool:
         """Return whether a word stands before the last of several points: (0, 0), (4, 0) and (0, 3)."""
