@@ -83,6 +83,7 @@ SCENES = {
     "nine corners": polygons_of([9], 24),
     "mixed, up to eight corners": polygons_of([3, 4, 5, 8], 18),
     "mixed": polygons_of([3, 4, 7, 9, 12], 30),
+    "many corners": polygons_of([3, 20, 28], 150),
     "touching": touching,
     "circles": circles,
     "circles and polygons": circles_and_polygons,

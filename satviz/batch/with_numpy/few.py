@@ -14,13 +14,15 @@ from ..codes import APART, UNDECIDED
 from .indexed import relations
 
 MAX_WHOLE_CORNERS = 200  # corners up to which all pairs are tested without comparing boxes first
-MAX_SHAPES, MAX_CORNERS = 1 << 12, 8  # above these, blocks of pairs in float32 are faster
+MAX_SHAPES, MAX_CORNERS = 1 << 12, 8  # above these, blocks of pairs in float32 are faster ...
+MAX_CLOSED = 64  # ... but not for shapes with up to so many corners, if
+MAX_SQUARES = 1 << 16  # the squares of their numbers of corners have at most this sum
 MAX_PRODUCTS = 1 << 17  # of normals and corners at a time, so that they stay in the second-level cache
 MAX_KEPT = 64  # numbers of shapes whose pairs are kept
 NO_PLACES = np.empty(0, np.intp)
 MAX_DISTANCES = 1 << 13  # from corners to centers at a time, for the same reason
 # column V: the corners of an outline with V corners, again and again
-CLOSING = np.arange(MAX_CORNERS + 1)[:, None] % np.maximum(1, np.arange(MAX_CORNERS + 1))
+CLOSING = np.arange(MAX_CLOSED + 1)[:, None] % np.maximum(1, np.arange(MAX_CLOSED + 1))
 OUTWARD = np.array([1.0, -1.0])[:, None, None]  # turns (dy, dx) of a counter-clockwise edge into its outward normal
 # Distances from a center to an outline of which no corner is farther than m: |error| <= 30 u m (u = 2**-53), rounded up
 # to 128 u.  Turns, of edge times distance: as in filter.
@@ -313,11 +315,11 @@ def _columns_of(shapes: Shapes) -> ComplexColumns | None:
     if not 1 < shapes.part_count <= MAX_SHAPES:
         return None
     if (columns := vars(shapes).get("as_complex")) is not None:
-        return columns if len(columns.edges) <= MAX_CORNERS else None
+        return None if _are_many_corners(*columns.edges.shape) else columns
     x, y, start = shapes.rings
     count = start[1:] - start[:-1]
     most = int(count[count.argmax()])
-    if most > MAX_CORNERS:
+    if _are_many_corners(most, len(count)):
         return None
     places = CLOSING.take(count, axis=1)[: _rows(most)] + start[:-1]
     closed = np.empty(places.shape, np.complex128)
@@ -330,7 +332,7 @@ def _columns_of_runs(runs: Sequence[CornerColumns]) -> ComplexColumns | None:
     if len(runs) == 1 and (columns := runs[0].as_complex) is not None:
         return columns if len(runs[0]) > 1 else None
     most, n = max([run.corners for run in runs]), sum([len(run) for run in runs])  # lists are quicker for few
-    if not 1 < n <= MAX_SHAPES or most > MAX_CORNERS:
+    if not 1 < n <= MAX_SHAPES or _are_many_corners(most, n):
         return None
     rows, start = _rows(most), 0
     closed, radius = np.empty((rows, n), np.complex128), None
@@ -348,6 +350,11 @@ def _columns_of_runs(runs: Sequence[CornerColumns]) -> ComplexColumns | None:
             radius[start:end] = run.block[2, 0] if run.as_complex is None else run.as_complex.radius
         start = end
     return ComplexColumns(closed, closed[1:] - closed[:-1], radius)
+
+
+def _are_many_corners(most: int, n: int) -> bool:
+    """Return whether n shapes with up to `most` corners are evaluated faster in blocks of pairs."""
+    return most > MAX_CORNERS and (most > MAX_CLOSED or most * most * n > MAX_SQUARES)
 
 
 def _rows(most: int) -> int:
