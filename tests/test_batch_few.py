@@ -792,6 +792,14 @@ def test_outlines_are_judged_as_one_by_one_in_every_form(kind, made_by, tmp_path
             check(lambda: batch.Polygons(joined, offsets=start), *right)  # noqa: B023
 
 
+def test_stars_that_turn_one_way_at_all_corners_are_refused(made_by):
+    for v, step in (5, 2), (7, 2), (7, 3), (8, 3):
+        for stars in np.array([star(v, step, 50)] * 3), np.array([star(v, 1, 50), star(v, step, 50)]):
+            for given in stars, stars[:, ::-1].copy():
+                with pytest.raises(sv.InvalidShape, match="cross"):
+                    batch.Polygons(given)
+
+
 def test_a_number_that_is_none_is_named_wherever_it_stands(made_by):
     good = np.array([(0.0, 0), (2, 0), (3, 2), (1, 4), (-1, 2)])
     for v in 3, 4, 5:

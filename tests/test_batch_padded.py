@@ -154,6 +154,17 @@ def test_few_shapes_near_contact_and_where_squares_lose_bits_or_overflow_collide
             assert found[found.max(axis=1) < 2].tolist() == right
 
 
+def test_a_circle_near_a_triangle_at_every_scale_is_related_as_alone():
+    rng, shapes, right = RNG(3), np.array([(-3.0, 0), (3, 0), (0, -4)]), []
+    for e in range(-1073, 1015, 23):
+        ring, center = shapes * 2.0**e, np.array([rng.uniform(-4, 4), rng.uniform(0.5, 3)]) * 2.0**e
+        radius = max(5e-324, center[1] * (1 + rng.choice([-1, 0, 1]) * 2.0 ** -rng.integers(1, 45)))
+        made = batch.from_padded(*padded([ring, (center, radius)], rng))
+        right.append(sv.relate(*shapes_of(made)) != sv.Relation.APART)
+        assert len(batch.colliding_pairs(made, engine="numpy")) == right[-1], e
+    assert 0 < sum(right) < len(right)
+
+
 FAULTS = {
     "a circle without a radius": (2, 1, 0.0, "shape 2 has 1 corners and the radius 0.0"),
     "a negative radius": (2, 1, -1.0, "shape 2 has 1 corners and the radius -1.0"),

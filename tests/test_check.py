@@ -240,6 +240,7 @@ def test_what_a_function_does_to_its_process_is_one_line_and_nothing_else(act, l
     assert capfd.readouterr() == ("", "") and sv.check(sat, call_seconds=5, kinds="boxes").right
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="no process makes a copy of itself")
 def test_a_function_that_makes_copies_of_its_process_still_answers_once():
     assert sv.check(lambda a, b: bool(os.fork() + 1) and sat(a, b), call_seconds=5, kinds="boxes").right

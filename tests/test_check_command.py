@@ -113,6 +113,7 @@ def test_what_is_wrong_with_a_program_is_one_line(tmp_path, body, line, monkeypa
     assert found.line.startswith(line), found.line
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not hasattr(os, "killpg"), reason="no groups of processes")
 def test_a_program_that_is_started_by_another_one_ends_with_it(tmp_path, monkeypatch):
     monkeypatch.setattr("satviz.checking.programs.START_SECONDS", 0.0)

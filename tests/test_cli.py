@@ -38,6 +38,7 @@ def scene_file(tmp_path, data=GOOD, name="scene.json"):
     return str(path)
 
 
+@pytest.mark.slow
 def test_figures_makes_twenty_files(tmp_path):
     done = run("figures", "--out", str(tmp_path / "new" / "figures"))
     assert done.returncode == 0 and done.stderr == ""  # no bar where stderr is no terminal

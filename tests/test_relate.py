@@ -573,6 +573,7 @@ def test_the_float_filter_is_never_wrong_where_it_decides(float_only, circles):
     assert not any(s is TOUCHING for s in said), "floats cannot see a touch"
 
 
+@pytest.mark.slow
 def test_a_polygon_filter_without_an_error_bound_is_wrong(float_only, monkeypatch):
     """The pairs of the test above are hard: with an error bound of half a rounding the filter is wrong."""
     monkeypatch.setattr(relate_module, "ERROR_FACTOR_F64", U / 8)  # times two widths and two largest coordinates

@@ -12,9 +12,11 @@ from satviz import Polygon, batch
 from satviz.cli import main
 from satviz.study import bench, truth
 from satviz.study.bench import CHECKED_BY, TimingRow, plan_bench
-from satviz.study.bench_table import busy_warning, faster_from, growth_exponent
+from satviz.study.bench_chart import bench_chart
+from satviz.study.bench_table import busy_warning, faster_from, growth_exponent, spread_of
 from satviz.study.frames_chart import crossings, fastest_by_size, frames_chart, headline_of
 from satviz.study.harness import machine
+from satviz.study.harness.timings import Spread, least_of
 from satviz.study.methods import numba_rivals, scene_rivals
 from satviz.study.methods.scene_methods import DIFFERENCES, FrameJob, FrameSample, scene_methods
 from satviz.study.workloads.generators import BOX_LAYOUTS, CORNER_WORKLOADS, WORKLOADS, turned_boxes
@@ -216,21 +218,43 @@ CROSSING = [
 def times_by_method(rows):
     found = {}
     for row in rows:
-        found.setdefault(row.method, {})[row.size] = row.time
+        found.setdefault(row.method, {})[row.size] = spread_of(row)
     return found
+
+
+def sharp(time):
+    """A time with nothing between its quartiles."""
+    return Spread(time, time, time)
 
 
 def test_where_lines_cross_is_computed_from_the_rows():
     times = times_by_method(CROSSING)
     assert fastest_by_size(times) == "Fastest: brute force at 10, sort and sweep 100 to 1,000, cKDTree at 10,000."
     assert crossings(times, "satviz numba") == (
-        "satviz numba: faster than brute force from 1,000 on, than STRtree at all sizes; "
-        "slower than sort and sweep at all sizes, than cKDTree at 10,000."
+        "satviz numba: faster than brute force at 1,000, STRtree at all sizes; "
+        "slower than sort and sweep at all sizes, cKDTree at 10,000."
     )
     capped = times_by_method([r for r in CROSSING if r.method != "brute force" or r.size < 1000])
-    assert "slower than brute force up to 100, than sort and sweep" in crossings(capped, "satviz numba")
-    assert faster_from({1: 1.0, 2: 9.0, 3: 2.0, 4: 1.0}, {1: 5.0, 2: 5.0, 3: 2.0, 5: 0.0}) == 3
-    assert faster_from({1: 1.0, 2: 9.0}, {1: 5.0, 2: 5.0}) is None is faster_from({1: 1.0}, {2: 1.0})
+    assert "slower than brute force up to 100, sort and sweep" in crossings(capped, "satviz numba")
+    one, two, far = (Spread(t, t - 0.5, t + 0.5) for t in (1.0, 2.0, 9.0))
+    assert faster_from({1: one, 2: far, 3: one, 4: one}, {1: two, 2: two, 3: far, 5: one}) == 3
+    assert faster_from({1: one, 2: far}, {1: two, 2: two}) is None is faster_from({1: one}, {2: far})
+
+
+def test_what_overlaps_is_called_neither_faster_nor_slower():
+    near, next_to, apart = Spread(1.0, 0.8, 1.2), Spread(1.3, 1.1, 1.5), Spread(2.0, 1.6, 2.4)
+    assert near.is_below(apart) and not near.is_below(next_to) and not near.is_below(near)
+    assert least_of({"c": apart, "b": next_to, "a": near}) == ["a", "b"]
+    times = {"satviz numba": {10: near}, "STRtree": {10: next_to}, "cKDTree": {10: apart}}
+    assert fastest_by_size(times) == "Fastest: STRtree or satviz numba at 10."
+    assert crossings(times, "satviz numba") == (
+        "satviz numba: faster than cKDTree at all sizes; not told apart from STRtree at all sizes."
+    )
+    assert headline_of({"boxes": times})[0] == "satviz numba beside the fastest methods"
+    rows = [TimingRow("pairs", "tiles", 0, m, "ns", t.middle, t.middle, t.low, t.high)
+            for m, t in (("shapely", near), ("satviz numpy", next_to), ("satviz numba", apart))]  # fmt: skip
+    said = bench_chart(rows, "").reading
+    assert "satviz numba is slower than shapely unprepared here" in said and "satviz numpy is slower" not in said
 
 
 def test_the_headline_of_the_frames_states_where_all_libraries_are_passed_and_what_short_programs_take():
@@ -241,11 +265,11 @@ def test_the_headline_of_the_frames_states_where_all_libraries_are_passed_and_wh
     without = {method: own for method, own in times.items() if method != "cKDTree"}
     passed = "satviz numba is faster than every library from {} shapes on"
     assert headline_of({"boxes": without})[0] == passed.format(10)
-    late = without | {"STRtree": {10: 1.0, 100: 30.0}}
+    late = without | {"STRtree": {10: sharp(1.0), 100: sharp(30.0)}}
     assert headline_of({"boxes": without, "mixed": late}) == (passed.format(100), subtitle)
-    moved = without | {"satviz numba, moved": {10: 0.1}, "satviz numpy": {10: 0.1}}
+    moved = without | {"satviz numba, moved": {10: sharp(0.1)}, "satviz numpy": {10: sharp(0.1)}}
     assert headline_of({"boxes": moved})[0] == passed.format(10)
-    assert headline_of({"boxes": {"satviz numpy": {10: 1.0}}})[1].endswith("satviz is exact.")
+    assert headline_of({"boxes": {"satviz numpy": {10: sharp(1.0)}}})[1].endswith("satviz is exact.")
 
 
 def test_the_chart_of_frames_says_where_lines_cross_what_differs_and_what_was_wrong():

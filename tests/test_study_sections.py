@@ -56,8 +56,14 @@ from satviz.study.sections import (
     resting_stack,
     speed_against_accuracy,
 )
-from satviz.study.stored_run import stored_charts
-from satviz.study.workloads.adversary import beside, boxes_within_one, kilometre_shapes, worst_pair
+from satviz.study.stored_run import stored_charts, stored_run
+from satviz.study.workloads.adversary import (
+    beside,
+    kilometre_shapes,
+    worst_kilometre_shapes,
+    worst_pair,
+    worst_shapes_within_two,
+)
 from satviz.study.workloads.generators import (
     WORKLOADS,
     apart_pairs,
@@ -342,33 +348,47 @@ def test_the_kernels_of_sat_are_vectorised():
 @pytest.mark.parametrize("seed", range(3))
 def test_what_a_search_finds_is_wrong_and_below_the_proven_bound(name, seed):
     (method,) = (m for m in all_methods() if (m.language, m.name) == (COMPILED, name))
-    found = worst_pair(method, boxes_within_one, np.random.default_rng(seed), 1000, 14, metres=False)
+    found = worst_pair(method, worst_shapes_within_two, np.random.default_rng(seed), 1000, 14, metres=False)
     right = true_relations(found.a, found.b)
     ((_, answers),) = answers_by_method([method], found.a, found.b)
     assert wrong_answers(answers, right).tolist() == [True]
-    assert 3 < found.margin < speed_against_accuracy.PROVEN_MARGINS[name]
+    assert 7 < found.margin < speed_against_accuracy.PROVEN_MARGINS[name]
     assert abs(signed_relative_margins(batch.Polygons(found.a), batch.Polygons(found.b))[0]) == found.margin
 
 
 def test_a_search_finds_gjk_wrong_where_edges_are_parallel():
     """Its differences of corners are exact, but rounding picks the wrong end of a facing edge."""
     (method,) = (m for m in all_methods() if (m.language, m.name) == (COMPILED, "GJK"))
-    found = worst_pair(method, kilometre_shapes, np.random.default_rng(1), 1000, 6, metres=True)
-    assert truth.squared_gap(Polygon(found.a[0]), Polygon(found.b[0])) > 5e-14**2
+    found = worst_pair(method, worst_kilometre_shapes, np.random.default_rng(1), 1000, 16, metres=True)
+    assert truth.squared_gap(Polygon(found.a[0]), Polygon(found.b[0])) > 2e-13**2
     ((_, answers),) = answers_by_method([method], found.a, found.b)
     assert wrong_answers(answers, true_relations(found.a, found.b)).tolist() == [True]
 
 
 def test_what_a_search_finds_about_circles_is_below_the_proven_bound():
     found = {row["method"]: row["margin"] for row in margin_strips.search_circles(2000, 2, Settings())}
-    assert found["satviz"] == 0 and 2 < found["squares, float64"] < margin_strips.CIRCLE_MARGIN
+    assert found["satviz"] == 0 and 2.4 < found["squares, float64"] < margin_strips.CIRCLE_MARGIN
 
 
-def test_a_search_finds_satviz_and_shapely_never_wrong():
+# what searches by another program found in 1 km, in metres: that of the study must not be weaker
+FOUND_IN_1_KM = {"SAT, raw normals": 6.06e-13, "SAT, unit normals": 4.4e-13, "SAT, float32": 3.5e-4, "AABB": 10.0}
+
+
+@pytest.mark.parametrize("name", FOUND_IN_1_KM)
+def test_the_stored_search_is_as_strong_as_others(name):
+    (row,) = (r for r in stored_run()["rows"]["all-methods"] if r["method"] == name)
+    assert row["metres"] > FOUND_IN_1_KM[name]
+
+
+def test_a_search_finds_satviz_never_wrong_and_shapely_only_beside_the_origin():
     for method in all_methods():
         if method.language == COMPILED and method.family in ("exact", "library"):
-            found = worst_pair(method, kilometre_shapes, np.random.default_rng(1), 300, 8, metres=True)
-            assert (found.margin, len(found.a)) == (0.0, 0) and found.tried > 2000
+            found = worst_pair(method, worst_kilometre_shapes, np.random.default_rng(1), 300, 8, metres=True)
+            wrong = method.family == "library"
+            assert len(found.a) == wrong and found.tried > 1000
+            if wrong:
+                assert truth.squared_gap(Polygon(found.a[0]), Polygon(found.b[0])) < 1e-30**2
+                assert min(np.abs(found.a).max(axis=2).min(), np.abs(found.b).max(axis=2).min()) < 1e-11
 
 
 # what other searches found; both are apart, and textbook SAT with both ranges calls them a hit
@@ -505,13 +525,13 @@ def test_the_error_of_one_turn_is_not_lost_in_rounding():
     assert 0 < one["low"] < one["median"] < one["worst"] < 2.0**-42  # two steps of float64 at 1 km
 
 
-def test_steps_cost_more_than_sat_and_the_angle_costs_less_than_steps():
+def test_steps_cost_more_than_sat_a_counted_angle_less_and_an_angle_added_up_more():
     at = {(r["format"], r["way"], r["distance"], r["steps"]): r["worst"] for r in result("pose")}
     sat = speed_against_accuracy.proven_metres("SAT, raw normals")
     for form in "float64", "float32":
         assert at[form, "steps", 1e3, 10_000] > 5 * at[form, "angle", 1e3, 10_000]
         assert at[form, "steps", 1e6, 10_000] > 100 * at[form, "steps", 1e3, 10_000]
-    assert at["float64", "steps", 1e3, 10_000] > 10 * sat
+    assert at["float64", "sum", 1e3, 10_000] > 5 * at["float64", "steps", 1e3, 10_000] > 50 * sat
 
 
 def test_a_push_of_satviz_is_long_enough_and_least():

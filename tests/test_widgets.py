@@ -586,7 +586,7 @@ def test_a_player_of_other_pictures_shows_and_saves_these(option, pictures):
 
 def test_a_player_begins_at_the_speed_that_is_passed():
     assert sv.play("triangles").speed == 1 and sv.play("triangles", speed=0.5).speed == 0.5
-    once, slow = (sv.play("triangles", pen="matplotlib", speed=speed).player.interval for speed in (1, 0.25))
+    once, slow = (sv.play("circles", pen="matplotlib", speed=speed).player.interval for speed in (1, 0.25))
     assert slow == 4 * once
 
 

@@ -9,8 +9,9 @@ from matplotlib.figure import Figure
 from ..pictures import Theme
 from ..render.chart import TEXT_POINTS, WIDTH, Chart, add_axes, add_text, share_of
 from .bench import TimingRow
-from .bench_table import faster_from, growth_exponent, wrong_counts
+from .bench_table import faster_from, growth_exponent, spread_of, wrong_counts
 from .harness.chart import label_ends, set_time_ticks
+from .harness.timings import Spread, least_of
 from .methods import ENGINES
 
 ROW, CORNERS = 34.0, 250.0  # points: the height of a work, and of the chart against corners
@@ -37,13 +38,22 @@ class SpeedRatio:
     low: float
     high: float
 
+    def spread(self, sign: int = 1) -> Spread:
+        """Return the ratio with its quartiles; with sign -1 all negative, so that the largest comes first."""
+        low, high = sorted((sign * self.low, sign * self.high))
+        return Spread(sign * self.times, low, high)
+
+    def is_slower(self) -> bool:
+        """Return whether the method is slower than shapely: the whole interval is below 1."""
+        return self.spread().is_below(Spread(1.0, 1.0, 1.0))
+
 
 def bench_chart(rows: Sequence[TimingRow], warning: str) -> Chart:
     """Return the chart of these rows; `warning`: why their times are only rough, or empty."""
     ratios, corners = _speed_ratios(rows), [row for row in rows if row.section == "corners"]
     charted = _charted_ratios(rows, ratios)
     reading = " ".join(_fastest_and_slowest(method, charted) for method in _methods_in(charted) if method in ENGINES)
-    reading += f" {_slower_works([ratio for ratio in ratios if ratio.method in ENGINES and ratio.times < 1])}"
+    reading += f" {_slower_works([ratio for ratio in ratios if ratio.method in ENGINES and ratio.is_slower()])}"
     if wrong := wrong_counts([row for row in rows if row.method in ENGINES]):
         reading += f" Wrong answers of satviz, both engines together: {wrong}."
 
@@ -71,8 +81,9 @@ def _fastest_and_slowest(method: str, ratios: Sequence[SpeedRatio]) -> str:
     """Return a sentence with a method's smallest and largest ratio, the largest also to prepared shapely."""
     own = sorted((r for r in ratios if r.method == method), key=lambda r: r.times)
     least, most = own[0], own[-1]
+    slowest, quickest = (" or ".join(least_of({r.work: r.spread(sign) for r in own})) for sign in (1, -1))
     text = f"In the first chart {method} is from {_times_in_words(least.times)} as fast as shapely unprepared "
-    text += f"({least.work}) to {_times_in_words(most.times)} ({most.work}"
+    text += f"({slowest}) to {_times_in_words(most.times)} ({quickest}"
     prepared = next((r for r in ratios if (r.work, r.method) == (most.work, PREPARED)), None)
     return text + (f"; {_times_in_words(most.times / prepared.times)} as fast as prepared)." if prepared else ").")
 
@@ -83,10 +94,11 @@ def _summary(method: str, charted: Sequence[SpeedRatio], corners: Sequence[Timin
     prepared = next((r for r in charted if (r.work, r.method) == (most.work, PREPARED)), None)
     text = f"{method}: in the first chart up to {_times_in_words(most.times)} as fast"
     text += f", {_times_in_words(most.times / prepared.times)} as fast as prepared" if prepared else ""
-    works = sum(r.method == method and r.times < 1 for r in charted)
+    works = sum(r.method == method and r.is_slower() for r in charted)
     many = []
     for work in dict.fromkeys(row.work for row in corners):
-        own, shapely = ({r.size: r.time for r in corners if (r.work, r.method) == (work, m)} for m in (method, SHAPELY))
+        own, shapely = ({r.size: spread_of(r) for r in corners if (r.work, r.method) == (work, m)}
+                        for m in (method, SHAPELY))  # fmt: skip
         if (start := faster_from(shapely, own)) is not None:
             many.append(f"{work} from {start}")
     slower = [f"{works} works of the first chart"] * bool(works) + [f"{', '.join(many)} corners on"] * bool(many)
@@ -111,7 +123,7 @@ def _speed_ratios(rows: Sequence[TimingRow]) -> list[SpeedRatio]:
     for row in rows:
         base = shapely_rows.get((row.section, row.work, row.size))
         if base and row.method in MARKS:
-            times, low, high = base.time / row.time, base.time / row.high, base.time / row.low
+            times, low, high = base.time / row.time, base.low / row.high, base.high / row.low
             ratios.append(SpeedRatio(row.section, _work_with_size(row), row.size, row.method, times, low, high))
     return ratios
 

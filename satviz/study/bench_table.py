@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from .bench import CHECKED_BY, TimingRow
-from .harness.timings import BUSY_SPREAD
+from .harness.timings import BUSY_SPREAD, Spread
 
 
 def bench_table(rows: list[TimingRow]) -> str:
@@ -68,11 +68,16 @@ def growth_exponent(times: Mapping[int, float]) -> float:
     return float(((x - x.mean()) * (y - y.mean())).sum() / ((x - x.mean()) ** 2).sum())
 
 
-def faster_from(own: Mapping[int, float], rival: Mapping[int, float]) -> int | None:
-    """Return the smallest size from which on `own` is never slower than the rival; None if it is at the largest."""
+def spread_of(row: TimingRow) -> Spread:
+    """Return the time of a row with its quartiles."""
+    return Spread(row.time, row.low, row.high)
+
+
+def faster_from(own: Mapping[int, Spread], rival: Mapping[int, Spread]) -> int | None:
+    """Return the smallest size from which on `own` is faster than the rival; None if it is not at the largest."""
     start = None
     for size in sorted(own.keys() & rival.keys()):
-        start = None if own[size] > rival[size] else size if start is None else start
+        start = None if not own[size].is_below(rival[size]) else size if start is None else start
     return start
 
 

@@ -12,8 +12,9 @@ from matplotlib.figure import Figure
 from ..pictures import Theme
 from ..render.chart import TEXT_LETTER, TEXT_LINE, WIDTH, Chart, add_axes, add_text, label_points
 from .bench import PLAIN_SAT, TimingRow
-from .bench_table import faster_from, wrong_counts
+from .bench_table import faster_from, spread_of, wrong_counts
 from .harness.chart import label_ends, set_time_ticks
+from .harness.timings import Spread, least_of
 from .methods import ENGINES
 from .methods.scene_methods import DIFFERENCES
 
@@ -32,7 +33,7 @@ BETWEEN = 6  # points on a line between two sizes that labels keep off
 SHORT_PROGRAMS = "brute force", "sort and sweep", "short sweep"  # the other rivals are libraries
 
 EndLabel = tuple[float, float, str, str]  # x, y, text, colour
-Times = Mapping[str, Mapping[int, float]]  # the times of one work in ns, by method and by number of shapes
+Times = Mapping[str, Mapping[int, Spread]]  # the times of one work in ns, by method and by number of shapes
 
 
 def frames_chart(rows: Sequence[TimingRow], warning: str) -> Chart:
@@ -54,8 +55,8 @@ def frames_chart(rows: Sequence[TimingRow], warning: str) -> Chart:
     title, subtitle = headline_of(works)
     reading = " ".join([reading, *notes, *counted])
 
-    low = min(t for times in works.values() for own in times.values() for t in own.values())
-    high = max(t for times in works.values() for own in times.values() for t in own.values())
+    all_times = [spread.middle for times in works.values() for own in times.values() for spread in own.values()]
+    low, high = min(all_times), max(all_times)
     above = {work: wrapped(fastest[work]) for work in works}
     beneath = {work: [line for said in below[work] for line in wrapped(said)] for work in works}
     ending = [line for note in notes for line in wrapped(note)]
@@ -94,7 +95,8 @@ def headline_of(works: Mapping[str, Times]) -> tuple[str, str]:
         own = times[engine]
         starts += [faster_from(own, times[m]) for m in times if not m.startswith((*ENGINES, *SHORT_PROGRAMS))]
         programs = [times[m] for m in SHORT_PROGRAMS if m in times]
-        ratios += [min(p[n] for p in programs if n in p) / t for n, t in own.items() if any(n in p for p in programs)]
+        ratios += [min(p[n].middle for p in programs if n in p) / t.middle for n, t in own.items()
+                   if any(n in p for p in programs)]  # fmt: skip
     known = [start for start in starts if start is not None]
     than = f" is faster than every library from {max(known):,} shapes on" if known and known == starts else ""
     subtitle = "Time of one frame, from arrays to all colliding pairs. satviz is exact"
@@ -103,44 +105,49 @@ def headline_of(works: Mapping[str, Times]) -> tuple[str, str]:
 
 
 def times_of(rows: Sequence[TimingRow], work: str) -> Times:
-    """Return the times {method: {number of shapes: ns}} of one kind of work in the section of frames."""
-    found: dict[str, dict[int, float]] = {}
+    """Return the times {method: {number of shapes: spread in ns}} of one kind of work in the section of frames."""
+    found: dict[str, dict[int, Spread]] = {}
     for row in rows:
         if (row.section, row.work) == ("frames", work):
-            found.setdefault(row.method, {})[row.size] = row.time * 1e3
+            found.setdefault(row.method, {})[row.size] = Spread(*(1e3 * t for t in spread_of(row)))
     return found
 
 
 def fastest_by_size(times: Times) -> str:
-    """Return a sentence with the fastest method of one work at each size, neighbouring sizes together."""
+    """Return a sentence with the fastest method of one work at each size, neighbouring sizes together.
+
+    Methods that cannot be told apart are joined by "or".
+    """
     sizes = sorted({size for own in times.values() for size in own})
-    fastest = [min((own[size], method) for method, own in times.items() if size in own)[1] for size in sizes]
-    runs = [(method, [sizes[k] for k in run]) for method, run in groupby(range(len(sizes)), fastest.__getitem__)]
-    return f"Fastest: {', '.join(f'{method} {_from_to(run)}' for method, run in runs)}."
+    at = [least_of({method: own[size] for method, own in times.items() if size in own}) for size in sizes]
+    fastest = [" or ".join(sorted(methods)) for methods in at]
+    runs = [(methods, [sizes[k] for k in run]) for methods, run in groupby(range(len(sizes)), fastest.__getitem__)]
+    return f"Fastest: {', '.join(f'{methods} {_from_to(run)}' for methods, run in runs)}."
 
 
 def crossings(times: Times, engine: str) -> str:
-    """Return a sentence that says from which size on an engine is faster than each rival, and which are faster."""
-    faster: dict[str, list[str]] = {}
-    slower: dict[str, list[str]] = {}
+    """Return a sentence that says from which size on an engine is faster or slower than each rival.
+
+    A rival that cannot be told apart from it at the largest size of both is named last.
+    """
+    found: dict[str, dict[str, list[str]]] = {"faster than": {}, "slower than": {}, "not told apart from": {}}
     for rival, other in times.items():
-        sizes = sorted(times[engine].keys() & other.keys())
+        own = times[engine]
+        sizes = sorted(own.keys() & other.keys())
         if rival.startswith(tuple(ENGINES)) or not sizes:
             continue
-        start = faster_from(times[engine], other)
-        behind = [size for size in sizes if times[engine][size] > other[size]]
-        if start is not None:
-            faster.setdefault(f"from {start:,} on" if behind else "at all sizes", []).append(rival)
-        elif behind != sizes:
-            slower.setdefault(f"at {behind[-1]:,}", []).append(rival)
+        if (start := faster_from(own, other)) is not None:
+            words = "faster than"
+        elif (start := faster_from(other, own)) is not None:
+            words = "slower than"
         else:
-            slower.setdefault("at all sizes" if sizes[-1] == max(times[engine]) else f"up to {sizes[-1]:,}", []).append(
-                rival
-            )
-    parts = []
-    for word, found in (("faster", faster), ("slower", slower)):
-        than = [f"than {' and '.join(rivals)} {where}" for where, rivals in found.items()]
-        parts += [f"{word} {', '.join(than)}"] if than else []
+            words, start = "not told apart from", sizes[-1]
+        ends_early = sizes[-1] < max(own)
+        where = "" if start > sizes[0] else f"up to {sizes[-1]:,}" if ends_early else "at all sizes"
+        where = where or (f"at {start:,}" if start == sizes[-1] else f"from {start:,} on")
+        found[words].setdefault(where, []).append(rival)
+    parts = [f"{words} " + ", ".join(f"{' and '.join(rivals)} {where}" for where, rivals in by.items())
+             for words, by in found.items() if by]  # fmt: skip
     return f"{engine}: {'; '.join(parts)}." if parts else f"{engine}: timed alone."
 
 
@@ -185,7 +192,7 @@ def _draw_times(ax: Axes, theme: Theme, times: Times, limits: tuple[float, float
     for method, own in times.items():
         sizes, strong = sorted(own), method in ENGINES
         role = SHADES.get(method.removesuffix(", moved"), "guide")
-        values = [own[size] for size in sizes]
+        values = [own[size].middle for size in sizes]
         ax.plot(sizes, values, ls=DASHES.get(method, "-"), color=theme.roles[role], lw=2.6 if strong else 1.3,
                 marker="o" if strong else None, ms=4, zorder=3 if strong else 2)  # fmt: skip
         label = sizes[-1], values[-1], method, theme.text.get(role, theme.roles[role])

@@ -73,6 +73,12 @@ def relation_moved(a: Polygon, b: Polygon, move: tuple[float, float]) -> Relatio
     return found
 
 
+def relation_by_difference(a: Polygon, b: Polygon) -> Relation:
+    """Return the relation of two convex polygons, by the side of each edge of a - b on which the origin lies."""
+    _, rings = _rings(a, b)
+    return _relation_by_difference(*rings)
+
+
 def relation_by_axes(a: Shape, b: Shape) -> Relation:
     """Return the relation of a circle and a convex shape, by the largest gap on an axis less the radii."""
     a, b = (a, b) if isinstance(a, Circle) else (b, a)

@@ -11,7 +11,7 @@ from functools import cache
 from multiprocessing import get_context
 from statistics import median
 from time import thread_time
-from typing import Any
+from typing import Any, NamedTuple
 
 from ...advice.timing import time_in_turn
 from ...render.chart import JsonRow
@@ -86,6 +86,28 @@ def format_ratio(ratio: tuple[float, float, float]) -> str:
     """Return a ratio and its interval in words: "1.7 times (1.5 to 1.8)"; without decimals from 10 on."""
     middle, low, high = (f"{value:.{0 if value >= 10 else 1}f}" for value in ratio)
     return f"{middle} times ({low} to {high})"
+
+
+class Spread(NamedTuple):
+    """A time, or a ratio of times, with the ends of its interval.
+
+    Every sentence that calls one of two faster goes by `is_below`: where the intervals share a value, the measurement
+    cannot tell them apart.
+    """
+
+    middle: float
+    low: float
+    high: float
+
+    def is_below(self, other: "Spread") -> bool:
+        """Return whether the whole interval lies below that of the other."""
+        return self.high < other.low
+
+
+def least_of(spreads: Mapping[str, Spread]) -> list[str]:
+    """Return the name with the least middle, and after it, in their order, those that cannot be told apart from it."""
+    least = min(spreads, key=lambda name: spreads[name].middle)
+    return [least, *(name for name, spread in spreads.items() if name != least and not spreads[least].is_below(spread))]
 
 
 def timing_warning(rows: Sequence[JsonRow], settings: Settings) -> str:

@@ -138,7 +138,7 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
 
 def _in_words(row: JsonRow) -> tuple[str, str, str, str]:
     """Return the four fields of a row in words."""
-    wrong = f"up to {in_metres(row['wrong_metres'])} in 1 km" if row["wrong_metres"] else "none: proven"
+    wrong = f"found: {in_metres(row['wrong_metres'])} in 1 km" if row["wrong_metres"] else "none: proven"
     return row["have"], row["model"], format_time(row["ns"]), wrong
 
 

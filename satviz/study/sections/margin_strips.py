@@ -34,7 +34,7 @@ from ..methods import (
     true_relations,
     wrong_answers,
 )
-from ..workloads.adversary import boxes_within_one, worst_pair
+from ..workloads.adversary import worst_pair, worst_shapes_within_two
 from ..workloads.generators import CircleArrays
 from ..workloads.hard_pairs import (
     HARD_KINDS,
@@ -63,7 +63,7 @@ FLOAT32_BEYOND = {"2^70 times as large": (2.0**70, 0.0, 0.5), "2^25 away from th
 def cells(settings: Settings) -> list[Cell]:
     """Return the cells: counts on each kind of hard pairs, on touches and on circles, and a search for each method."""
     per_octave = 3 if settings.quick else 60
-    n, generations = (1000, 12) if settings.quick else (20_000, 40)
+    n, generations = (1000, 16) if settings.quick else (20_000, 64)
     found = [
         Cell(f"margin-{kind.name.replace(' ', '-')}", count_by_margin, (k, per_octave, settings))
         for k, kind in enumerate(HARD_KINDS)
@@ -121,15 +121,16 @@ def _circle_methods() -> list[Method]:
 def search_circles(n: int, generations: int, settings: Settings) -> list[JsonRow]:
     """Return for each method the largest relative margin at which it is wrong about circles, confirmed by both oracles.
 
-    The centers of a pair lie in opposite corners of a square, where a rounding of their distance is largest.
+    The centers of a pair lie in opposite corners of a square, just above a power of two apart along both axes, and most
+    circles are equally large: there the roundings of a distance are largest beside the largest coordinate.
     """
     rng = settings.rng("search", CIRCLES)
     worst = {m.name: {"method": m.name, "margin": 0.0, "tried": n * generations} for m in _circle_methods()}
     for _ in range(generations):
-        size = rng.uniform(0.5, 1, (n, 1))
-        at, to = -size * rng.uniform(0.97, 1, (n, 2)), size * rng.uniform(0.97, 1, (n, 2))
+        size = rng.choice([0.5, 0.5**0.5], (n, 1)) * rng.uniform(1, 1.01, (n, 1))
+        at, to = -size * rng.uniform(0.998, 1.002, (n, 2)), size * rng.uniform(0.998, 1.002, (n, 2))
         away = np.sqrt(((to - at) ** 2).sum(axis=1))
-        radius = away * rng.uniform(0, 0.5, n)
+        radius = away * np.where(rng.random(n) < 0.8, rng.uniform(0.495, 0.505, n), rng.uniform(0, 0.5, n))
         rest = away - radius + rng.uniform(-CIRCLE_MARGIN, CIRCLE_MARGIN, n) * 2.0**-53 * size[:, 0]
         a, b = (at, radius), (to, rest)
         right, margin = batch.relate(batch_shapes(a), batch_shapes(b), engine="numpy"), None
@@ -160,7 +161,7 @@ def _counted(what: str, method: Method, wrong: Any, margin: Any) -> JsonRow:
 def search(name: str, n: int, generations: int, settings: Settings) -> JsonRow:
     """Return the largest relative margin at which a search finds a method wrong, confirmed by both oracles."""
     (method,) = (m for m in all_methods() if (m.language, m.name) == (COMPILED, name))
-    found = worst_pair(method, boxes_within_one, settings.rng("search", name), n, generations, metres=False)
+    found = worst_pair(method, worst_shapes_within_two, settings.rng("search", name), n, generations, metres=False)
     row: JsonRow = {"method": name, "margin": found.margin, "tried": found.tried}
     if found.margin:
         a, b = Polygon(found.a[0]), Polygon(found.b[0])

@@ -32,7 +32,7 @@ from ..methods import (
     count_mistakes,
     true_relations,
 )
-from ..workloads.adversary import METRES_WIDE, beside, kilometre_shapes, worst_pair
+from ..workloads.adversary import METRES_WIDE, beside, kilometre_shapes, worst_kilometre_shapes, worst_pair
 from ..workloads.generators import Rings
 from ..workloads.hard_pairs import EXTREME_KIND, hard_pairs, touching_quadrilaterals
 
@@ -45,9 +45,10 @@ ATOM_METRES = 1e-10
 LABELS = {
     "bounding circles": "circles", "AABB": "boxes (AABB)", "SAT, float32": "SAT, float32",
     "SAT, raw normals": "SAT, float64", "SAT, tolerance 1e-9": "SAT, tolerance 1e-9 m", "GJK": "GJK",
-    "satviz": "satviz: exact, proven", "shapely": "shapely: none found",
+    "satviz": "satviz: exact, proven", "shapely": "shapely",
 }  # fmt: skip
-NONE = -18.5  # log10 of the height at which methods without a wrong answer are drawn
+NONE = -18.5  # log10 of the height at which methods are drawn without a wrong answer, or with one below LEAST_CHARTED
+LEAST_CHARTED = 1e-17  # metres
 TICKS = {"1 m": 0, "1 mm": -3, "1 µm": -6, "1 nm": -9, "1 pm": -12, "1 fm": -15}
 
 
@@ -64,7 +65,7 @@ def proven_metres(name: str) -> float | None:
 
 def cells(settings: Settings) -> list[Cell]:
     """Return a search for each method, the counts of wrong answers, and the times of each process."""
-    n, generations = (1000, 12) if settings.quick else (20_000, 40)
+    n, generations = (1000, 16) if settings.quick else (20_000, 64)
     found = [
         Cell(f"worst-{method.name.replace(' ', '-').replace(',', '')}", search, (method.name, n, generations, settings))
         for method in compiled_methods()
@@ -86,7 +87,7 @@ def pairs_in_a_call(settings: Settings) -> int:
 def search(name: str, n: int, generations: int, settings: Settings) -> JsonRow:
     """Return the worst pair of a method in a scene of 1 km; `metres`: its gap, or the depth of its overlap."""
     (method,) = (method for method in compiled_methods() if method.name == name)
-    found = worst_pair(method, kilometre_shapes, settings.rng("worst", name), n, generations, metres=True)
+    found = worst_pair(method, worst_kilometre_shapes, settings.rng("worst", name), n, generations, metres=True)
     row: JsonRow = {"method": name, "family": method.family, "metres": 0.0, "mistake": "", "tried": found.tried}
     if found.margin:
         a, b = Polygon(found.a[0]), Polygon(found.b[0])
@@ -158,7 +159,9 @@ def in_metres(gap: float) -> str:
     for size, unit in (1.0, "m"), (1e-3, "mm"), (1e-6, "µm"), (1e-9, "nm"), (1e-12, "pm"), (1e-15, "fm"):
         if gap >= size:
             return f"{float(f'{gap / size:.2g}'):g}\u00a0{unit}"  # not parted at the end of a line
-    return f"{float(f'{gap / 1e-15:.1g}'):g}\u00a0fm" if gap else "none"
+    if gap < LEAST_CHARTED:
+        return f"{gap:.0e}\u00a0m" if gap else "none"
+    return f"{float(f'{gap / 1e-15:.1g}'):g}\u00a0fm"
 
 
 def main_chart(rows: list[JsonRow], settings: Settings) -> Chart:
@@ -185,12 +188,12 @@ def main_chart(rows: list[JsonRow], settings: Settings) -> Chart:
         ax.set(xscale="log", xlim=limits, ylim=(NONE - 1.8, 2))
         set_time_ticks(ax.xaxis, limits)
         ax.set_xlabel("time for a pair: answer only, one core")
-        ax.set_yticks([*TICKS.values(), NONE], [*TICKS, "none\nfound"])
+        ax.set_yticks([*TICKS.values(), NONE], [*TICKS, f"below\n{in_metres(LEAST_CHARTED)}"])
         ax.set_ylabel("largest gap with a wrong answer in 1 km", labelpad=3)
         ax.axhline(log10(ATOM_METRES), color=guide, lw=0.8, ls=(0, (1, 2.2)))
         style: dict[str, Any] = {"fontsize": TEXT_POINTS, "color": guide, "parse_math": False}
         ax.text(0.99, log10(ATOM_METRES) + 0.1, "an atom", transform=ax.get_yaxis_transform(), ha="right", **style)
-        ax.axhline(NONE + 1.6, color=guide, lw=0.8)
+        ax.axhline(log10(LEAST_CHARTED), color=guide, lw=0.8)
         steps = ax.secondary_yaxis("right")
         decades = [log10(GRID_METRES) + k for k in (0, 3, 6, 9, 12)]
         steps.set_yticks(decades, ["1", "10³", "10⁶", "10⁹", "10¹²"])
@@ -200,14 +203,15 @@ def main_chart(rows: list[JsonRow], settings: Settings) -> Chart:
         labels, taken = [], list[tuple[float, float]]()
         for name in shown:
             row, shade = by_name[name], family_colour(theme, by_name[name]["family"])
-            y = log10(row["metres"]) if row["metres"] else NONE
+            y = log10(row["metres"]) if row["metres"] >= LEAST_CHARTED else NONE
             ax.plot([row["ns"]], [y], "D" if name == "satviz" else "o", color=shade, ms=8, clip_on=False, zorder=5)
             if row["proven"]:
                 ax.plot([row["ns"]] * 2, [y, log10(row["proven"])], color=shade, lw=1.2)
                 ax.plot([row["ns"]], [log10(row["proven"])], "_", color=shade, ms=12, mew=2)
                 taken += [(row["ns"], y + (log10(row["proven"]) - y) * k / 4) for k in range(1, 5)]
             if name in LABELS:
-                labels.append((row["ns"], y, LABELS[name], family_colour(theme, row["family"], text=True)))
+                below = f": {in_metres(row['metres'])}" if name == "shapely" and y == NONE else ""
+                labels.append((row["ns"], y, LABELS[name] + below, family_colour(theme, row["family"], text=True)))
             else:
                 taken.append((row["ns"], y))
         unit = by_name["SAT, unit normals"]

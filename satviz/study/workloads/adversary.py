@@ -1,13 +1,19 @@
 """A search for the pair that a method answers wrongly though it is far from touching.
 
-A random sample seldom holds the worst pairs.  The search keeps the worst pairs that it has found, changes their
-coordinates by a few floats, moves B a little further away, and tries again, together with new pairs.
+A random sample seldom holds the worst pairs.  The search begins where the error analysis of SAT says that roundings are
+largest.  A landing nx * x + ny * y is rounded three times, by up to half a step of its products and of their sum.
+Beside the landing a step is largest just above a power of two, and both products and their sum are largest for an edge
+at 45 degrees, far out on the diagonal.  There the six roundings of two landings are 8 u * span * reach together.
+
+From then on the search keeps the worst pairs that it has found and changes them: it slides a shape along the edge that
+decides, which draws the roundings of its corners anew, and moves corners by a few floats or by metres.
 """
 
 from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ... import batch
 from ..methods import Method
@@ -18,7 +24,11 @@ Rng = np.random.Generator
 MakePairs = Callable[[Rng, int], tuple[Rings, Rings]]
 PARENTS = 200  # pairs that are kept from one generation to the next
 METRES_WIDE = 1000.0
+LEAST_SIDE, MOST_ACROSS = 1.0, 14.0  # metres, of the 4-gons in a scene of 1 km
+GENERATIONS = 8  # of one search; after them it finds little more
 HARDEST, EASIEST = -56, 4  # log2 of the gaps of the first generation, in scene units
+JUST_ABOVE = 1.01  # a product up to so many powers of two is just above one
+LEAST_BEND = 1e-6  # sine of the turn at a corner, below which a 4-gon counts as flat
 
 
 class WorstPair(NamedTuple):
@@ -42,27 +52,56 @@ def kilometre_shapes(rng: Rng, n: int) -> tuple[Rings, Rings]:
     return a + at, b + at
 
 
+def worst_kilometre_shapes(rng: Rng, n: int) -> tuple[Rings, Rings]:
+    """Return the pairs of `kilometre_shapes`, half of the A's with an edge that rounds most, at the end of 1 km."""
+    a, b = kilometre_shapes(rng, n)
+    at = METRES_WIDE - rng.uniform(1, 5, (len(a[::2]), 2))
+    product = np.ldexp(np.ones(len(at)), rng.integers(10, 13, len(at)))
+    a[::2] = _rounding_most(rng, at, product, rng.uniform(1, 8, len(at)))
+    return a, b
+
+
+def worst_shapes_within_two(rng: Rng, n: int) -> tuple[Rings, Rings]:
+    """Return pairs of 4-gons with coordinates up to about 2, of which most have an edge of A that rounds most.
+
+    Of every five A's two are small and far out on the diagonal.  Two have an edge across the origin, from one end of
+    the scene to the other: there the normal itself is rounded most.  The last is a turned box anywhere.
+    """
+    sizes = np.ldexp(rng.uniform(0.5, 1, (n, 1, 1)), rng.integers(-10, 0, (n, 1, 1)))
+    a, b = (turned_boxes(rng, n, 0.0) * sizes * 0.5 + unit_vectors(rng, n, 1) for _ in "AB")
+    for first in range(2):
+        far, across = a[first::5], a[first + 2 :: 5]
+        above = rng.choice([1.0, 2**0.5], (2, len(far), 1))
+        at, end = above * rng.uniform(1, JUST_ABOVE, (2, len(far), 2))
+        size = np.ldexp(np.ones(len(far)), rng.integers(-9, -3, len(far)))
+        far[:] = _rounding_most(rng, at, size, size * rng.uniform(0.5, 2, len(far)))
+        start = -end * np.where(rng.random((len(far), 1)) < 0.5, 1.0, rng.uniform(0.3, 1, (len(far), 1)))
+        boxes = _box_on(start * [-1, 1], end * [-1, 1], rng.uniform(0.1, 0.5, len(far)))
+        across[:] = boxes[: len(across)]
+    return a, b
+
+
+def _rounding_most(rng: Rng, at: Array, product: Array, depth: Array) -> Rings:
+    """Return boxes with a first edge at `at` for which both products of a landing are just above a power of two.
+
+    product: (N,) these powers of two.  depth: (N,) the length of the other side.
+    """
+    normal = product[:, None] / at * rng.uniform(1, JUST_ABOVE, at.shape)
+    edge = np.stack([-normal[:, 1], normal[:, 0]], axis=1)
+    return _box_on(at - edge / 2, at + edge / 2, depth)
+
+
+def _box_on(p: Array, q: Array, depth: Array) -> Rings:
+    """Return counter-clockwise boxes with the first edge from p to q, and (N,) `depth` on its inner side."""
+    inward = -outward_normals(p, q) * depth[:, None]
+    return np.stack([p, q, q + inward, p + inward], axis=1)
+
+
 def _quadrilaterals(rng: Rng, n: int) -> Rings:
     """Return boxes about the origin with half sizes 0.3 to 1, turned at random, one corner moved inwards."""
     found = turned_boxes(rng, n, 0.0)
     found[:, 2] *= rng.uniform(0.6, 1, (n, 1))
     return found
-
-
-def boxes_within_one(rng: Rng, n: int) -> tuple[Rings, Rings]:
-    """Return pairs of turned boxes of sizes from 1 down to a thousandth, with coordinates up to about 1.
-
-    Both boxes of a pair have the same center, not yet apart.  The smaller they are, the nearer to 1 is its distance
-    from the origin; half of the centers lie on the diagonal, the others in any direction.  In every second pair the
-    edges of A lie at 45 degrees, and the center lies beyond 1: just above a power of two, a rounding is largest
-    relative to the number.
-    """
-    sizes = np.ldexp(rng.uniform(0.5, 1, (n, 1, 1)), rng.integers(-10, 0, (n, 1, 1)))
-    a, b = (turned_boxes(rng, n, 0.0) * sizes * 0.5 for _ in "AB")
-    a[::2] = _diagonal(a[::2])
-    beyond = np.where(np.arange(n) % 2 == 0, 1.0, -2.0)[:, None, None]
-    at = (1 + beyond * sizes) * np.where(rng.random((n, 1, 1)) < 0.5, 1.0, unit_vectors(rng, n, 1))
-    return a + at, b + at
 
 
 def _diagonal(rings: Rings) -> Rings:
@@ -88,54 +127,143 @@ def _facing(rng: Rng, a: Rings) -> Rings:
     GJK can take the wrong end of such an edge for the furthest corner.
     """
     p, q = a[:, 0], a[:, 1]
-    along, out = (q - p)[:, None] * rng.uniform(0.3, 0.9, (len(a), 1, 1)), outward_normals(p, q)[:, None]
+    along, out = (q - p)[:, None] * rng.uniform(0.2, 1.5, (len(a), 1, 1)), outward_normals(p, q)[:, None]
     out = out * np.sqrt((along * along).sum(axis=2, keepdims=True))
     return np.concatenate([0 * along, out, along + out, along], axis=1) + p[:, None]
 
 
-def worst_pair(method: Method, make: MakePairs, rng: Rng, n: int, generations: int, *, metres: bool) -> WorstPair:
-    """Return the worst pair that the search finds in so many generations of n pairs.
+def _at_the_origin(rng: Rng, n: int) -> tuple[Rings, Rings]:
+    """Return pairs with an edge of A through the origin, and a corner of B beside it and close to the origin.
 
-    The worst is that of the largest gap (with `metres`) or of the largest relative margin.  Answers are compared with
-    those of satviz; what is found is to be checked by `truth`.
+    The differences of such coordinates need more digits than two float64 have, with which shapely decides such pairs.
     """
+    end = rng.uniform(1, 2, (n, 1)) * np.ones(2)
+    a = _box_on(-end, end, rng.uniform(1, 4, n))
+    b = np.array([(0, 0), (-1.0, -3.0), (1.0, -4.0), (2.0, -2.0)]) * rng.uniform(1, 2, (n, 1, 1))
+    x = np.ldexp(rng.uniform(1, 2, n), rng.integers(-80, -40, n))
+    b[:, 0] = np.stack([x, x * (1 + rng.integers(-3, 4, n) * 2.0**-52)], axis=1)
+    return a, b
+
+
+def worst_pair(method: Method, make: MakePairs, rng: Rng, n: int, generations: int, *, metres: bool) -> WorstPair:
+    """Return the worst pair that the search finds in so many generations of n pairs and n children.
+
+    The worst is that of the largest gap (with `metres`, within `_in_the_scene`) or of the largest relative margin.
+    Answers are compared with those of satviz; what is found is to be checked by `truth`.  The search begins anew after
+    every `GENERATIONS`, because the children of one pair end at a pair that no small change makes worse.
+    """
+    starts = max(1, generations // GENERATIONS)
+    found = [_search_once(method, make, rng, n, generations // starts, metres=metres) for _ in range(starts)]
+    worst, a, b, _ = max(found, key=lambda one: one[0])
+    margin = margins_of(batch.Polygons(a), batch.Polygons(b)) if worst else [0.0]
+    return WorstPair(float(margin[0]), a, b, sum(tried for *_, tried in found))
+
+
+def _search_once(
+    method: Method, make: MakePairs, rng: Rng, n: int, generations: int, *, metres: bool
+) -> tuple[float, Rings, Rings, int]:
+    """Return the worst gap or margin of one search, its pair (none if nothing was wrong), and how many were tried."""
     a, b = make(rng, 0)
     best, tried = np.empty(0), 0
     for _ in range(generations):
         new_a, new_b = make(rng, n)
-        new_b[1::4] = _facing(rng, new_a[1::4])
+        facing = np.arange(n) % 8 < 3  # of all kinds of A's
+        new_b[facing] = _facing(rng, new_a[facing])
         gaps = np.ldexp(rng.uniform(1, 2, n), rng.integers(HARDEST, EASIEST, n))
         if len(best):  # near the gaps at which the method is still wrong
             unit = best[0] if metres else best[0] * 2.0**-53
             gaps = np.where(rng.random(n) < 0.2, gaps, unit * rng.uniform(0.5, 2, n))
         new_b = beside(rng, new_a, new_b, gaps * rng.choice([-1.0, 1.0], n))
+        if metres:  # their relative margins would need fractions
+            new_a[::16], new_b[::16] = _at_the_origin(rng, len(new_a[::16]))
+        new_a, new_b = _swapped(rng, _first_corner_changed(rng, new_a), _first_corner_changed(rng, new_b))
         if len(best):
             child_a, child_b = _changed(rng, a, b, n)
             new_a, new_b = np.concatenate([new_a, child_a]), np.concatenate([new_b, child_b])
+        valid = _convex(new_a) & _convex(new_b)
+        if metres:
+            valid &= _in_the_scene(new_a) & _in_the_scene(new_b)
+        new_a, new_b = new_a[valid], new_b[valid]
         tried += len(new_a)
         right = batch.relate(batch.Polygons(new_a), batch.Polygons(new_b)) > 0
         with np.errstate(all="ignore"):
             wrong = np.flatnonzero((method.hits(method.prepare(new_a), method.prepare(new_b)) > 0) != right)
-        margin = margins_of(batch.Polygons(new_a[wrong]), batch.Polygons(new_b[wrong]))
-        reach = np.maximum(np.abs(new_a), np.abs(new_b)).max(axis=(1, 2))[wrong] if metres else 1.0
-        best = np.concatenate([best, margin * 2.0**-53 * reach if metres else margin])
-        a, b = np.concatenate([a, new_a[wrong]]), np.concatenate([b, new_b[wrong]])
-        order = np.argsort(-best)[:PARENTS]
+        new_a, new_b = new_a[wrong], new_b[wrong]
+        gaps = np.abs(_deciding_edge(new_a, new_b)[0]) if metres else margins_of(*map(batch.Polygons, (new_a, new_b)))
+        best, a, b = np.concatenate([best, gaps]), np.concatenate([a, new_a]), np.concatenate([b, new_b])
+        order = np.argsort(-best, kind="stable")[:PARENTS]
         best, a, b = best[order], a[order], b[order]
-    if not len(best):
-        return WorstPair(0.0, a, b, tried)
-    margin = margins_of(batch.Polygons(a[:1]), batch.Polygons(b[:1]))
-    return WorstPair(float(margin[0]), a[:1], b[:1], tried)
+    return float(max(best, default=0.0)), a[:1], b[:1], tried
+
+
+def _first_corner_changed(rng: Rng, rings: Rings) -> Rings:
+    """Return the same outlines, each beginning with a random corner: GJK begins with the first corners."""
+    corners = rings.shape[1]
+    first = rng.integers(0, corners, (len(rings), 1))
+    return np.asarray(rings[np.arange(len(rings))[:, None], (first + np.arange(corners)) % corners])
+
+
+def _swapped(rng: Rng, a: Rings, b: Rings) -> tuple[Rings, Rings]:
+    """Return the pairs, of which in about half A and B change places."""
+    swap = rng.random((len(a), 1, 1)) < 0.5
+    return np.where(swap, b, a), np.where(swap, a, b)
 
 
 def _changed(rng: Rng, a: Rings, b: Rings, n: int) -> tuple[Rings, Rings]:
-    """Return n children of the pairs: some coordinates changed by a few floats, and half of the B's moved outwards."""
+    """Return n children of the pairs, changed in one of four ways.
+
+    A or B slides along the edge that decides; some coordinates change by a few floats; or by anything up to metres.
+    In half of them B also moves across that edge, by a few floats or by a share of the gap.
+    """
     parent = (len(a) * rng.random(n) ** 2).astype(int)  # the worst most often
     a, b = a[parent], b[parent]
-    out = outward_normals(a[:, 0], a[:, 1])[:, None]
-    step = np.spacing(np.abs(b).max(axis=(1, 2), keepdims=True))
-    moves = rng.integers(-4, 5, (n, 1, 1)) * step * out * (rng.random((n, 1, 1)) < 0.5)
-    nudged = (side + rng.integers(-3, 4, side.shape) * np.spacing(side) * (rng.random(side.shape) < 0.3)
-              for side in (a, b + moves))  # fmt: skip
-    a, b = nudged
-    return a, b
+    gap, edge, out = (found.reshape(n, 1, -1) for found in _deciding_edge(a, b))
+    step = np.spacing(np.maximum(np.abs(a), np.abs(b)).max(axis=(1, 2)))[:, None, None]
+    way = rng.integers(0, 4, (n, 1, 1))
+    # whole steps, so that the edges and their normals stay what they are
+    slide = np.rint(rng.normal(0, 0.2, way.shape) * edge / step + rng.integers(-3, 4, (n, 1, 2))) * step
+    few, share = rng.integers(-4, 5, way.shape) * step, gap * rng.normal(0, 0.3, way.shape)
+    across = np.where(rng.random(way.shape) < 0.5, few, share) * out * (rng.random(way.shape) < 0.5)
+    a, b = a + slide * (way == 0), b + slide * (way == 1) + across
+    size = np.where(way == 2, 1.0, 2.0 ** rng.uniform(0, 46, way.shape)) * (way > 1) * step
+
+    def nudged(side: Rings) -> Rings:
+        """Return a side with some of its coordinates changed."""
+        return np.asarray(side + np.rint(rng.normal(0, 2, side.shape)) * size * (rng.random(side.shape) < 0.3))
+
+    return nudged(a), nudged(b)
+
+
+def _deciding_edge(a: Rings, b: Rings) -> tuple[Array, Array, Array]:
+    """Return for each pair the largest gap on an edge normal, that edge (N, 2), and the unit normal from A to B.
+
+    The gap is below 0 for an overlap.  It is right to a few roundings of the shapes' own size: differences of corners
+    near each other are exact.
+    """
+    best, edge, across = np.full(len(a), -np.inf), np.zeros((len(a), 2)), np.zeros((len(a), 2))
+    for own, other, side in (a, b, 1.0), (b, a, -1.0):
+        for e in range(own.shape[1]):
+            p, q = own[:, e - 1], own[:, e]
+            out = outward_normals(p, q)
+            gap = np.einsum("nvd,nd->nv", other - q[:, None], out).min(axis=1)
+            more = gap > best
+            best = np.where(more, gap, best)
+            edge[more], across[more] = (q - p)[more], side * out[more]
+    return best, edge, across
+
+
+def _convex(rings: Rings) -> NDArray[np.bool_]:
+    """Return which outlines are counter-clockwise and convex, and clearly so."""
+    edges = np.roll(rings, -1, axis=1) - rings
+    after, lengths = np.roll(edges, -1, axis=1), np.sqrt((edges * edges).sum(axis=2))
+    bends = edges[..., 0] * after[..., 1] - edges[..., 1] * after[..., 0]
+    return np.asarray((bends > LEAST_BEND * lengths * np.roll(lengths, -1, axis=1)).all(axis=1))
+
+
+def _in_the_scene(rings: Rings) -> NDArray[np.bool_]:
+    """Return which 4-gons belong to the scene of 1 km: its size, sides of 1 m or more, at most 14 m across."""
+    squares = [((np.roll(rings, -k, axis=1) - rings) ** 2).sum(axis=2) for k in (1, 2)]
+    small = np.maximum(*squares).max(axis=1) <= MOST_ACROSS**2
+    return np.asarray(
+        small & (squares[0].min(axis=1) >= LEAST_SIDE**2) & (np.abs(rings).max(axis=(1, 2)) <= METRES_WIDE)
+    )
