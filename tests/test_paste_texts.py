@@ -157,6 +157,7 @@ def test_what_stands_around_a_shape_is_never_dropped_without_a_question(plain, c
         "v[0] = (0,0)\nv[1] = (4,0) and d\nv[2] = (0,3)\ncircle((9,9), 1)",
         "circle((9,9), 1) if big\ncircle((0,0), 1)",
         "circle((9,9), 1) . flip\ncircle((0,0), 1)",
+        '<object x="1" y="1" rotation=""><polygon points="0,0 32,0 32,32"/></object>\ncircle((0,0), 1)',
         "a = flip . id $ [(0,0),(4,0),(4,4)]\ncircle((0,0), 1)",
         "p = [(0,0),(4,0),(4,4)]\nhull = ConvexHull(p)\nflip(hull)\ncircle((0,0), 1)",
         "a circle at (0, 0) with radius 2 m.sin()\ncircle((0,0), 1)",

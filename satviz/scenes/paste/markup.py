@@ -181,7 +181,7 @@ def _inner(text: str, at: int) -> list[Token]:
 def _number(text: str, at: int) -> list[Token]:
     """Return the NUMBER token of an attribute, or a token with the reason why the attribute is not a number."""
     found = _inner(text, at)
-    return found if len(found) == 1 and found[0].text == text.strip() else [_broken(text, at)] if found else []
+    return found if len(found) == 1 and found[0].text == text.strip() else [_broken(text, at)]
 
 
 def _broken(text: str, at: int) -> Token:
