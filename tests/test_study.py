@@ -246,7 +246,9 @@ def test_what_overlaps_is_called_neither_faster_nor_slower():
     assert near.is_below(apart) and not near.is_below(next_to) and not near.is_below(near)
     assert least_of({"c": apart, "b": next_to, "a": near}) == ["a", "b"]
     times = {"satviz numba": {10: near}, "STRtree": {10: next_to}, "cKDTree": {10: apart}}
-    assert fastest_by_size(times) == "Fastest: STRtree or satviz numba at 10."
+    assert fastest_by_size(times) == "At no size is one method clearly the fastest."
+    later = times | {"STRtree": {10: next_to, 100: near, 1000: near}}
+    assert fastest_by_size(later) == "Fastest: STRtree 100 to 1,000; at other sizes it is not clear."
     assert crossings(times, "satviz numba") == (
         "satviz numba: faster than cKDTree at all sizes; not told apart from STRtree at all sizes."
     )

@@ -23,6 +23,7 @@ WIDTH = 390.0  # points of a chart: as wide as a phone, where a letter then has 
 TEXT_POINTS, TITLE_POINTS = 11.0, 13.5
 TITLE_LETTER, TEXT_LETTER = 8.6, 6.0  # points that a letter takes, by which lines are wrapped
 TITLE_LINE, TEXT_LINE = 17.0, 14.5  # points from line to line
+RIM_GAP = 3.0  # points between a label and the lines of the axes
 
 
 class Chart(NamedTuple):
@@ -158,7 +159,8 @@ def label_points(
     `taken`: more (x, y) points that no label may cover.
     """
     scale = 72 / ax.figure.dpi
-    rim = cast(PointsBox, tuple(edge * scale for edge in ax.get_window_extent().extents))
+    left, bottom, right, top = (float(edge) * scale for edge in ax.get_window_extent().extents)
+    rim = left + RIM_GAP, bottom + RIM_GAP, right, top
     pixels = [ax.transData.transform((p[0], p[1])) for p in (*points, *taken)]
     spots = [(float(x) * scale, float(y) * scale) for x, y in pixels]
     dots: list[PointsBox] = [(x - 9, y - 4, x + 9, y + 4) for x, y in spots]
@@ -238,7 +240,7 @@ def _label_offsets(w: float, h: float) -> Iterator[tuple[float, float]]:
         for side in (1, -1):
             up = side * (4 + step * h * 0.75)
             y = up if side > 0 else up - h
-            yield from ((x, y) for x in (5, -w / 2, -w - 5, 24, -w - 24, 60, -w - 60))
+            yield from ((x, y) for x in (5, -w / 2, -w - 5, 24, -w - 24, 42, -w - 42, 60, -w - 60))
     yield from ((5, -h / 2), (-w - 5, -h / 2))
 
 

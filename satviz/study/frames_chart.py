@@ -114,15 +114,17 @@ def times_of(rows: Sequence[TimingRow], work: str) -> Times:
 
 
 def fastest_by_size(times: Times) -> str:
-    """Return a sentence with the fastest method of one work at each size, neighbouring sizes together.
+    """Return a sentence with the method of one work that is the fastest, by range of sizes.
 
-    Methods that cannot be told apart are joined by "or".
+    Sizes are left out at which several methods cannot be told apart.
     """
     sizes = sorted({size for own in times.values() for size in own})
     at = [least_of({method: own[size] for method, own in times.items() if size in own}) for size in sizes]
-    fastest = [" or ".join(sorted(methods)) for methods in at]
-    runs = [(methods, [sizes[k] for k in run]) for methods, run in groupby(range(len(sizes)), fastest.__getitem__)]
-    return f"Fastest: {', '.join(f'{methods} {_from_to(run)}' for methods, run in runs)}."
+    runs = [(methods, [sizes[k] for k in run]) for methods, run in groupby(range(len(sizes)), at.__getitem__)]
+    known = [f"{methods[0]} {_from_to(run)}" for methods, run in runs if len(methods) == 1]
+    if not known:
+        return "At no size is one method clearly the fastest."
+    return f"Fastest: {', '.join(known)}{'' if len(known) == len(runs) else '; at other sizes it is not clear'}."
 
 
 def crossings(times: Times, engine: str) -> str:
