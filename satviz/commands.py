@@ -430,7 +430,7 @@ def _text_of(name: str) -> str:
     try:
         return raw.decode("utf-16" if raw[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig")
     except UnicodeDecodeError:
-        raise Refused(f"{'standard input' if name == '-' else name}: not UTF-8 text") from None
+        raise Refused(f"{'standard input' if name == '-' else name}: not UTF-8 text: save it as UTF-8") from None
 
 
 def advise(args: argparse.Namespace) -> int:

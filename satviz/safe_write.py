@@ -39,7 +39,9 @@ def check(path: Path, *, force: bool = False) -> None:
     if path.is_dir() and not link:
         raise FileExistsError(f"{path} is a folder: satviz writes a file of that name")
     if link and not force:
-        raise FileExistsError(f"{path} is a link: choose another folder, or put a file in its place with --force")
+        raise FileExistsError(
+            f"{path} is a symbolic link: choose another folder, or put a file in its place with --force"
+        )
     if not force and not (path.is_file() and _is_made_by_satviz(path)):
         raise FileExistsError(f"{path} was not made by satviz: choose another folder, or overwrite it with --force")
 

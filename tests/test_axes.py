@@ -149,7 +149,7 @@ def sources(choice: axes.Choice) -> dict:
     return {axis.source.ids: axis.normal for axis in choice.axes}
 
 
-def test_a_source_names_the_owners_vertices_the_lower_first():
+def test_an_axis_source_lists_the_edges_vertex_numbers_in_ascending_order():
     clockwise = sv.Polygon([(0, 0), (0, 2), (0, 2), (0, 4), (4, 4), (4, 0)])  # with a repeat and a straight-on vertex
     expected = {(0, 3): (4, 0), (3, 4): (0, 4), (4, 5): (4, 0), (0, 5): (0, 4)}
     assert sources(axes.edge_normals_of_a(clockwise, COIN)) == expected

@@ -841,7 +841,7 @@ def test_circles_that_touch_long_edges_from_outside_and_inside_are_exact(seed):
 
 
 @pytest.mark.parametrize("kind", ["near triangles", "near, moved", "slivers"])
-def test_foot_signs_in_two_floats_are_within_their_error_bound(kind, monkeypatch):
+def test_sums_for_foot_signs_in_two_floats_stay_within_their_error_bound(kind, monkeypatch):
     """ERRBOUND_B is 256 * 2**-106; the proof needs 88, besides the sum's rounding. The largest error is printed."""
     seen = []
     real = exact_signs.sum_with_error

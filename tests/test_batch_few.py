@@ -433,7 +433,7 @@ def any_bounds(rng, n):
 
 @pytest.mark.parametrize("seed", range(10))
 @pytest.mark.parametrize("n", [2, 128, 129, 150, 200])
-def test_both_engines_take_the_very_same_way(n, seed):
+def test_both_engines_choose_the_same_broad_phase(n, seed):
     if "numba" in ENGINES:
         kernels_of("few")
     rng = RNG([n, seed])
@@ -772,7 +772,7 @@ def check(make, cores, fault, alone):
 
 
 @pytest.mark.parametrize("kind", one_in(2, OUTLINES))
-def test_outlines_are_judged_as_one_by_one_in_every_form(kind, made_by, tmp_path):
+def test_a_batch_validates_outlines_like_single_polygons_in_every_input_form(kind, made_by, tmp_path):
     rng = RNG([len(kind), ENGINES.index(made_by)])
     for n in range(12):
         ring = dressed(rng, OUTLINES[kind](rng))
@@ -812,7 +812,7 @@ def test_a_number_that_is_none_is_named_wherever_it_stands(made_by):
                     with pytest.raises(sv.InvalidShape) as error:
                         batch.Polygons(given)
                     i, j, k = place
-                    assert str(error.value) == f"polygon {i}: vertex {j}.{'xy'[k]} is {bad}: coordinates must be finite"
+                    assert str(error.value) == f"polygon {i}: vertex {j}.{'xy'[k]} is {bad}: numbers must be finite"
 
 
 def test_of_two_outlines_at_fault_the_first_is_named(made_by):

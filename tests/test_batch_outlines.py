@@ -31,7 +31,7 @@ def test_a_concave_polygon_is_refused_or_split_with_its_owner():
     ("vertices", "words"),
     [
         (np.zeros((2, 3)), "expected \\(N, V, 2\\)"),
-        (np.array([[[0, 0], [1, 0], [np.nan, 1]]]), "polygon 0: vertex 2.x is nan: coordinates must be finite"),
+        (np.array([[[0, 0], [1, 0], [np.nan, 1]]]), "polygon 0: vertex 2.x is nan: numbers must be finite"),
         (
             np.array([[[0, 0], [1, 0], [2**53 + 1, 1]]]),
             "polygon 0: vertex 2.x is 9007199254740993, which float64",
@@ -51,7 +51,7 @@ def test_bad_polygons_are_refused_by_number(vertices, words):
 def test_bad_circles_are_refused_by_number():
     for centers, radii, words in (
         ([(0, 0), (1, 1)], [1, 0], "circle 1: radius is 0.0: a circle needs a positive radius"),
-        ([(0, 0), (1, np.inf)], 1, "circle 1: center.y is inf: coordinates must be finite"),
+        ([(0, 0), (1, np.inf)], 1, "circle 1: center.y is inf: numbers must be finite"),
         ([0, 1], 1, "circle 0: center is 0: expected a pair"),
         (np.array([0, 1]), 1, "expected \\(N, 2\\)"),
         ([(0, 0), (1, 1)], [1, 1, 1], "expected \\(2,\\)"),

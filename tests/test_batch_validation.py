@@ -178,7 +178,7 @@ def test_the_first_invalid_number_is_named_in_all_layouts(layout):
         rings = [[[5.0, 5.0], [6.0, 5.0], [6.0, 6.0], [5.0, 6.0]] for _ in range(3)]
         rings[2][3][1] = np.inf
         rings[i][j][k] = np.nan
-        said = f"polygon {i}: vertex {j}.{'xy'[k]} is nan: coordinates must be finite"
+        said = f"polygon {i}: vertex {j}.{'xy'[k]} is nan: numbers must be finite"
         assert words(LAYOUTS[layout], rings) == said
 
 
@@ -377,8 +377,7 @@ def test_circles_have_the_validation_of_single_ones(center, radius):
 
 def test_arrays_of_circles_are_validated_like_lists():
     assert (
-        words(batch.Circles, np.array([(0, 0), (1, np.inf)]), 1)
-        == "circle 1: center.y is inf: coordinates must be finite"
+        words(batch.Circles, np.array([(0, 0), (1, np.inf)]), 1) == "circle 1: center.y is inf: numbers must be finite"
     )
     assert words(batch.Circles, np.zeros((2, 2)), np.array([1, np.nan])).startswith("circle 1: radius is nan")
     assert words(batch.Circles, np.zeros((2, 2)), np.array([1, -1])).startswith("circle 1: radius is -1.0")

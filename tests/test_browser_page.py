@@ -579,7 +579,7 @@ HEARD = """() => {
 }"""
 
 
-def test_how_a_challenge_stands_is_said_when_the_hand_rests_and_once(browser, errors):
+def test_the_challenge_status_is_announced_once_when_a_drag_pauses(browser, errors):
     with explored(browser, ExplorerModel(sv.scene("aabb"), "touch"), errors) as page:
         page.evaluate(HEARD)
         stop_the_clock(page)

@@ -634,7 +634,7 @@ def test_a_link_of_a_stranger_runs_nothing_and_says_why(visit):
     assert page.locator(".offer").is_visible() and not page.locator("main img").count()
 
 
-def test_a_chapter_plays_and_explores(visit):
+def test_the_player_and_the_explorer_of_a_chapter_work(visit):
     page = whole(visit("2-sat.html"))
     player = page.locator(".player")
     player.get_by_role("button", name="last step").click()

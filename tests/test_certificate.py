@@ -62,7 +62,7 @@ def test_a_line_separates_only_strictly_between_the_shapes(a, b, normal, lo, hi)
 
 @pytest.mark.parametrize("a", [box(0, 0, 1, 1), sv.Circle((0.5, 0), 0.5)], ids=["box", "circle"])
 @pytest.mark.parametrize("b", [box(3, 5, 4, 6), sv.Circle((3.5, 5), 0.5)], ids=["box", "circle"])
-def test_a_line_through_a_shape_separates_nothing_at_every_place_of_the_cut(a, b):
+def test_a_line_that_cuts_a_shape_separates_nothing_wherever_it_cuts(a, b):
     for offset in (0.25, 0.5, 0.75, 3.25, 3.5, 3.75):
         assert not SeparatingLine(a, b, frac(1, 0), Fraction(offset)).check()
         assert not SeparatingLine(b, a, frac(1, 0), Fraction(offset)).check()
@@ -121,7 +121,7 @@ HAIRS = (300_000, 239_792, 180_277), (300_002, 299_801, 10_980), (300_009, 299_5
 
 
 @pytest.mark.parametrize(("s", "p", "q"), HAIRS)
-def test_a_gap_narrower_than_the_first_bracket_still_has_a_line(s, p, q):
+def test_a_gap_narrower_than_the_first_bracket_of_the_root_still_has_a_separating_line(s, p, q):
     x = s * pow(p, -1, q) % q  # a whole point with p*x + q*y = s
     y = (s - p * x) // q
     away = sv.Polygon([(0, 0), (-q, p), (-p, -q)])  # all below its edge p*x + q*y = 0

@@ -148,7 +148,7 @@ def test_all_steps_are_as_large_with_names_of_their_own(case):
         assert len({mark.id for mark in drawn.marks}) == len(drawn.marks)
 
 
-def test_a_missed_hit_shows_its_own_axis_with_the_true_ranges():
+def test_a_missed_hit_shows_claimed_and_true_ranges_on_the_shortcuts_axis():
     drawn = sv.picture(NAMED["extremes-once"].record())
     bars = [drawn.mark(f"A.{side}-range.{axis}").points for side, axis in (("claimed", 1), ("actual", 1))]
     claimed, actual = (math.dist(*bar) for bar in bars)
@@ -612,7 +612,7 @@ def test_where_another_axis_has_the_least_overlap_the_panel_of_the_truth_says_so
     assert said == [("mixed-signs", "overlap 1, way out 2\nleast on another axis: 1.414")]
 
 
-def test_a_ring_at_a_crossing_lies_on_an_edge_of_both_shapes():
+def test_a_crossing_is_marked_on_an_edge_of_both_shapes():
     a = sv.Polygon([(0, 0), (7, 1), (2, 5)])
     for k in range(12):
         b = sv.Polygon([(3 + k / 4, -1), (8, 3 - k / 6), (1, 4)])

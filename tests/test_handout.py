@@ -95,7 +95,7 @@ def test_far_from_the_origin_coordinates_have_all_figures_that_are_needed():
 
 
 @pytest.mark.parametrize("name", ["triangles", "concave", "circles", "far-centers"])
-def test_empty_lines_have_the_same_ticks_as_those_with_ranges_and_nothing_on_them(name):
+def test_number_lines_to_fill_in_have_all_ticks_but_no_ranges(name):
     trace = sv.scene(name).record()
     empty, filled = number_lines(trace, filled=False), number_lines(trace, filled=True)
     assert {mark.kind for mark in empty.marks} == {"arrow", "segment", "label"}

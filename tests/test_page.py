@@ -63,7 +63,7 @@ def test_a_script_has_each_file_once_after_the_files_that_it_imports():
     assert script.index("function element(") < script.index("class Pen {") < script.index("class Player {")
 
 
-def test_the_style_sheets_say_no_underline_in_a_way_that_webkit_does_not_know():
+def test_style_sheets_write_text_decoration_only_as_webkit_reads_it():
     """It drops `text-decoration` with more than a line; `text-decoration-style` it knows."""
     for sheet in Path(sv.__file__).parent.rglob("*.css"):
         for said in re.findall(r"text-decoration:\s*([^;}]*)", sheet.read_text(encoding="utf-8")):

@@ -351,7 +351,7 @@ def test_lists_of_x_and_y_of_different_lengths_are_refused(x, y):
         sv.paste(f'{{"x": [{x}], "y": [{y}]}}')
 
 
-def test_a_table_with_sizes_is_none_of_corners():
+def test_a_table_with_sizes_is_not_read_as_corners():
     boxes = sv.paste("x,y,half_width,half_height\n0,0,2,1\n9,9,1,1")
     assert [each.bounds for each in boxes.shapes] == [(-2, -1, 2, 1), (8, 8, 10, 10)]
     for names in ("x,y,rx,ry", "x,y,size,id"):
@@ -375,7 +375,7 @@ def test_a_variable_that_is_counted_up_is_named():
         assert pasted.open and {*step} <= {*pasted.sentence.partition(":")[2]}
 
 
-def test_a_name_has_the_value_of_the_last_line_before():
+def test_a_variable_has_the_value_last_assigned_above_its_use():
     pasted = sv.paste("x = 2\ncircle((x, 0), 1)\nx = 5\ncircle((x, 0), 1)\nx = 9")
     assert [each.read.points[0][0] for each in pasted.readings] == [2, 5]
 

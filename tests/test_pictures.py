@@ -609,7 +609,7 @@ def test_only_a_trace_has_steps_and_the_error_says_how_to_make_one(show, thing):
 
 
 @pytest.mark.parametrize("step", ["x", 1.5, None, [1]])
-def test_a_step_is_a_number_or_a_step(step):
+def test_a_step_that_is_neither_a_number_nor_a_step_object_is_refused(step):
     with pytest.raises(TypeError, match="step is"):
         sv.picture(sv.scene("aabb").record(), step)
 

@@ -250,7 +250,7 @@ def test_nothing_is_written_through_a_link(tmp_path, there):
         target.write_bytes(OURS if there == "our file" else b"mine")
     path.symlink_to(target)
     before = target.read_bytes() if target.exists() else None
-    with pytest.raises(FileExistsError, match="is a link"):
+    with pytest.raises(FileExistsError, match="is a symbolic link"):
         write(path, OURS)
     write(path, OURS, force=True)
     assert not path.is_symlink() and path.read_bytes() == OURS

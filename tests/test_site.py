@@ -19,6 +19,7 @@ from functools import partial
 from html import unescape
 from html.parser import HTMLParser
 from itertools import product
+from math import hypot
 from typing import NamedTuple
 from urllib.parse import urldefrag
 from zipfile import ZipFile
@@ -618,7 +619,7 @@ BAD = [
 
 
 @pytest.mark.parametrize("text", BAD)
-def test_a_link_from_a_stranger_is_refused_by_name(text):
+def test_a_malformed_link_is_refused_as_invalid_scene(text):
     with pytest.raises(InvalidScene):
         links.parse_fragment(text)
     assert opened(text)["kind"] == "refused"
@@ -886,12 +887,17 @@ def test_what_is_kept_of_a_challenge_is_found_in_the_state_that_meets_it():
     assert said["goal"]["goal"] == "touch" and json.loads(said["scene"])["name"] == "aabb"
 
 
-def test_the_first_minute_ends_at_the_largest_gap(pages):
+def test_the_first_minute_ends_at_the_largest_gap_with_the_axis_of_the_scene_to_drag(pages):
     data = json.loads(re.search(r'class="first-minute">(.*?)</script>', pages["index.html"], re.DOTALL)[1])
     parts = [{data["marks"][i]["part"] for i in frame} for frame in data["frames"]]
     assert "overlap" in parts[0] and "gap" in parts[-1] and len(parts) > 30
     x0, y0, x1, y1 = data["limits"]
     assert all(x0 < x < x1 and y0 < y < y1 for mark in data["marks"] for x, y in mark["points"])
+    ((x0, y0), (x1, y1)) = next(
+        mark["points"] for mark in (data["marks"][i] for i in data["frames"][-1]) if mark["part"] == "axis"
+    )
+    axis = sv.scene("triangles").record().tests[-1].axis.direction
+    assert ((x1 - x0) * axis.x + (y1 - y0) * axis.y) / hypot(x1 - x0, y1 - y0) > 0.99
 
 
 def test_no_picture_of_a_card_is_wider_than_a_telephones_page():

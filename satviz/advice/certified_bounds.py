@@ -103,9 +103,9 @@ def _bounding_box(shape: AnyShape, outwards: float) -> tuple[float, ...]:
 
 
 def bounding_circle(shape: AnyShape, widening: float = WIDENING) -> Disc:
-    """Return a circle around a shape, from the center of its bounding box to the farthest corner.
+    """Return a circle around a shape: a circle itself, or one from the center of a polygon's bounding box.
 
-    The radius is multiplied by `widening`; it is 0 where floats cannot compute it.
+    It reaches the farthest corner.  A polygon's radius is multiplied by `widening`; 0 where floats cannot compute it.
     """
     if shape.core_is_point:
         return (*shape.core[0], shape.radius)

@@ -49,6 +49,7 @@ def refuse_too_many_fractions(decided: int, undecided: int) -> None:
     """
     if decided >= MAX_PAIRS_BY_FRACTIONS:
         raise InvalidScene(
-            f"{undecided:,} pairs of convex parts are so near to touching, or of such different sizes, that fractions "
-            f"must decide them: the limit is {MAX_PAIRS_BY_FRACTIONS:,}; give fewer or simpler shapes"
+            f"{undecided:,} pairs of convex parts are so near to touching, or of such different sizes, that only "
+            f"fractions, which are slow, can decide them: the limit is {MAX_PAIRS_BY_FRACTIONS:,}; give fewer or "
+            "simpler shapes"
         )

@@ -123,12 +123,12 @@ def kind_of(shape: AnyShape) -> str:
 
 
 def best(results: Sequence[ModelResult]) -> ModelResult:
-    """Return the first result that is proven: the recommended model."""
+    """Return the first result that is proven, the recommended model: at the latest the exact filter, the last."""
     return next(j for j in results if j.proven)
 
 
 def for_hits(results: Sequence[ModelResult]) -> ModelResult:
-    """Return the first result that is proven to separate hits from misses."""
+    """Return the first result that is proven to separate hits from misses: at the latest the exact filter, the last."""
     return next(j for j in results if j.proven_for_hits)
 
 

@@ -126,7 +126,7 @@ def _centers(a: Shape, b: Shape) -> tuple[Vec, Vec]:
 
 
 def _outside(spot: Vec, shape: Shape) -> float:
-    """Return how far a point lies outside a convex polygon, in units of the edges' lengths; 0 or less inside."""
+    """Return the largest distance of a point beyond an edge, multiplied by that edge's length; 0 or less inside."""
     landings = [(ends(shape.vertices, n), ends([spot], n).lo) for n in listed(shape.vertices, ())]
     return max(max(at - on.hi, on.lo - at) for on, at in landings)
 

@@ -279,7 +279,10 @@ def _recompute_axis(axis: Axis, known: dict[Source, Axis]) -> Axis:
         index = source.ids[0]
         ours = given_axis(axis.normal, index) if type(index) is int and 0 <= index < 2**53 else None
     if ours is None or not same_axis(axis._replace(length=parse_number(axis.length, "the length of an axis")), ours):
-        raise ValueError(f"{source} is not an axis of these shapes: choose the axes for this very pair")
+        raise ValueError(
+            f"{str(source.kind)[:40]} of {source.shape or 'both shapes'}, vertices {str(source.ids)[:40]}, "
+            "is not an axis of these shapes: choose the axes for these two shapes"
+        )
     return ours
 
 
@@ -426,7 +429,7 @@ def _normals(shape: Shape, role: str) -> tuple[Axis, ...]:
 
 
 def _vertex_axis(a: Shape, b: Shape, number: dict[IntPoint, int]) -> tuple[Axis, Skip | None]:
-    """Return (axis from the circle's center to the polygon's nearest vertex, its Skip or None if needed).
+    """Return (axis from the polygon's nearest vertex to the circle's center, its Skip or None if needed).
 
     `number`: the number of each axis already chosen, by its `_direction_key`.
     """

@@ -58,7 +58,7 @@ def parse_number(value: Any, name: str) -> float:
             )
         value = as_float
     if not math.isfinite(value):
-        raise InvalidShape(f"{name} is {value}: coordinates must be finite")
+        raise InvalidShape(f"{name} is {value}: numbers must be finite")
     return float(value)
 
 
@@ -76,7 +76,7 @@ def parse_point(value: Any, name: str) -> Vec:
 def to_lists(values: Any, name: str) -> Any:
     """Return an array as nested lists of Python numbers, a sequence unchanged; InvalidShape for text and sets."""
     if isinstance(values, (str, bytes, dict, set, frozenset)) or getattr(values, "ndim", 1) == 0:
-        raise InvalidShape(f"{name} is {short_repr(values)}: expected numbers in order")
+        raise InvalidShape(f"{name} is {short_repr(values)}: expected a list or an array of numbers")
     if hasattr(values, "tolist"):
         refuse_array(values, name)
         return values.tolist()

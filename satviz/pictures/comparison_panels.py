@@ -169,7 +169,7 @@ def dots_panel(every_pair: bool) -> Panel:
     """Return a panel of 12 dots that stand for shapes; `every_pair` joins each dot to every other one."""
 
     def panel(trace: Trace, layout: Layout) -> Sketch:
-        """Draw the dots, the lines between them if wanted, and how many tests or pairs there are."""
+        """Draw shapes as dots in a circle, lines between all pairs if `every_pair`, and the number of lines or dots."""
         x0, y0, x1, y1 = 0.0, 0.0, 300.0, 246.0
         sketch = Sketch(trace, Layout((x0, y0, x1, y1), (x1, y1), ()))
         turns = [2 * pi * (i + 0.5) / DOT_COUNT for i in range(DOT_COUNT)]
@@ -462,7 +462,10 @@ def draw_true_ways_out(trace: Trace, layout: Layout) -> Sketch:
 def _draw_way_out(
     sketch: Sketch, way: WayOut, role: str, pieces: tuple[tuple[str, str], ...], *, drawn: bool = False
 ) -> None:
-    """Draw a way out as an arrow from the middle of B, unless it is `drawn` already, and the words at its tip."""
+    """Draw a way out as an arrow from the middle of B, unless it is `drawn` already, and the words at its tip.
+
+    `pieces`: the words, as pairs (text, role).
+    """
     start, near = centroid(sketch.trace.b), is_near(sketch.trace, way.move)
     tip, axis = point_along(start, way.move, 1.0) if near else start, sketch.axis_id(way.test)
     if near and not drawn:

@@ -51,7 +51,10 @@ class ShapeSketch:
     def shape(
         self, role: str, name: str, shape: Shape, *, weight: str = "plain", named: bool = True, quiet: bool = False
     ) -> None:
-        """Draw a shape's outline and its name, in small letters if `quiet`; a dot too if the shape is very small."""
+        """Draw a shape's outline, its name if `named` (small if `quiet`), and a dot if it is very small.
+
+        `weight`: as in Mark.
+        """
         if isinstance(shape, Circle):
             self.add("outline", "disc", role, shape.center, owner=name, radius=shape.radius, weight=weight)
         else:

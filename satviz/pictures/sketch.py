@@ -172,7 +172,7 @@ class Sketch(ShapeSketch):
                 self.small_normal("normal", axis, 0.8, role, owner=name, number=i)
 
     def small_normal(self, part: str, edge_normal: Axis, size: float, role: str, **more: Unpack[MarkOptions]) -> None:
-        """Draw an edge's outward normal as an arrow, `size` times as long as the normal of a test."""
+        """Draw an edge's outward normal as an arrow, the mark `part`, `size` times as long as the normal of a test."""
         self.add(part, "arrow", role, *self.small_normal_arrow(edge_normal, size), **more)
 
     def small_normal_arrow(self, edge_normal: Axis, size: float) -> Segment:

@@ -128,7 +128,7 @@ def load(path: str | Path) -> Scene:
     except OSError as error:
         raise InvalidScene(f"cannot read {path}: {error.strerror or error}") from None
     except UnicodeDecodeError:
-        raise InvalidScene(f"{path}: not UTF-8 text") from None
+        raise InvalidScene(f"{path}: not UTF-8 text: save it as UTF-8") from None
     try:
         return Scene.from_json(text, re.sub("[^a-z0-9]+", "-", path.stem.lower())[:60].strip("-") or "scene")
     except InvalidScene as error:

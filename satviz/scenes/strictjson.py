@@ -18,7 +18,7 @@ STRING = re.compile(r'"(?:[^"\\]|\\.)*+(?:"|$)', re.DOTALL)  # an unended one ru
 def refuse_large(text: str, max_chars: int) -> None:
     """Raise InvalidScene for a text too large to be read; only its length and its punctuation are counted."""
     if len(text) > max_chars:
-        raise InvalidScene(f"the text has {len(text):,} characters: the limit is {max_chars:,}")
+        raise InvalidScene(f"the text has {len(text):,} characters: the limit is {max_chars:,}; give fewer vertices")
     if (count := sum(map(text.count, ',[{"'))) > MAX_PUNCTUATION:
         raise InvalidScene(
             f"the text has {count:,} commas, brackets and quotes: the limit is {MAX_PUNCTUATION:,}; give fewer vertices"
@@ -94,7 +94,7 @@ def _object_without_duplicates(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
 
 def _refuse_constant(name: str) -> float:
     """Raise InvalidScene for NaN or Infinity, which Python would read."""
-    raise InvalidScene(f"{name} cannot stand in a scene: coordinates must be finite")
+    raise InvalidScene(f"{name} cannot stand in a scene: numbers must be finite")
 
 
 def _parse_finite(text: str) -> float:

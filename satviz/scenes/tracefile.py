@@ -58,7 +58,10 @@ def load(text: str) -> Trace:
         every_axis = require_type(data["every_axis"], "trace.every_axis", bool)
         again = record(a, b, axes=shortcut or axes.needed, every_axis=every_axis)
         if len(pairs) != len(again.pairs):
-            raise InvalidScene("trace.pairs are not the pairs of the shapes' convex parts")
+            raise InvalidScene(
+                f"trace.pairs has {len(pairs)} pairs, but the shapes have {len(again.pairs)} pairs of convex parts: "
+                "record the trace again"
+            )
         found = zip(pairs, again.pairs, strict=True)
         trace = replace(
             again, pairs=tuple(_parse_pair(pair, f"trace.pairs[{i}]", ours) for i, (pair, ours) in enumerate(found))
@@ -193,7 +196,10 @@ def _parse_axis(data: Any, where: str, known: dict[Source, Axis]) -> Axis:
             f"{where}.source does not fit these shapes: check its kind, its shape and its vertex numbers"
         )
     if not axes.same_axis(axis, ours):
-        raise InvalidScene(f"{where} is not the direction (or not the length) that its source has")
+        raise InvalidScene(
+            f"{where} has not the direction, or not the length, of the edge or line that its source names: "
+            "record the trace again"
+        )
     return axis
 
 

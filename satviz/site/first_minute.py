@@ -23,7 +23,7 @@ SENTENCES = (
 def first_minute() -> str:
     """Return the pictures as JSON in a script element, for the browser's pen; the last one has the largest gap."""
     every = sweep(scene("triangles"), step=STEP_DEGREES)[FROM_DEGREES // STEP_DEGREES :]
-    marks = [[mark for mark in drawn.marks if mark.part in SHOWN] for drawn in every]
+    marks = [[_turned_round(mark) for mark in drawn.marks if mark.part in SHOWN] for drawn in every]
     gaps = [_gap_size(shown) for shown in marks]
     marks = marks[: gaps.index(max(gaps)) + 1]
     points = [point for mark in chain(*marks) for point in mark.points]
@@ -34,6 +34,11 @@ def first_minute() -> str:
     data = {"limits": [x0, y0, x1, y1], "size": [x1 - x0, y1 - y0], **marks_data(numbers), "frames": frames}
     text = json.dumps(data, separators=(",", ":"), ensure_ascii=False).replace("<", "\\u003c")
     return f'<script type="application/json" class="first-minute">{text}</script>'
+
+
+def _turned_round(mark: Mark) -> Mark:
+    """Return an axis with its arrow at the other end, so that the last one points as that of the scene to drag."""
+    return mark._replace(points=mark.points[::-1]) if mark.part == "axis" else mark
 
 
 def _gap_size(marks: list[Mark]) -> float:

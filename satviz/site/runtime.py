@@ -149,7 +149,9 @@ def _fetch_from_npm() -> bytes:
             subprocess.run(command, check=True, capture_output=True, timeout=TIMEOUT_SECONDS, cwd=folder)
             return (Path(folder) / f"pyodide-{VERSION}.tgz").read_bytes()
         except (OSError, subprocess.SubprocessError):
-            raise PythonMissing("npm cannot fetch Pyodide (offline?)") from None
+            raise PythonMissing(
+                "npm cannot fetch Pyodide: check the connection, or give a folder that holds it"
+            ) from None
 
 
 def _has_expected_hash(data: bytes) -> bool:

@@ -78,7 +78,10 @@ def study(
         written += save_chart(chart, out, facts, ("svg",) if settings.quick else ("svg", "png"), force=force)
     write(out / "study.md", _study_page(made, failed, settings).encode(), force=force)
     if failed:
-        raise CellsFailed(f"{_failed_count(failed)}, so charts are missing in {out}: {_failed_names(failed)}")
+        raise CellsFailed(
+            f"{_failed_count(failed)}, so charts are missing in {out}: {_failed_names(failed)}. "
+            "Run again: what is done is kept"
+        )
     return [*written, out / "study.md"]
 
 

@@ -88,7 +88,10 @@ class ExplorerModel(PlayerModel):
         return self._drawn.line
 
     def answer(self, content: dict[str, Any]) -> dict[str, Any] | None:
-        """Return the new state after a pose, preset or challenge message, or why it is refused."""
+        """Return the new state after a pose, preset or challenge, what was pasted, or why a message is refused.
+
+        None for a message of another kind.
+        """
         n, before = content.get("n"), {**vars(self), "_memory": self._memory.copy()}
         try:
             if content.get("kind") == "preset":

@@ -96,7 +96,10 @@ def certified_rings(points: Array, start: Indices, accept_centers: bool = False)
 
 
 def _rings_of(x: Array, y: Array, kept: Indices) -> RaggedRings:
-    """Return outlines as RaggedRings: x and y end after the last corner, and long ones are shrunk in place."""
+    """Return RaggedRings of x and y, cut off after the last corner kept; long arrays are shrunk in place.
+
+    kept: the place where each outline starts, and the end.
+    """
     end = int(kept[-1])
     if len(x) <= MAX_FEW_CORNERS:
         return RaggedRings(x[:end], y[:end], kept)

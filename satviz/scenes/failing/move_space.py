@@ -39,7 +39,10 @@ RegionOrReason = ErrorRegion | str  # a text says why no area shows where the an
 
 
 def minkowski_difference(a: Shape, b: Shape) -> Iterator[ConvexRing]:
-    """Yield, for each pair of convex parts, the moves of B for which they meet: A - B, as a ring."""
+    """Yield, for each pair of convex parts, the moves of B for which they meet: A - B, as a ring.
+
+    A circle counts as a polygon of CIRCLE_CORNERS corners inside it.
+    """
     for p in parts(a):
         for q in parts(b):
             r = p.radius + q.radius

@@ -216,7 +216,7 @@ class Account:
         return self.tokens[i] if 0 <= i < len(self.tokens) else NOTHING
 
     def before(self, i: int) -> int:
-        """Return the place of the last token before another one that is no line's end."""
+        """Return the place of the last token before place i that is not a line's end; -1 if there is none."""
         return next((k for k in range(i - 1, -1, -1) if self.tokens[k].kind != LINE), -1)
 
     def span(self, i: int) -> tuple[int, int]:

@@ -222,7 +222,7 @@ class Calls(Keyed):
             raise Unreadable("an ellipseMode other than CENTER: write the center and the diameter")
         flat = self.numbers(group.items) or []
         if len(flat) not in (3, 4) or flat[2] != flat[-1]:
-            raise Unreadable("an ellipse: satviz takes polygons and circles")
+            raise Unreadable("an ellipse: give it as a polygon with many corners")
         said, radius = BY_DIAMETER, flat[2] / 2
         sure = DIAMETER if self.sketch or row.form else ""
         if len(flat) == 4 and self._choose(ROUND, (DIAMETER, RADIUS), sure=sure) == RADIUS:

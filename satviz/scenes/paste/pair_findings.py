@@ -209,7 +209,7 @@ def _of_swapped(pair: AnsweredPair) -> Iterator[Finding]:
 
 
 def box_points(box: Sequence[Fraction], form: str) -> tuple[Pt, ...]:
-    """Return the corners of an upright box by a corner, or its center, and its size."""
+    """Return the corners of an upright box by its size and, as `form` says, a corner or its center."""
     x, y, w, h = box
     x0, y0 = (x, y) if form == CORNER_SIZE else (x - w / 2, y - h / 2)
     return (x0, y0), (x0 + w, y0), (x0 + w, y0 + h), (x0, y0 + h)

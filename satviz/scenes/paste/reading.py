@@ -158,7 +158,7 @@ class Reader(Calls):
                 (x0, y), (x1, _), _ = ring
                 numbers = (c for p in ring for c in p)
                 return [circle(((x0 + x1) / 2, y), abs(x1 - x0) / 2, group, label, "a circle by two points", *numbers)]
-            raise Unreadable("an outline with arcs: satviz takes polygons and circles")
+            raise Unreadable("an outline with arcs: give each arc as corners")
         if kind == CIRCLE:
             found = self._circle(group, label)
         elif kind == ELLIPSE and row:
@@ -311,7 +311,10 @@ class Reader(Calls):
         return list(self._each(items, label))
 
     def _each(self, items: Sequence[Any], label: str) -> Iterator[Read]:
-        """Yield the shapes of several values; a transform moves and turns the next shape."""
+        """Yield the shapes of several values; a transform moves and turns the next shape.
+
+        `label`: the name of these shapes in the text.
+        """
         move: Pt | None = None
         angle: Any = None
         resolved = [self.resolve(item) for item in items]

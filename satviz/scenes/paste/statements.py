@@ -94,7 +94,7 @@ class Statements(Names):
             yield item
 
     def _line(self, item: Any) -> None:
-        """Take one line."""
+        """Carry out one parsed line: set a name, add corners or a shape, or keep the line in `loose`."""
         held = item.value if isinstance(item, Pair) else None
         if isinstance(item, Pair) and isinstance(item.value, Pair):  # a heading over the lines of an object: a:
             self._end_run("")

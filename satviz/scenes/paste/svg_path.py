@@ -10,7 +10,7 @@ _PART = re.compile(rf"[A-Za-z]|{NUMERAL}")
 _REST = re.compile(r"[\s,]*")
 PATH_DATA = re.compile(r"\s*[Mm][\s,]*[-+.]?[0-9][\s0-9.,+\-eEMmLlHhVvZzCcSsQqTtAa]*")
 _TAKES = {"M": 2, "L": 2, "H": 1, "V": 1}
-CURVES = "a path with a curve: satviz takes polygons and circles"
+CURVES = "a path with a curve: give each curve as corners"
 PARTS = "a path of several parts: paste each part alone"
 BROKEN = "path data that cannot be read: write its corners"
 

@@ -62,7 +62,10 @@ def circles(rng: np.random.Generator, n: int, spread: float) -> CircleArrays:
 
 
 def mixed_polygons(rng: np.random.Generator, n: int, spread: float) -> Rings:
-    """Return n polygons with 3 to 8 corners and radii 0.4 to 1.6; the last corner is repeated to make up 8."""
+    """Return n polygons with 3 to 8 corners and radii 0.4 to 1.6; the last corner is repeated to make up 8.
+
+    Centers have coordinates up to `spread`.
+    """
     rings, corners = np.empty((n, 8, 2)), rng.integers(3, 9, n)
     for v in range(3, 9):
         of_v = np.flatnonzero(corners == v)
