@@ -8,7 +8,7 @@ from itertools import chain
 import numpy as np
 import pytest
 
-from satviz import Polygon, batch
+from satviz import Polygon, Relation, batch, relate
 from satviz.cli import main
 from satviz.study import bench, truth
 from satviz.study.bench import CHECKED_BY, TimingRow, plan_bench
@@ -126,8 +126,8 @@ def test_plain_sat_counts_touching_as_a_hit_for_any_number_of_corners(corners):
     """Two polygons in whole numbers touch along an edge; their y coordinates are those of a parabola, mirrored."""
     half = [(k, k * k) for k in range(corners // 2)]
     top = half[-1][1] * 2 + 1
-    ring = np.array(half + [(x, top - y) for x, y in reversed(half)], float)[:, ::-1]
-    ring = ring if Polygon(ring).is_convex else ring[:, ::-1]
+    ring = np.array(half + [(x, top - y) for x, y in reversed(half)], float)[::-1, ::-1]  # counter-clockwise
+    assert relate(Polygon(ring), Polygon(ring + [0, half[-1][0]])) is Relation.TOUCHING
     x, y = ring.T[:, :, None]
     out = np.empty(1, np.int8)
     numba_rivals.plain_sat(corners, corners)(x, y, x.copy(), y + (y.max() - y.min()), out)
