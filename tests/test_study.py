@@ -127,7 +127,7 @@ def test_plain_sat_counts_touching_as_a_hit_for_any_number_of_corners(corners):
     half = [(k, k * k) for k in range(corners // 2)]
     top = half[-1][1] * 2 + 1
     ring = np.array(half + [(x, top - y) for x, y in reversed(half)], float)[::-1, ::-1]  # counter-clockwise
-    assert relate(Polygon(ring), Polygon(ring + [0, half[-1][0]])) is Relation.TOUCHING
+    assert relate(Polygon(ring), Polygon(ring + np.array([0, half[-1][0]]))) is Relation.TOUCHING
     x, y = ring.T[:, :, None]
     out = np.empty(1, np.int8)
     numba_rivals.plain_sat(corners, corners)(x, y, x.copy(), y + (y.max() - y.min()), out)
