@@ -1,12 +1,13 @@
 """What a shortcut claims of its shapes in words, what is right, and whether the claim is wrong."""
 
+import re
 from functools import lru_cache
 from math import hypot, isclose, isnan
 from typing import NamedTuple
 
 from ..engine import describe
 from ..engine.geometry import Vec
-from ..engine.number_format import USUAL_DIGITS, Digits
+from ..engine.number_format import MINUS, USUAL_DIGITS, Digits
 from ..engine.trace import Trace, record
 from ..scenes.failing import FALSE_HIT, MISSED_HIT, FailureCase, case_of
 from ..scenes.failing.true_value import Answer
@@ -34,7 +35,8 @@ class Answers(NamedTuple):
 def answers(trace: Trace, digits: Digits = USUAL_DIGITS) -> Answers:
     """Return what a shortcut answers for its shapes and what is right, in words, and whether the first is wrong.
 
-    Lengths are printed with `digits`.  Where the verdict is right, but for another number, the words are the verdict.
+    Lengths are printed with `digits`.  Where the verdict is wrong, or right for another number, the words are the
+    verdicts: a panel may show the overlap of several axes.  A gap that was missed is named, since one gap is enough.
     """
     assert trace.shortcut
     case = case_of(trace.shortcut)
@@ -48,14 +50,12 @@ def answers(trace: Trace, digits: Digits = USUAL_DIGITS) -> Answers:
         return Answers(str(trace.claim), str(trace.relation), False)  # there is nothing to push
     claimed, actual = case.claimed_value(trace), case.true_value(trace.a, trace.b)
     if case.how in (FALSE_HIT, MISSED_HIT) and not isinstance(actual, tuple):
-        words = (
-            case.verdict_in_words(trace.claim, claimed, digits),
-            case.verdict_in_words(trace.relation, actual, digits),
-        )
-        is_wrong = bool(trace.claim) is not trace.hit
-        if not is_wrong and words[0] != words[1]:
-            words = str(trace.claim), str(trace.relation)
-        return Answers(*words, is_wrong)
+        right = case.verdict_in_words(trace.relation, actual, digits)
+        if bool(trace.claim) is not trace.hit:
+            gap = f", {right}" if right.startswith("gap ") else ""
+            return Answers(str(trace.claim), f"{trace.relation}{gap}", True)
+        both_say = case.verdict_in_words(trace.claim, claimed, digits) == right
+        return Answers(str(trace.claim), right if both_say else str(trace.relation), False)
     is_wrong = _contradicts(case, trace, claimed, actual)
     return Answers(case.in_words(claimed, digits), case.in_words(actual, digits), is_wrong)
 
@@ -101,12 +101,17 @@ def heading(trace: Trace, digits: Digits = USUAL_DIGITS) -> tuple[str, str]:
     """Return two lines: the claim, and what is wrong with it or that it happens to be right."""
     assert trace.shortcut
     found = answers(trace, digits)
-    claim, case = f"Claim: {trace.shortcut.claim}.", case_of(trace.shortcut)
+    claim, case = f"Claim: {_as_printed(trace.shortcut.claim)}.", case_of(trace.shortcut)
     if found.is_wrong and case and case.claims_less:
         return claim, f"Wrong: {found.claimed}, not less than {found.actual.rsplit(' ', 1)[-1]}."
     if found.is_wrong:
         return claim, f"Wrong: {found.claimed}. Right: {found.actual}."
     return claim, f"Here it happens to be right: {found.actual}."
+
+
+def _as_printed(claim: str) -> str:
+    """Return a claim with true minus signs, and with no line break inside a vector such as (dx, -dy)."""
+    return re.sub(r"\(\w+, -?\w+\)", lambda vector: vector[0].replace(" ", "\xa0").replace("-", MINUS), claim)
 
 
 def is_near(trace: Trace, move: Vec) -> bool:

@@ -22,7 +22,7 @@ from ..scenes.failing.saved_work import MIN_SUPPORT_POINTS, corner_tests
 from ..scenes.failing.true_value import FLIGHT, contact_times, separating_angles
 from ..scenes.failing.true_value import distance as true_distance
 from ..scenes.failing.wrong_projections import FIRST_EDGE_OF_B
-from ..scenes.shape_tools import box, translated
+from ..scenes.shape_tools import box, translated, vertex_mean
 from .claims import is_near
 from .curve import unit_vector
 from .default_panels import (
@@ -390,6 +390,25 @@ def draw_push_alone(trace: Trace, layout: Layout) -> Sketch:
     return sketch
 
 
+def draw_push_from_center(trace: Trace, layout: Layout) -> Sketch:
+    """Draw B where the shortcut pushes it, and the two vertex means that gave the direction, joined."""
+    sketch = draw_push_alone(trace, layout)
+    means = vertex_mean(trace.a), vertex_mean(trace.b)
+    sketch.add("joined", "segment", "wrong", *means)
+    for (role, name, _), mean in zip(sketch.roles(), means, strict=True):
+        sketch.add("mean", "dot", role, mean, owner=name)
+        aside = Vec(0.8, 0.6) if role == "A" else Vec(0.8, -0.6)
+        sketch.label("mean-name", f"{name}'s center", role, mean, owner=name, prefer=aside, first=2)
+    return sketch
+
+
+def draw_push_while_a_stays(trace: Trace, layout: Layout) -> Sketch:
+    """Draw B where the shortcut pushes it, and say that A stands still."""
+    sketch = draw_push_alone(trace, layout)
+    sketch.note("stays", f"{trace.names.a} does not move", "A", first=3)
+    return sketch
+
+
 def draw_way_out(trace: Trace, layout: Layout) -> Sketch:
     """Draw B moved by the MTV, and the MTV."""
     sketch = draw_shapes(trace, layout)
@@ -549,6 +568,8 @@ PANELS: dict[str, Panel] = {
     "one side": Panel(needs_one_sided_tests, draw_one_sided_tests),
     "line as axis": Panel(needs_claimed_tests, draw_line_as_axis),
     "push": Panel(needs_push, draw_push_alone),
+    "push from center": Panel(needs_push, draw_push_from_center),
+    "push while A stays": Panel(needs_push, draw_push_while_a_stays),
     "way out": Panel(needs_push, draw_way_out),
     "raw ways out": ways_out_panel(Panel(needs_ways_out, draw_raw_ways_out), TESTS),
     "true ways out": ways_out_panel(Panel(needs_ways_out, draw_true_ways_out), PROOF),

@@ -12,6 +12,7 @@ from ..engine.axes import (
     CENTROIDS,
     EDGE,
     FROM_EDGES,
+    GIVEN,
     SLIP,
     VERTEX,
     WORLD,
@@ -27,13 +28,14 @@ from ..engine.number_format import MINUS
 from ..engine.sat import AxisTest, axis_tests
 from ..engine.shapes import Polygon, Shape, centroid
 from ..engine.trace import Trace, record
+from ..scenes.failing import case_of
 from ..scenes.shape_tools import translated
 from .claims import is_about_push, is_near
 from .draw_steps import draw_mtv, draw_separating_line, draw_verdict
 from .float_geometry import gap_or_overlap, midpoint, point_along
 from .labels import short_name
 from .layout import Layout, PanelContents
-from .sketch import RING_PT, Sketch
+from .sketch import RIGHT_ANGLE_PT, RING_PT, Sketch
 
 PROVES_NOTHING = "true, but proves nothing"
 LEAST_WORDY_PT = 200.0  # width of a panel from which on it explains the MTV
@@ -50,6 +52,10 @@ class PanelSketch(Sketch):
     def axis_label(self, test: AxisTest) -> str:
         """Return "normal of a1a2", or what else the axis comes from."""
         (kind, role, ids), names = test.source, self.trace.names
+        if kind == GIVEN:
+            case = case_of(self.trace.shortcut)
+            vector = describe.digits(self.trace).vector(test.axis.direction)
+            return case.direction_name.format(vector) if case else vector
         if kind not in (*FROM_EDGES, VERTEX):
             return {CENTERS: "through the centers", CENTROIDS: "through the centroids"}.get(kind, "axis")
         name, polygon = self.named_polygon(role)
@@ -58,6 +64,11 @@ class PanelSketch(Sketch):
         if kind == VERTEX:
             return f"through {ends[0]} and\n{other}'s center"
         return f"{'(dx, -dy)' if kind == SLIP else 'normal'} of {describe.edge_name(ends)}".replace("-", MINUS)
+
+    def ends_of_edge(self, test: AxisTest) -> None:
+        """Name the two vertices of the edge after which the test's axis is called."""
+        if test.source.kind in FROM_EDGES:
+            self.vertices(test.source.shape or "", test.source.ids)
 
 
 class Panel(NamedTuple):
@@ -86,12 +97,13 @@ def draw_claimed_tests(trace: Trace, layout: Layout) -> Sketch:
     sketch.shapes()
     remarks = [remark_on(trace, test) for test in tests]
     if len(tests) > 1 and set(remarks) == {PROVES_NOTHING}:
-        sketch.note("remark", "true, but they prove nothing", "overlap", first=3)
+        sketch.note("remark", "true overlaps, but they prove nothing", "overlap", first=3)
         remarks = [""] * len(tests)
     for test, place, remark in zip(tests, layout.places, remarks, strict=False):
         if any(test.axis.normal):
             if len(tests) == 1:
                 sketch.edge(test)
+                sketch.ends_of_edge(test)
                 sketch.normal(test)
                 _draw_what_is_missing(sketch, test)
             on = ""
@@ -150,6 +162,11 @@ def _draw_what_is_missing(sketch: Sketch, test: AxisTest) -> None:
     if left_out and not _draw_missing_edges(sketch, left_out):
         sketch.crossed_normals(left_out)
         sketch.note("left-out-name", "crossed: never tested", "wrong", first=7)
+    if test.source.kind == CENTROIDS:
+        radii = [describe.digits(trace).gap((s.interval.hi - s.interval.lo) / 2) for s in (test.a, test.b)]
+        text = f"counted as circles,\nradius {' and '.join(dict.fromkeys(radii))}"
+        low = Vec(midpoint(test.a.points[0], test.b.points[0]).x, sketch.layout.limits[1])
+        sketch.label("believed-name", text, "wrong", low, far=True, first=3)
     for (role, name, shape), side in zip(sketch.roles(), (test.a, test.b), strict=True):
         if test.source.kind == CENTROIDS:
             p, q = side.points[0], side.points[-1]
@@ -215,7 +232,7 @@ def draw_push(sketch: Sketch) -> None:
         sketch.shape("B", f"{trace.names.b} pushed", translated(trace.b, trace.push), weight="faint", named=False)
         sketch.add("push", "arrow", "move", start, tip, start=(start,))
     prefer = trace.push if any(trace.push) else Vec(0.0, 1.0)
-    sketch.label("push-name", text, "move", tip, prefer=prefer, far=not is_near(trace, trace.push), first=3)
+    sketch.label("push-name", text, "move", tip, prefer=prefer, far=tip is start, first=3)
 
 
 def needs_proof(trace: Trace) -> PanelContents:
@@ -235,10 +252,12 @@ def draw_proof(trace: Trace, layout: Layout) -> Sketch:
     place = layout.places[-1]
     sketch = PanelSketch(run, layout)
     sketch.shapes()
+    sketch.ends_of_edge(test)
     certificate = trace.truth.certificate if trace.hit else run.certificate
     if isinstance(certificate, SeparatingLine):
         draw_separating_line(sketch, certificate)
-        sketch.right_angle_of_line(certificate.point, place)
+        if test.gap * place.unit * layout.scale > 4 * RIGHT_ANGLE_PT:  # in a small gap its bracket fills the space
+            sketch.right_angle_of_line(certificate.point, place)
     elif isinstance(certificate, SharedPoint):
         sketch.add("shared", "dot", "ink", certificate.point)
         sketch.label("shared-name", "in both", "ink", certificate.point, first=4)

@@ -54,6 +54,7 @@ class FailureCase(NamedTuple):
     `error_region`: the moves of B for which the answer is wrong, or the reason why no area shows them;
     None for a verdict that follows from the shortcut's axes alone.
     `panels`: how it is drawn; `verdicts`: the words above both panels, where the relation is not what it is about.
+    `direction_name`: the label of an axis that the shortcut gives as a direction, in which {} stands for its vector.
     `number`: the place in the list of all cases, counted by satviz/scenes/failing/__init__.py.
     """
 
@@ -69,6 +70,7 @@ class FailureCase(NamedTuple):
     error_region: Callable[[Shape, Shape, Window], RegionOrReason] | None = None
     panels: Panels = Panels()
     verdicts: tuple[str, str] | None = None
+    direction_name: str = "{}"
     number: int = 0
 
     @property

@@ -199,8 +199,8 @@ CASES = (
     FailureCase(
         Shortcut("push-from-center", "the way out is away from the other's center", push=push_from_center),
         WRONG_NUMBER,
-        (Polygon([(0, 0), (8, 0), (0, 1)]), box(0.5, -0.5, 1.5, 1.5)),
-        **REMAINING_OVERLAP,
+        (Polygon([(6, 0), (12, 4), (0, 4)]), Polygon([(5, 1), (7, 1), (6, 4)])),
+        **REMAINING_OVERLAP | {"panels": Panels("push from center", "way out")},
         error_region=region_of_push_to_mean,
     ),
     FailureCase(
@@ -253,7 +253,7 @@ CASES = (
         Shortcut("tile-seam", "each tile of a floor pushes out what sinks into it", split=tiles),
         WRONG_NUMBER,
         (box(0, 0, 8, 2), box(2.9, 1.5, 4.4, 3)),
-        quantity="push off by",
+        quantity="push error",
         claimed_value=distance_from_mtv,
         true_value=lambda a, b: 0.0,
         is_about_push=True,
@@ -264,11 +264,13 @@ CASES = (
         Shortcut("rounded-normals", "a rounded normal still points the right way", rounded_normals),
         FALSE_HIT,
         (Polygon([(0, 0), (4, 0), (0, 2)]), box(3, 1, 4, 2)),
+        direction_name="{}, rounded",
     ),
     FailureCase(
-        Shortcut("degrees-for-radians", "a normal has the edge's angle plus 90", turned_by_90_radians),
+        Shortcut("degrees-for-radians", "a normal has the edge's angle plus 90, in radians too", turned_by_90_radians),
         FALSE_HIT,
         (box(0, 0, 2, 2), box(3, -1, 5, 1)),
+        direction_name="edge's angle\n+ 90 rad",
     ),
     FailureCase(
         Shortcut("largest-overlap", "the way out is along the axis of the largest overlap", push=push_along_largest),
@@ -278,10 +280,10 @@ CASES = (
         error_region=region_of_every_overlap,
     ),
     FailureCase(
-        Shortcut("half-the-way", "each of two shapes moves half the way", push=push_half_the_way),
+        Shortcut("half-the-way", "half of the way is enough, for the other shape moves too", push=push_half_the_way),
         WRONG_NUMBER,
         (box(0, 0, 4, 4), box(3, 1, 6, 3)),
-        **REMAINING_OVERLAP,
+        **REMAINING_OVERLAP | {"panels": Panels("push while A stays", "way out")},
         error_region=region_of_every_overlap,
     ),
 )
