@@ -372,6 +372,11 @@ def test_every_measured_number_of_the_guide_comes_from_the_stored_charts():
         assert re.search(rf"(?<![\d.,]){re.escape(number)}(?!\d)", known) or number in EXPLAINED, number
 
 
+def test_making_shapes_costs_more_than_the_answers_unless_many_pairs_touch():
+    rows = [row for row in STORED["rows"]["price-of-exactness"] if row["method"] == "satviz"]
+    assert all(row["whole"] > 2 * row["ns"] for row in rows if row["what"] == "outlier" or row["much"] <= 0.01)
+
+
 EXPLAINED = "1", "8"  # a unit, the number of labels
 
 

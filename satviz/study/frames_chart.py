@@ -87,23 +87,22 @@ def wrapped(text: str) -> list[str]:
 def headline_of(works: Mapping[str, Times]) -> tuple[str, str]:
     """Return (title, subtitle): where the best engine passes all libraries, and how it compares to short programs.
 
-    Only sizes at which a rival was timed count.
+    Only sizes at which a rival was timed count; the title ends with the largest size at which all libraries were.
     """
     engine = next(name for name in sorted(ENGINES) if all(name in times for times in works.values()))
-    starts, ends, ratios = list[int | None](), list[int](), list[float]()
+    starts, lasts, ratios = list[int | None](), list[int](), list[float]()
     for times in works.values():
         own = times[engine]
         libraries = [times[m] for m in times if not m.startswith((*ENGINES, *SHORT_PROGRAMS))]
         starts += [faster_from(own, library) for library in libraries]
-        ends += [max(library) for library in libraries]
+        lasts += [max(own.keys() & library.keys(), default=0) for library in libraries]
         programs = [times[m] for m in SHORT_PROGRAMS if m in times]
         ratios += [min(p[n].middle for p in programs if n in p) / t.middle for n, t in own.items()
                    if any(n in p for p in programs)]  # fmt: skip
     known = [start for start in starts if start is not None]
     than = ""
-    if known and known == starts and max(known) <= min(ends):
-        where = sorted({max(known), min(ends)})
-        than = f" is faster than every library {'for ' * (len(where) > 1)}{_from_to(where)} shapes"
+    if known and known == starts and max(known) <= min(lasts):
+        than = f" is faster than each library here, {_from_to(sorted({max(known), min(lasts)}))} shapes"
     subtitle = "Time of one frame, from arrays to all colliding pairs. satviz is exact"
     against = (
         f"; short programs in floats (orange) take {min(ratios):.1f} to {max(ratios):.1f} times as long"
