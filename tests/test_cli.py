@@ -186,11 +186,11 @@ def test_a_bad_scene_file_gives_one_clear_line_and_exit_code_2(what, tmp_path, c
 
 def test_other_bad_input_gives_one_clear_line_too(tmp_path, capsys):
     for args, words in (
-        (["trace", "nosuch"], "no scene 'nosuch': choose one of aabb"),
-        (["trace", "triangle"], "no scene 'triangle': did you mean triangles?, or give a file"),
+        (["trace", "nosuch"], "no scene and no file 'nosuch': choose one of aabb"),
+        (["trace", "triangle"], "no scene and no file 'triangle': did you mean triangles?\n"),
         (["trace", "nosuch.json"], "cannot read nosuch.json"),
         (["trace", str(tmp_path)], "cannot read"),
-        (["figures", "--only", "nosuch"], "no figure 'nosuch'"),
+        (["figures", "--only", "nosuch"], "no figure 'nosuch': choose one of aabb-apart, aabb-project-y, "),
     ):
         assert main(args) == 2
         err = capsys.readouterr().err
@@ -403,7 +403,7 @@ def test_an_empty_name_is_no_folder(args, capsys, monkeypatch, tmp_path):
     assert stop.value.code == 2 and "the folder's name is empty" in capsys.readouterr().err
     with pytest.raises(SystemExit):
         main(["notebook", "--no-open", ""])
-    assert main(["trace", ""]) == 2 and "no scene ''" in capsys.readouterr().err
+    assert main(["trace", ""]) == 2 and "no scene and no file ''" in capsys.readouterr().err
     assert list(tmp_path.iterdir()) == []
 
 
