@@ -481,6 +481,8 @@ def bench(args: argparse.Namespace) -> int:
     from .study.bench_table import bench_table, busy_warning, numba_break_even
     from .study.harness.machine import machine_facts, missing_peers
 
+    if args.chart:
+        safe_write.make_folder(args.chart)  # before minutes of work
     pairs, rounds = (2000, 3) if args.quick else (args.pairs, args.rounds)
     rows = []
     for row in tqdm(

@@ -1133,6 +1133,14 @@ body#23 {"shape":"circle","c":[0.7,0.35],"r":0.25}""",
         ((0.1, 0.2, 0.4, 0.5), (0.45, 0.1, 0.95, 0.6)),
     ),
     Paste(
+        "shapes numbered with a hash",
+        """Polygon #1: (0, 0), (4, 0), (0, 4)
+Polygon 2: (1, 1), (5, 1), (1, 5)
+rect = pygame.Rect(4, 0, 4, 4)  #3: the player
+other = pygame.Rect(8, 0, 4, 4) #4 (the enemy)""",
+        ((0, 0, 4, 4), (1, 1, 5, 5), (4, 0, 8, 4), (8, 0, 12, 4)),
+    ),
+    Paste(
         "kotlin data class",
         """data class Circle(val cx: Double, val cy: Double, val r: Double)
 val spieler = Circle(cx = 0.0, cy = 0.0, r = 1.0)

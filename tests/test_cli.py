@@ -395,6 +395,16 @@ def test_json_stays_json_whatever_the_stream_can_hold(tmp_path, coding):
     assert json.loads(text)["a"]["labels"] == labels and ("日" in text) is not bool(coding) and "\x9b" not in text
 
 
+@pytest.mark.parametrize("args", [["bench", "--chart"], ["study", "--out"], ["draw", "aabb", "--out"]])
+def test_a_file_in_the_place_of_the_folder_is_refused_before_the_work(args, capsys, monkeypatch, tmp_path):
+    for work in "satviz.study.bench.bench", "satviz.study.run.run_cells", "satviz.render.files.encode_frames":
+        monkeypatch.setattr(work, lambda *args, **kwargs: pytest.fail("the work has begun"))
+    path = tmp_path / "notes.txt"
+    path.write_text("mine")
+    assert main([*args, str(path)]) == 2 and path.read_text() == "mine"
+    assert capsys.readouterr().err == f"satviz: {path}: not a folder\n"
+
+
 @pytest.mark.parametrize("args", [["figures"], ["draw", "aabb"], ["study"]])
 def test_an_empty_name_is_no_folder(args, capsys, monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)

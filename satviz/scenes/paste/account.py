@@ -341,7 +341,7 @@ class Account:
             return True
         if before.kind == LINE:
             return after.text in (":", "|")
-        if before.text == "#" and self.at(i - 2).kind == NAME and self.at(i - 2).end == before.start:
+        if before.text == "#" and before.end == self.at(i).start and self.at(i - 2).kind not in (NUMBER, CLOSE):
             return True  # body#17
         if before.text == "{" and after.text == "}":
             return self.at(i).value == 0
