@@ -59,7 +59,7 @@ def bench_chart(rows: Sequence[TimingRow], warning: str) -> Chart:
 
     summary = [_summary(method, charted, corners) for method in _methods_in(charted) if method in ENGINES]
 
-    title = "; ".join(
+    title = "In the first chart " + "; ".join(
         f"{method} is {_range_in_words([ratio.times for ratio in charted if ratio.method == method])} as fast as "
         "shapely unprepared"
         for method in _methods_in(charted)
