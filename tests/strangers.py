@@ -1141,6 +1141,12 @@ other = pygame.Rect(8, 0, 4, 4) #4 (the enemy)""",
         ((0, 0, 4, 4), (1, 1, 5, 5), (4, 0, 8, 4), (8, 0, 12, 4)),
     ),
     Paste(
+        "number of an issue before a name",
+        """A: [[0, 0], [1, 0], [0, 1]]
+issue #17 B: [[2, 0], [3, 0], [2, 1]]""",
+        ((0, 0, 1, 1), (2, 0, 3, 1)),
+    ),
+    Paste(
         "kotlin data class",
         """data class Circle(val cx: Double, val cy: Double, val r: Double)
 val spieler = Circle(cx = 0.0, cy = 0.0, r = 1.0)
