@@ -142,7 +142,9 @@ def _parser() -> argparse.ArgumentParser:
         epilog="The text may be WKT, GeoJSON, JSON, or lines in Python, JavaScript, C, C++, C#, Java, Rust, Scala or "
         "GDScript. Nothing in it is run. Where two readings are possible, both are named with what they give.",
     )
-    explain.add_argument("file", metavar="FILE", help="a file with the text, or - for standard input")
+    explain.add_argument(
+        "file", metavar="FILE", help="a file with the text, a scene's name or link, or - for standard input"
+    )
     explain.add_argument(
         "--as",
         dest="as_",

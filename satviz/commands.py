@@ -7,7 +7,7 @@ import argparse
 import os
 import sys
 import warnings
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack
 from functools import partial
 from pathlib import Path
@@ -49,7 +49,7 @@ def _load(args: argparse.Namespace) -> "Scene":
 def _scene_named(name: str) -> "Scene":
     """Return the scene of that name, file or link; Refused for an unknown name."""
     from .scenes.link import parse_fragment
-    from .scenes.named import names, scene
+    from .scenes.named import did_you_mean, names, scene
     from .scenes.scenefile import load
 
     if name.startswith(("http://", "https://")):
@@ -57,28 +57,21 @@ def _scene_named(name: str) -> "Scene":
     is_file = any(c in name for c in "./\\") or os.path.exists(name)
     known = names()
     if name not in known and not is_file:
-        raise Refused(f"no scene {name!r}{_did_you_mean(name, known)}, or give a file")
+        raise Refused(f"no scene and no file {name!r}{did_you_mean(name, known)}")
     return scene(name) if name in known else load(name)
-
-
-def _did_you_mean(name: str, known: Iterable[str]) -> str:
-    """Return the end of an error line: the known name most like `name`, or all known names."""
-    from difflib import get_close_matches
-
-    near = get_close_matches(name, known, n=1)
-    return f": did you mean {near[0]}?" if near else f": choose one of {', '.join(known)}"
 
 
 def figures(args: argparse.Namespace) -> int:
     """Write the figures asked for, in one theme."""
     from .pictures.figures import FIGURES, STRIP, Figure
+    from .scenes.named import did_you_mean
 
     wanted: Sequence[Figure] = FIGURES
     if args.only:
         known = {key: f for f in (*FIGURES, STRIP) for key in (f.name, f.stem, str(f.number), f"{f.number:02}")}
         for name in args.only:
             if name not in known:
-                raise Refused(f"no figure {name!r}{_did_you_mean(name, known)}")
+                raise Refused(f"no figure {name!r}{did_you_mean(name, [f.name for f in (*FIGURES, STRIP)])}")
         wanted = [figure for figure in (*FIGURES, STRIP) if figure in [known[name] for name in args.only]]
     forms = dict.fromkeys(args.format)
 
@@ -418,9 +411,12 @@ def explain(args: argparse.Namespace) -> int:
 
 
 def _text_of(name: str) -> str:
-    """Return the text of a file, or of standard input for "-"; Refused for more than can be read, and for no text."""
+    """Return the text of a file, of a scene by its name or link, or of standard input for "-"; Refused for no text."""
+    from .scenes.named import names
     from .scenes.paste.tokens import MAX_CHARS
 
+    if name.startswith(("http://", "https://")) or (name in names() and not os.path.exists(name)):
+        return _scene_named(name).to_json()
     limit = 4 * MAX_CHARS + 1  # the bytes of a text that is not too long
     if name == "-":
         raw = sys.stdin.buffer.read(limit)
@@ -485,6 +481,8 @@ def bench(args: argparse.Namespace) -> int:
     from .study.bench_table import bench_table, busy_warning, numba_break_even
     from .study.harness.machine import machine_facts, missing_peers
 
+    if args.chart:
+        safe_write.make_folder(args.chart)  # before minutes of work
     pairs, rounds = (2000, 3) if args.quick else (args.pairs, args.rounds)
     rows = []
     for row in tqdm(

@@ -21,8 +21,10 @@ from satviz.study.bench_table import spread_of
 from satviz.study.harness.timings import Spread, format_ratio, interval_in_words, least_of, ratio_interval
 from satviz.study.methods import ENGINES
 from satviz.study.run import SECTIONS
+from satviz.study.sections.pose_error import STEP_ANGLES
 from satviz.study.sections.speed_against_accuracy import in_metres
 from satviz.study.stored_run import STORED_RUN, stored_charts, stored_run
+from satviz.study.workloads.adversary import LEAST_SIDE, MOST_ACROSS
 
 ROOT = Path(__file__).parent.parent
 FIGURES, GUIDES = ROOT / "figures", ROOT / "satviz" / "guides"
@@ -72,7 +74,11 @@ def measured_sentences() -> list[str]:
     of = {row["method"]: row for row in run["rows"]["speed-against-accuracy"]}
     exact, raw, unit = (of[name] for name in ("satviz", "SAT, raw normals", "SAT, unit normals"))
     answer, whole = (format_ratio(ratio_interval(exact[key], raw[key])) for key in ("ns_runs", "whole_runs"))
+    of_others = prices_of_few_corners(run["rows"])
     found = [
+        f"in a scene of one kilometre with shapes of {{{in_metres(LEAST_SIDE)} to {in_metres(MOST_ACROSS)}}}. A gap",
+        f"`satviz bench` measured {{{min(of_others):.1f} to {max(of_others):.1f}}} times for the answers alone.",
+        f"with steps of {{{STEP_ANGLES[0]} to {STEP_ANGLES[1]}}} radians, as in this chart",
         f"shapely was wrong about a gap of {{{in_metres(of['shapely']['metres'])}}}, where",
         f"wrong up to {{{in_metres(raw['metres'])}}} with raw normals, and up to {{{in_metres(unit['metres'])}}} with",
         f"exact answers take {{{answer}}} as long",
@@ -108,6 +114,21 @@ def measured_sentences() -> list[str]:
     again = min(size for work, size, _ in frames if work == "boxes" and size > boxes)
     return [*found, f"For up to {{{last:,}}} shapes, a short program that answers in floats is the fastest; for boxes "
             f"also from {{{again:,}}} on."]  # fmt: skip
+
+
+def prices_of_few_corners(study: dict[str, list[dict]]) -> list[float]:
+    """How many times as long as plain SAT satviz takes with numba, where few of the pairs nearly touch.
+
+    study: the stored rows by chart.  The pairs have 3 to 8 corners, and are others than those of the main chart.
+    """
+    price = {row["method"]: row for row in study["price-of-exactness"] if (row["what"], row["much"]) == ("touching", 0)}
+    few = {(row["corners"], row["method"]): row for row in study["corners"] if row["corners"] <= 8}
+    pairs = [(price["satviz"], price["SAT, raw normals"])]
+    pairs += [(row, few[corners, "SAT, every corner"]) for (corners, name), row in few.items() if name == "satviz"]
+    found = [ratio_interval(*(row["ns_runs"] for row in pair))[0] for pair in pairs]
+    times = {(row.work, row.method): row.time for row in bench_rows("bench") if row.section == "pairs"}
+    works = "triangles", "boxes", "8-gons"
+    return found + [times[work, "satviz numba"] / times[work, "SAT in numba"] for work in works]
 
 
 def fastest(frames: dict[tuple[str, int, str], Spread], scene: tuple[str, int]) -> set[str]:

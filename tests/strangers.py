@@ -1126,6 +1126,41 @@ export function overlaps(p: Rect, q: Rect): boolean {
         asks=True,
     ),
     Paste(
+        "log with numbered bodies",
+        """[2024-05-03T12:11:09.123Z] WARN physics: contact lost tick=4411
+body#17 {"shape":"poly","verts":[[0.1,0.2],[0.4,0.2],[0.4,0.5],[0.1,0.5]]}
+body#23 {"shape":"circle","c":[0.7,0.35],"r":0.25}""",
+        ((0.1, 0.2, 0.4, 0.5), (0.45, 0.1, 0.95, 0.6)),
+    ),
+    Paste(
+        "shapes numbered with a hash",
+        """Polygon #1: (0, 0), (4, 0), (0, 4)
+Polygon 2: (1, 1), (5, 1), (1, 5)
+rect = pygame.Rect(4, 0, 4, 4)  #3: the player
+other = pygame.Rect(8, 0, 4, 4) #4 (the enemy)""",
+        ((0, 0, 4, 4), (1, 1, 5, 5), (4, 0, 8, 4), (8, 0, 12, 4)),
+    ),
+    Paste(
+        "number of an issue before a name",
+        """A: [[0, 0], [1, 0], [0, 1]]
+issue #17 B: [[2, 0], [3, 0], [2, 1]]""",
+        ((0, 0, 1, 1), (2, 0, 3, 1)),
+    ),
+    Paste(
+        "kotlin data class",
+        """data class Circle(val cx: Double, val cy: Double, val r: Double)
+val spieler = Circle(cx = 0.0, cy = 0.0, r = 1.0)
+val wand = Circle(cx = 3.0, cy = 0.0, r = 2.0)""",
+        ((-1, -1, 1, 1), (1, -2, 5, 2)),
+    ),
+    Paste(
+        "rust struct",
+        """struct Circle { x: f64, y: f64, r: f64 }
+let a = Circle { x: 0.0, y: 0.0, r: 1.0 };
+let b = Circle { x: 5.0, y: 0.0, r: 1.0 };""",
+        ((-1, -1, 1, 1), (4, -1, 6, 1)),
+    ),
+    Paste(
         "rust macroquad",
         """let player = Rect::new(10.0, 10.0, 32.0, 32.0);
 let coin = Circle::new(50.0, 26.0, 8.0);

@@ -186,11 +186,11 @@ def test_a_bad_scene_file_gives_one_clear_line_and_exit_code_2(what, tmp_path, c
 
 def test_other_bad_input_gives_one_clear_line_too(tmp_path, capsys):
     for args, words in (
-        (["trace", "nosuch"], "no scene 'nosuch': choose one of aabb"),
-        (["trace", "triangle"], "no scene 'triangle': did you mean triangles?, or give a file"),
+        (["trace", "nosuch"], "no scene and no file 'nosuch': choose one of aabb"),
+        (["trace", "triangle"], "no scene and no file 'triangle': did you mean triangles?\n"),
         (["trace", "nosuch.json"], "cannot read nosuch.json"),
         (["trace", str(tmp_path)], "cannot read"),
-        (["figures", "--only", "nosuch"], "no figure 'nosuch'"),
+        (["figures", "--only", "nosuch"], "no figure 'nosuch': choose one of aabb-apart, aabb-project-y, "),
     ):
         assert main(args) == 2
         err = capsys.readouterr().err
@@ -395,6 +395,16 @@ def test_json_stays_json_whatever_the_stream_can_hold(tmp_path, coding):
     assert json.loads(text)["a"]["labels"] == labels and ("日" in text) is not bool(coding) and "\x9b" not in text
 
 
+@pytest.mark.parametrize("args", [["bench", "--chart"], ["study", "--out"], ["draw", "aabb", "--out"]])
+def test_a_file_in_the_place_of_the_folder_is_refused_before_the_work(args, capsys, monkeypatch, tmp_path):
+    for work in "satviz.study.bench.bench", "satviz.study.run.run_cells", "satviz.render.files.encode_frames":
+        monkeypatch.setattr(work, lambda *args, **kwargs: pytest.fail("the work has begun"))
+    path = tmp_path / "notes.txt"
+    path.write_text("mine")
+    assert main([*args, str(path)]) == 2 and path.read_text() == "mine"
+    assert capsys.readouterr().err == f"satviz: {path}: not a folder\n"
+
+
 @pytest.mark.parametrize("args", [["figures"], ["draw", "aabb"], ["study"]])
 def test_an_empty_name_is_no_folder(args, capsys, monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
@@ -403,7 +413,7 @@ def test_an_empty_name_is_no_folder(args, capsys, monkeypatch, tmp_path):
     assert stop.value.code == 2 and "the folder's name is empty" in capsys.readouterr().err
     with pytest.raises(SystemExit):
         main(["notebook", "--no-open", ""])
-    assert main(["trace", ""]) == 2 and "no scene ''" in capsys.readouterr().err
+    assert main(["trace", ""]) == 2 and "no scene and no file ''" in capsys.readouterr().err
     assert list(tmp_path.iterdir()) == []
 
 

@@ -220,4 +220,4 @@ def test_the_command_writes_both_sheets_also_of_a_file(tmp_path, capsys):
     asked, solved = (path.read_text() for path in sorted(out.iterdir(), reverse=True))
     assert "My circles" in asked and "My circles: solutions" in solved and "size: A4" in asked
     assert main(["handout", "nope", "--out", str(out)]) == 2
-    assert "no scene 'nope'" in capsys.readouterr().err
+    assert "no scene and no file 'nope'" in capsys.readouterr().err

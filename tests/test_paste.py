@@ -1,5 +1,6 @@
 """Shapes out of any text: the reader, the answer, the diagnosis, and what is sent on."""
 
+import dataclasses
 import json
 import random
 import re
@@ -553,6 +554,18 @@ def test_other_definitions_have_their_own_answer(b, answers):
         assert view.answer == answer, view
 
 
+def test_ogc_touches_says_why_it_is_false():
+    whys = [
+        next(v.why for v in sv.paste(f"{SQUARE} {b}").others() if "touches" in v.definition)
+        for b in ("circle((9, 2), 1)", "circle((5, 2), 1)", "circle((4, 2), 1)")
+    ]
+    assert whys == [
+        "they share no point",
+        "they share border points, but no interior point",
+        "they share interior points",
+    ]
+
+
 def test_the_words_of_ogc_agree_with_shapely():
     shapely = pytest.importorskip("shapely")
     rng = random.Random(1)
@@ -793,6 +806,19 @@ def test_explain_reads_a_file_and_standard_input(tmp_path, capsys, monkeypatch):
     monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(b"[0,0,1,1] [2,0,1,1]")))
     assert main(["explain", "-", "--as", "corner-size", "--as", "width-first"]) == 0
     assert "apart" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("way", ["name", "file", "link"])
+def test_explain_takes_a_scene_in_each_way_in_which_the_other_commands_take_it(way, tmp_path, capsys):
+    scene = sv.scene("triangles")
+    path = tmp_path / "scene.json"
+    path.write_text(scene.to_json())
+    changed = dataclasses.replace(scene, name="mine")  # a link of a built-in scene has only its name
+    links = [sv.link(each, site="https://example.org") for each in (scene, changed)]
+    for given in {"name": ["triangles"], "file": [str(path)], "link": links}[way]:
+        assert main(["explain", given]) == 0
+        said = capsys.readouterr().out
+        assert scene.record().sentence.split(":")[0] in said and "Left out" not in said
 
 
 def test_explain_says_in_one_line_why_there_is_no_answer(tmp_path, capsys):

@@ -20,7 +20,7 @@ import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from matplotlib.font_manager import FontManager, findfont
+from matplotlib.font_manager import FontManager, FontProperties, findfont
 from matplotlib.ft2font import FT2Font
 from PIL import Image
 
@@ -28,7 +28,7 @@ import satviz as sv
 from satviz.pictures import DARK, LIGHT, Stage, Step, Theme, letters
 from satviz.pictures.figures import FIGURES
 from satviz.render import fonts
-from satviz.render.files import encode, encode_frames
+from satviz.render.files import encode, encode_frames, styled
 from satviz.render.formats import FORMATS, STILL_FORMATS
 from satviz.render.pen import Pen
 from satviz.safe_write import MADE_BY, check, write
@@ -181,6 +181,14 @@ def test_a_letter_that_dejavu_lacks_comes_from_a_font_that_has_it():
         assert family.replace(" ", "").encode() in encode(labelled(rare), "pdf").replace(b"-", b"")
         encode(labelled(rare), "png")
     assert family.encode() not in encode(labelled(rare), "svg")  # the reader's own font shows it
+
+
+def test_a_letter_of_a_font_without_a_bold_one_prints_nothing(caplog):
+    with styled():
+        findfont(FontProperties(family="STIXSizeOneSym", weight=900), rebuild_if_missing=False)
+    assert not caplog.records
+    findfont(FontProperties(family="STIXSizeTwoSym", weight=900), rebuild_if_missing=False)
+    assert "font weight" in caplog.text  # and elsewhere matplotlib still says so
 
 
 def test_a_gif_is_the_whole_run_and_the_same_each_time():

@@ -147,9 +147,8 @@ def test_the_command_does_the_other_sections_and_ends_with_1_if_a_cell_failed(tm
     monkeypatch.setattr(run, "SECTIONS", (bad, small(2)))
     assert main(["study", "--quick", "--out", str(tmp_path)]) == 1
     out, err = capsys.readouterr()
-    assert (
-        err == f"satviz: 1 cell failed, so charts are missing in {tmp_path}: bad\\x1b (ValueError: no 3)\n" and not out
-    )
+    failed = f"1 cell failed, so charts are missing in {tmp_path}: bad\\x1b (ValueError: no 3)"
+    assert err == f"satviz: {failed}. Run again: what is done is kept\n" and not out
     assert (tmp_path / "gaps.csv").exists() and "1 cell failed" in (tmp_path / "study.md").read_text()
 
 
@@ -371,6 +370,11 @@ def test_every_measured_number_of_the_guide_comes_from_the_stored_charts():
     known = known.replace("\u00a0", " ")
     for number in re.findall(r"\d[\d,.]*\d|\d", text.replace("\u00a0", " ")):
         assert re.search(rf"(?<![\d.,]){re.escape(number)}(?!\d)", known) or number in EXPLAINED, number
+
+
+def test_making_shapes_costs_more_than_the_answers_unless_many_pairs_touch():
+    rows = [row for row in STORED["rows"]["price-of-exactness"] if row["method"] == "satviz"]
+    assert all(row["whole"] > 2 * row["ns"] for row in rows if row["what"] == "outlier" or row["much"] <= 0.01)
 
 
 EXPLAINED = "1", "8"  # a unit, the number of labels

@@ -583,6 +583,16 @@ def test_the_order_of_axes_never_changes_a_verdict():
     assert tested[axis_order.LAST_FIRST] < tested[axis_order.SHUFFLED]
 
 
+def test_flat_shapes_have_another_order_of_axes(monkeypatch):
+    ngons = axis_order.ngons
+    flat = np.array([[0.7, 0.7], [-0.035, 0.035]])  # a twentieth as high, turned by 45 degrees
+    monkeypatch.setattr(axis_order, "ngons", lambda *arguments: ngons(*arguments) @ flat)
+    tested = {row["order"]: row["tested"] for row in axis_order.count_tested_axes(20, 40, QUICK)}
+    assert tested[axis_order.LAST_FIRST] < tested[axis_order.ALONG_CENTERS]
+    stored = {row["order"]: row["tested"] for row in CHARTS["order-of-axes"].rows}
+    assert stored[axis_order.LAST_FIRST] > stored[axis_order.ALONG_CENTERS]
+
+
 def test_the_last_axis_comes_first_and_none_is_lost():
     a, b = next(axis_order.passing_frames(QUICK.rng("order"), 2))
     axes = needed(a, b).axes

@@ -420,7 +420,7 @@ def test_what_is_no_pair_is_refused_and_told_how(show, what):
         show(what)
     with pytest.raises(TypeError, match=r"make it a satviz\.Polygon"):
         show(what, 5)
-    with pytest.raises(sv.InvalidScene, match="no scene 'trianglse': choose one of aabb"):
+    with pytest.raises(sv.InvalidScene, match="no scene 'trianglse': did you mean triangles"):
         show("trianglse")
 
 

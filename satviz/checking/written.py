@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
-from math import atan2, cos, degrees, dist, floor, hypot, sin
+from math import atan2, cos, degrees, dist, floor, hypot, inf, sin
 from operator import itemgetter
 from typing import NamedTuple
 
@@ -205,6 +205,18 @@ def one_extreme_each(step: int, ring: Ring, n: Vec) -> Interval:
     return ends([pick(ring[::step], key=itemgetter(k)) for pick in (min, max) for k in (0, 1)], n)
 
 
+def one_end_each(sign: int, ring: Ring, n: Vec) -> Interval:
+    """Return a range where a landing place that is a new minimum is not tried as the maximum; `sign` -1: vice versa."""
+    lo, hi = inf, -inf
+    for p in ring:
+        at = sign * (n.x * p.x + n.y * p.y)
+        if at < lo:
+            lo = at
+        elif at > hi:
+            hi = at
+    return Interval(lo, hi) if sign == 1 else Interval(-hi, -lo)
+
+
 def rounded_landings(round_to: Callable[[float], float], ring: Ring, n: Vec) -> Interval:
     """Return a range on the normal of length 1 with both ends rounded, in units of n's length."""
     length = hypot(*n)
@@ -363,6 +375,11 @@ def _measured() -> Iterator[Variant]:
         yield "bounding-circles", Written(partial(between, middle), partial(circle_about, middle, radius)), ""
     for step in (1, -1):
         yield "extremes-once", Written(ends=partial(one_extreme_each, step)), ""
+        yield (
+            "extremes-once",
+            Written(ends=partial(one_end_each, step)),
+            "here with an else between the two comparisons",
+        )
     yield "extremes-once", Written(ends=lambda ring, n: ends(ring[:-1], n)), "here without the last vertex"
     yield "extremes-once", Written(ends=lambda ring, n: ends(ring[1:], n)), "here without the first vertex"
     for round_to in round, int, floor:

@@ -3,6 +3,7 @@
 The same picture gives the same bytes each time, and each file holds its words.
 """
 
+import logging
 import warnings
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
 MAKER = f"{MADE_BY} with matplotlib {matplotlib.__version__}"
 
 _LOCK = RLock()
+_FONT_LOG = logging.getLogger("matplotlib.font_manager")
 _STYLE: "dict[RcKeyType, Any]" = {
     "svg.fonttype": "none",
     "font.family": ["sans-serif"],
@@ -59,7 +61,12 @@ def styled(more: "dict[RcKeyType, Any] | None" = None) -> Iterator[None]:
     with _LOCK, matplotlib.rc_context({**_STYLE, **(more or {})}), warnings.catch_warnings():
         # `families` has warned of missing letters already, by name
         warnings.filterwarnings("ignore", "Glyph .* missing")
-        yield
+        level = _FONT_LOG.level
+        _FONT_LOG.setLevel(logging.ERROR)  # a font that has such a letter may have no bold one
+        try:
+            yield
+        finally:
+            _FONT_LOG.setLevel(level)
 
 
 def encode(picture: Picture, form: str, theme: Theme = LIGHT, *, stem: str = "picture") -> bytes:

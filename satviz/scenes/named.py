@@ -1,5 +1,8 @@
 """Every built-in scene by its name: the article's scenes and the failing cases."""
 
+from collections.abc import Sequence
+from difflib import get_close_matches
+
 from ..engine.geometry import InvalidScene, InvalidShape
 from ..engine.polygon_validation import short_repr
 from .article import SCENES
@@ -15,15 +18,21 @@ def names() -> list[str]:
     return [*ARTICLE, *FAILING]
 
 
+def did_you_mean(name: str, known: Sequence[str]) -> str:
+    """Return the end of an error line: the known name most like `name`, or all known names."""
+    near = get_close_matches(name, known, n=1)
+    return f": did you mean {near[0]}?" if near else f": choose one of {', '.join(known)}"
+
+
 def scene(name: str) -> Scene:
     """Return the built-in scene of a name, also of a failing case.
 
-    InvalidScene lists the names where this one is unknown, and says why where the outlines are refused.
+    InvalidScene says which names there are where this one is unknown, and says why where the outlines are refused.
     """
     if name in FAILING:
         return scene_of_case(FAILING[name])
     if name not in ARTICLE:
-        raise InvalidScene(f"no scene {short_repr(name)}: choose one of {', '.join(names())}, or give a file")
+        raise InvalidScene(f"no scene {short_repr(name)}{did_you_mean(str(name), names())}")
     return ARTICLE[name]
 
 

@@ -20,7 +20,7 @@ MARKS = {"satviz numba": "o", "satviz numpy": "s", PREPARED: "D"}
 SHADES = {"satviz numba": "gap", "satviz numpy": "A", PREPARED: "guide", "shapely": "guide"}
 DASHES = {"apart": "-", "overlapping": "--", "touching": ":"}
 SHAPELY = "shapely"
-SUBTITLE = "The speed of shapely, unprepared, is 1. Bars show quartiles. Below: time against corners."
+SUBTITLE = "The speed of shapely, unprepared, is 1. Bars show quartiles. Below: time against V, the number of corners."
 
 
 @dataclass(frozen=True)
@@ -59,8 +59,8 @@ def bench_chart(rows: Sequence[TimingRow], warning: str) -> Chart:
 
     summary = [_summary(method, charted, corners) for method in _methods_in(charted) if method in ENGINES]
 
-    title = "; ".join(
-        f"{method} is {_range_in_words([ratio.times for ratio in ratios if ratio.method == method])} as fast as "
+    title = "In the first chart " + "; ".join(
+        f"{method} is {_range_in_words([ratio.times for ratio in charted if ratio.method == method])} as fast as "
         "shapely unprepared"
         for method in _methods_in(charted)
         if method in ENGINES

@@ -19,7 +19,7 @@ from .methods import ENGINES
 from .methods.scene_methods import DIFFERENCES
 
 AXES, PANEL = 220.0, 310.0  # points: the height of the axes of one work, and of all that it takes but its sentences
-SHADES = {"satviz numba": "gap", "satviz numpy": "A"}  # the others are grey
+SHADES = {"satviz numba": "gap", "satviz numpy": "A"}  # short programs are as B, libraries grey
 DASHES = {
     "brute force": ":",
     "short sweep": (0, (1, 2, 4, 2)),
@@ -87,20 +87,28 @@ def wrapped(text: str) -> list[str]:
 def headline_of(works: Mapping[str, Times]) -> tuple[str, str]:
     """Return (title, subtitle): where the best engine passes all libraries, and how it compares to short programs.
 
-    Only sizes at which a rival was timed count.
+    Only sizes at which a rival was timed count; the title ends with the largest size at which all libraries were.
     """
     engine = next(name for name in sorted(ENGINES) if all(name in times for times in works.values()))
-    starts, ratios = list[int | None](), list[float]()
+    starts, lasts, ratios = list[int | None](), list[int](), list[float]()
     for times in works.values():
         own = times[engine]
-        starts += [faster_from(own, times[m]) for m in times if not m.startswith((*ENGINES, *SHORT_PROGRAMS))]
+        libraries = [times[m] for m in times if not m.startswith((*ENGINES, *SHORT_PROGRAMS))]
+        starts += [faster_from(own, library) for library in libraries]
+        lasts += [max(own.keys() & library.keys(), default=0) for library in libraries]
         programs = [times[m] for m in SHORT_PROGRAMS if m in times]
         ratios += [min(p[n].middle for p in programs if n in p) / t.middle for n, t in own.items()
                    if any(n in p for p in programs)]  # fmt: skip
     known = [start for start in starts if start is not None]
-    than = f" is faster than every library from {max(known):,} shapes on" if known and known == starts else ""
+    than = ""
+    if known and known == starts and max(known) <= min(lasts):
+        than = f" is faster than each library here, {_from_to(sorted({max(known), min(lasts)}))} shapes"
     subtitle = "Time of one frame, from arrays to all colliding pairs. satviz is exact"
-    against = f"; short programs in floats take {min(ratios):.1f} to {max(ratios):.1f} times as long" if ratios else ""
+    against = (
+        f"; short programs in floats (orange) take {min(ratios):.1f} to {max(ratios):.1f} times as long"
+        if ratios
+        else ""
+    )
     return f"{engine}{than or ' beside the fastest methods'}", f"{subtitle}{against}."
 
 
@@ -193,7 +201,7 @@ def _draw_times(ax: Axes, theme: Theme, times: Times, limits: tuple[float, float
     points = list[tuple[float, float]]()
     for method, own in times.items():
         sizes, strong = sorted(own), method in ENGINES
-        role = SHADES.get(method.removesuffix(", moved"), "guide")
+        role = "B" if method in SHORT_PROGRAMS else SHADES.get(method.removesuffix(", moved"), "guide")
         values = [own[size].middle for size in sizes]
         ax.plot(sizes, values, ls=DASHES.get(method, "-"), color=theme.roles[role], lw=2.6 if strong else 1.3,
                 marker="o" if strong else None, ms=4, zorder=3 if strong else 2)  # fmt: skip

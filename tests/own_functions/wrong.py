@@ -3,7 +3,7 @@
 WRONG: (function, the name of its mistake, what `sv.check` is told besides).  Two take circles.
 """
 
-from math import dist, hypot
+from math import dist, hypot, inf
 
 
 def dot(p, n):
@@ -101,6 +101,19 @@ def touching_is_apart(a, b):
     return True
 
 
+def smallest_or_largest(a, b):
+    def range_on(poly, n):
+        lo, hi = inf, -inf
+        for p in poly:
+            if dot(p, n) < lo:
+                lo = dot(p, n)
+            elif dot(p, n) > hi:
+                hi = dot(p, n)
+        return lo, hi
+
+    return all(meet(range_on(a, n), range_on(b, n)) for n in normals(a) + normals(b))
+
+
 def mean(poly):
     return sum(p[0] for p in poly) / len(poly), sum(p[1] for p in poly) / len(poly)
 
@@ -161,6 +174,7 @@ WRONG = [
     (first_half, "half-the-normals", {}),
     (no_closing_edge, "open-outline", {}),
     (extremes_found_once, "extremes-once", {}),
+    (smallest_or_largest, "extremes-once", {}),
     (opposite_normals, "mixed-signs", {}),
     (sat_of_hulls, "box-in-u", {"kinds": ("convex", "concave")}),
     (touching_is_apart, "touch-as-apart", {}),

@@ -341,6 +341,8 @@ class Account:
             return True
         if before.kind == LINE:
             return after.text in (":", "|")
+        if before.text == "#" and before.end == self.at(i).start and self.at(i - 2).kind not in (NUMBER, CLOSE):
+            return True  # body#17
         if before.text == "{" and after.text == "}":
             return self.at(i).value == 0
         if before.text in ",(" and after.text in ",)" and "," in (before.text, after.text):

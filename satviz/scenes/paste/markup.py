@@ -26,7 +26,8 @@ _TRANSFORM = re.compile(r"(\w+)\s*\(([^()]*)\)")
 # parts without a shape: how large a picture is, a declaration, how many items a list of C has, a pattern of DE-9IM
 _OTHER = re.compile(
     r"<(?:svg|g|text|tspan|title|desc|style|defs|image)\b(?![^<>]*transform)[^<>]*>|\bviewBox\s*=\s*(?:\"[^\"<>]*\"|'[^'<>]*')"
-    r"|\b(?:interface|struct|type|record)\s+\w+\s*(?:=\s*)?\{[^{}()\d]*\}"
+    r"|\b(?:interface|struct|type|record)\s+\w+\s*(?:=\s*)?\{(?:[^{}()\d]|(?<=[a-z_])\d+)*\}"
+    r"|\b(?:class|struct|record)\s+\w+\s*\((?:[^{}()\d]|(?<=[a-z_])\d+)*\)"
     r"|\bsizeof\s*\([^()]*\)\s*/\s*sizeof\s*\([^()]*\)|(?P<quote>['\"])[012FT*]{9}(?P=quote)"
     r"|(?<![\w/.-])[\w/.-]{1,80}\.(?:py|js|ts|cs|cpp|cc|c|h|hpp|rs|go|java|rb|lua|gd|kt|swift|m):\d+(?::\d+)?|TopologyException:[^\n]*"
     r"|\bversion\W{1,6}\d+(?:\.\d+)+"

@@ -17,6 +17,11 @@ from .exact import Exact, Where, where
 
 APART, TOUCHING, OVERLAPPING = Relation
 TOLERANCES = (1e-9, 1e-6)
+OGC_TOUCHES = {
+    APART: "they share no point",
+    TOUCHING: "they share border points, but no interior point",
+    OVERLAPPING: "they share interior points",
+}
 
 
 class View(NamedTuple):
@@ -78,15 +83,13 @@ def views(a: Shape, b: Shape, lies: Where, gap: float) -> list[View]:
         View(
             "open boundary, as many engines have it",
             _hit(relation is OVERLAPPING),
-            "only shared inside counts"
-            if relation is not TOUCHING
-            else "they share border points, but no interior point",
+            "only shared inside counts" if relation is not TOUCHING else OGC_TOUCHES[relation],
         ),
         View(
             "OGC intersects", _says(relation is not APART), "they share a point" if relation else "they share no point"
         ),
         View("OGC disjoint", _says(relation is APART), "the opposite of intersects"),
-        View("OGC touches", _says(relation is TOUCHING), "they share border points, but no interior point"),
+        View("OGC touches", _says(relation is TOUCHING), OGC_TOUCHES[relation]),
     ]
     if relation is not OVERLAPPING:
         found.append(View("OGC overlaps, contains, within", _says(False), "they share no inner point"))

@@ -73,7 +73,7 @@ def rest(tree: Tree, reads: Sequence[Read], text: str, reader: Names) -> Rest:
     for _, group in groupby(left, key=_key_of_point):
         row = list(group)
         if all(_is_harmless(each) or each.end in account.aside for each in row):
-            harmless += row
+            harmless += [each for each in row if each.key != "satviz"]  # the format of a scene file
         else:
             missed.append((row[0].start, _named(row, text)))
     return Rest([said for _, said in sorted(missed)], _named(harmless, text) if harmless else "")

@@ -1,8 +1,9 @@
 """The order of axes: how many are tested before one separates, while a shape moves past another.
 
-Question: which order finds a separating axis soonest?  Workload: 8-gons that pass each other, frame by frame.  Methods:
-four orders of the same axes.  The order never changes the verdict, and where the shapes overlap every order tests all
-axes.  The claim is refuted by paths on which the intervals of two orders change places.
+Question: which order finds a separating axis soonest?  Workload: 8-gons with corners on a circle, which pass each other
+frame by frame.  Methods: four orders of the same axes.  The order never changes the verdict, and where the shapes
+overlap every order tests all axes.  The claim is refuted by paths of such 8-gons on which the intervals of two orders
+change places.  Flat shapes do have another order.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -111,13 +112,13 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     tested = {name: f"{row['tested']:.2f} ({row['low']:.2f} to {row['high']:.2f})" for name, row in by_order.items()}
     paths, apart = rows[0]["paths"], rows[0]["apart"]
     title = (
-        f"Axes tested until one separates: {tested[SHUFFLED]} shuffled, {tested[LAST_FIRST]} with the last separating "
+        f"Axes tested until one separates round 8-gons: {tested[SHUFFLED]} shuffled, {tested[LAST_FIRST]} with "
+        f"the last separating one first, {tested[ALONG_CENTERS]} along the centers"
     )
-    title += f"one first, {tested[ALONG_CENTERS]} along the centers"
-
     lines = (
-        f"8-gons pass each other on {paths} paths and are apart in {apart:,} frames. They have 16 axes. "
-        "Dot: the mean, with its 95 % interval.",
+        f"8-gons with corners on a circle pass each other on {paths} paths of {rows[0]['frames'] // paths} frames "
+        f"and are apart in {apart:,} frames. They have 16 axes. Dot: the mean, with its 95 % interval. Flat shapes "
+        "can have another order.",
     )
 
     def draw(fig: Figure, theme: Theme) -> None:

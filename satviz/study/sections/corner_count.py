@@ -130,9 +130,9 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
         factors[name] = timings.format_ratio((middle, low, high))
     title = "Time against corners"
     if "GJK" in factors:
-        title = "From 64 corners on, twice the corners take SAT on every corner "
-        title += f"{factors['SAT, every corner']} as long, GJK {factors['GJK']} "
-        title += f"and calipers {factors['rotating calipers']}"
+        title = "From 64 to 256 corners, twice the corners take on average, with SAT on every corner, "
+        title += f"{factors['SAT, every corner']} as long, with GJK {factors['GJK']} "
+        title += f"and with calipers {factors['rotating calipers']}"
 
     lines = ("Time for a pair of regular polygons, half of them apart. Bars: the spread of the processes.",)
 
@@ -149,7 +149,7 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     text = f"In brackets: {timings.interval_in_words(len(rows[0]['ns_runs']))}. "
     for name in names:
         times = [f"{format_time(by[name, v]['ns'])} with {v} corners" for v in (4, 64, 256)]
-        text += f"{name}: {', '.join(times)}; twice the corners take {factors[name]} as long (64 to 256). "
+        text += f"{name}: {', '.join(times)}; on average twice the corners take {factors[name]} as long (64 to 256). "
     text += f"Wrong answers: {sum(row['wrong'] for row in rows)} of {sum(row['pairs'] for row in rows):,}, "
     text += "checked by two exact oracles."
     return Chart("corners", title, lines, 310, draw, rows, text, timings.timing_warning(rows, settings))

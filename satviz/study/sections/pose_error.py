@@ -175,7 +175,8 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
             ax.minorticks_off()
             label_ends(ax, ends)
 
-    text = f"{title}. "
+    text = f"{title}. The median of {rows[0]['corners']} corners, in steps of {STEP_ANGLES[0]} to {STEP_ANGLES[1]} "
+    text += "radians. "
     for (form, way), (label, _, _) in POSES.items():
         row = by[form, way, KILOMETRE, last]
         roundings = row["median"] / (KILOMETRE * (2.0**-53 if form == "float64" else 2.0**-24))
