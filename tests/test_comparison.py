@@ -131,6 +131,14 @@ def test_an_axis_is_called_after_something_that_is_seen(case):
                 assert set(ends.groups()) <= vertices, mark.text
 
 
+@pytest.mark.parametrize("name, part", [("slipped-normal", "gap-name"), ("largest-overlap", "mtv-name")])
+def test_a_line_that_another_label_bars_ends_at_the_nearest_point_of_its_label(name, part):
+    drawn = sv.picture(name, largest=(338, 680))
+    (leader,) = (m for m in drawn.marks if m.part == f"actual-{part}-leader")
+    boxes_hit = [text for text, box in boxes(drawn) if clip_segment(*leader.points[0], *leader.points[1], *box)]
+    assert boxes_hit in ([], [drawn.mark(leader.id.removesuffix("-leader")).text])
+
+
 def test_a_push_shows_what_its_direction_came_from_and_who_stands_still():
     case = NAMED["push-from-center"]
     shown = sv.picture(case.record())

@@ -201,6 +201,8 @@ class LabelPlacer:
             key = r.owner, r.axis, r.number
             end = None if r.far or r.inside or r.along else self._leader_end(r, at)
             if end and self._crosses_label(r.anchor, end):
+                end = self._nearest_on_label(r, at)
+            if end and self._crosses_label(r.anchor, end):
                 if r.optional:  # far from its anchor and without a line to it, nobody could tell what it names
                     self.boxes.pop()
                     continue
@@ -273,6 +275,12 @@ class LabelPlacer:
         if part is None or part[0] * hypot(at.x - a.x, at.y - a.y) < self.layout.units(MIN_LEADER_PT):
             return None
         return Vec(a.x + (at.x - a.x) * part[0], a.y + (at.y - a.y) * part[0])
+
+    def _nearest_on_label(self, request: LabelRequest, at: Vec) -> Vec:
+        """Return the point of the label's box nearest to the anchor, where a line toward its center is in the way."""
+        w, h = (self.layout.units(c / 2 + 1) for c in text_size(request.text, request.weight))
+        a = request.anchor
+        return Vec(min(max(a.x, at.x - w), at.x + w), min(max(a.y, at.y - h), at.y + h))
 
     def _crosses_label(self, anchor: Vec, end: Vec) -> bool:
         """Check whether a line to the label placed last would cross another label, whose line it would seem to be."""
