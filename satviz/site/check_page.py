@@ -67,8 +67,7 @@ def check_page(info: SiteInfo) -> bytes:
     body = f"""
 <h1>Is yours right?</h1>
 <p class="lead">Write a collision test. <b>Run</b> finds the smallest scene where it is wrong, and says which known
-mistake it behaves like. The test in the editor has such a mistake: it compares bounding
-boxes, so it tests the x axis and the y axis only.</p>
+mistake it behaves like. The test in the editor has such a mistake: it compares bounding boxes.</p>
 <noscript><p>This page needs JavaScript. On your own machine, <code>satviz check mine.py</code> does the same.</p>
 </noscript>
 <section class="check" aria-label="your function">
