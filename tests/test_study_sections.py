@@ -664,8 +664,9 @@ def test_intervals_hold_the_true_value_as_often_as_they_say():
 def test_a_quick_or_torn_run_is_stamped():
     calm, torn = {"ns": 10.0, "ns_low": 9.5, "ns_high": 10.5}, {"ns": 10.0, "ns_low": 6.0, "ns_high": 14.0}
     assert timings.timing_warning([calm] * 4, QUICK) == "rough: a quick run"
-    assert timings.timing_warning([calm] * 3 + [torn], Settings()) == ""
-    assert "busy" in timings.timing_warning([calm, torn], Settings())
+    others = [{key: value * k for key, value in calm.items()} for k in (2, 3)]
+    assert timings.timing_warning([calm, *others, torn, torn], Settings()) == ""  # the rows share one time
+    assert "differ by 25%" in timings.timing_warning([calm, torn], Settings())
 
 
 # -- charts

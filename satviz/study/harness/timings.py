@@ -17,7 +17,7 @@ from ...advice.timing import time_in_turn
 from ...render.chart import JsonRow
 from .cells import Cell, Settings
 
-BUSY_SPREAD = 0.25  # processes further apart than this share of their median: the machine was busy
+BUSY_SPREAD = 0.25  # processes further apart than this share of their median make a time rough
 
 
 @cache
@@ -114,5 +114,6 @@ def timing_warning(rows: Sequence[JsonRow], settings: Settings) -> str:
     """Return the warning to stamp on a chart of these times; empty after a full run on a quiet machine."""
     if settings.quick:
         return "rough: a quick run"
-    wide = sum(row["ns_high"] - row["ns_low"] > BUSY_SPREAD * row["ns"] for row in rows)
-    return "rough: the machine was busy" if wide * 4 > len(rows) else ""
+    times = {(row["ns_low"], row["ns"], row["ns_high"]) for row in rows}  # rows may share one
+    wide = sum(high - low > BUSY_SPREAD * middle for low, middle, high in times)
+    return f"rough: some times differ by {BUSY_SPREAD:.0%} or more from run to run" if wide * 4 > len(times) else ""
