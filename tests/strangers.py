@@ -1845,4 +1845,70 @@ FBox2D B(FVector2D(100.f, 50.f), FVector2D(200.f, 150.f));
 UE_LOG(LogTemp, Warning, TEXT("%d"), A.Intersect(B));""",
         ((0, 0, 100, 100), (100, 50, 200, 150)),
     ),
+    Paste(
+        "two units in a sentence",
+        "circle at (10 cm, 20 cm) radius 5 cm and circle at (150 mm, 200 mm) radius 30 mm",
+        ((5, 15, 15, 25),),
+        as_="leave-out",
+        asks=True,
+    ),
+    Paste(
+        "one unit in a sentence",
+        "All in mm: circle at (0, 0) with radius 2 mm and circle at (5, 0) with radius 3",
+        ((-2, -2, 2, 2), (2, -3, 8, 3)),
+    ),
+    Paste(
+        "a unit before each outline",
+        "Polygon A in mm: (0,0), (40,0), (40,30). Polygon B in cm: (3,1), (7,1), (7,5).",
+        ((0, 0, 40, 30),),
+        as_="leave-out",
+        asks=True,
+    ),
+    Paste(
+        "two units in svg",
+        """<rect x="1cm" y="0cm" width="2cm" height="1cm"/>
+<circle cx="30mm" cy="10mm" r="5mm"/>""",
+        ((1, 0, 3, 1),),
+        as_="leave-out",
+        asks=True,
+    ),
+    Paste(
+        "a style that moves",
+        """<polygon points="0,0 4,0 4,4"/>
+<polygon points="3,0 7,0 7,4" style="transform: translateX(10px)"/>""",
+        ((0, 0, 4, 4),),
+        as_="leave-out",
+        asks=True,
+    ),
+    Paste(
+        "decimal commas behind names",
+        """name;x;y;radius
+ball;1,5;2,5;0,5
+peg;2,5;2,5;0,75""",
+        ((1, 2, 2, 3), (1.75, 1.75, 3.25, 3.25)),
+        as_="decimal-commas",
+        asks=True,
+    ),
+    Paste(
+        "decimal commas without a header",
+        """ball;1,5;2,7;0,5
+peg;2,5;2,6;0,75""",
+        ((0, 5, 2, 7), (0, 5, 2, 75)),
+        as_="separators",
+        asks=True,
+    ),
+    Paste(
+        "arrays of c with both lengths",
+        """static const double a[][2] = {{0, 0}, {4, 0}, {4, 4}};
+static const double b[3][2] = {{3, 1}, {7, 1}, {7, 5}};""",
+        ((0, 0, 4, 4), (3, 1, 7, 5)),
+    ),
+    Paste(
+        "a table with numbered rows",
+        """| # | shape | x | y | r |
+|---|-------|---|---|---|
+| 1 | ball  | 0 | 0 | 4 |
+| 2 | peg   | 3 | 3 | 2 |""",
+        ((-4, -4, 4, 4), (1, 1, 5, 5)),
+    ),
 )

@@ -10,7 +10,7 @@ from ...engine.geometry import InvalidScene
 from .prose import fields, keys, sentences
 from .svg_path import PATH_DATA, path_tokens
 from .tables import tables
-from .tokens import CLOSE, FIELD, MARK, MAX_TOKENS, NAME, NUMBER, NUMERAL, OPEN, TOO_MANY, Token, tokens
+from .tokens import CLOSE, FIELD, MARK, MAX_TOKENS, NAME, NUMBER, NUMERAL, OPEN, TOO_MANY, Token, in_one_unit, tokens
 
 _QUOTED = r"\"[^\"<>]*\"|'[^'<>]*'"
 _ELEMENT = re.compile(rf"<(circle|ellipse|rect|polygon|polyline|path|area)(?=[\s/>])((?:[^<>\"']|{_QUOTED})*)>")
@@ -20,7 +20,7 @@ _ATTRIBUTE = re.compile(rf"([\w:-]+)[ \t\r\n]*=[ \t\r\n]*({_QUOTED})")
 # a line of path data alone, with a letter before its second pair
 _LINE = r"[ \t]*[Mm][ \t]*[-+.0-9][-+.,0-9eE \t]*[A-Za-z][-+.,0-9eE \tMmLlHhVvZzCcSsQqTtAa]*"
 _BARE = re.compile(rf"([\"'`])({PATH_DATA.pattern})\1|^()({_LINE})$", re.MULTILINE)
-_MOVED = re.compile(r"transform|rotate|scale|translate")
+_MOVED = re.compile(r"(?<!text-)(?:transform|rotate|scale|translate)\s*:(?!\s*none)")  # in a style
 _BETWEEN = re.compile(r"[\s,]*")
 _TRANSFORM = re.compile(r"(\w+)\s*\(([^()]*)\)")
 # parts without a shape: how large a picture is, a declaration, how many items a list of C has, a pattern of DE-9IM
@@ -71,7 +71,7 @@ def all_tokens(text: str) -> tuple[list[Token], list[Token], list[tuple[int, int
     if not parts:
         return plain, plain, []
     parts.sort(key=lambda part: part[0])
-    found = list(islice(_replaced(plain, parts), MAX_TOKENS + 1))
+    found = list(islice(in_one_unit(_replaced(plain, parts)), MAX_TOKENS + 1))
     if len(found) > MAX_TOKENS:
         raise InvalidScene(TOO_MANY)
     return plain, found, [(start, end) for start, end, _ in parts]
@@ -131,8 +131,10 @@ def _element(match: re.Match[str], holder: dict[str, tuple[str, int]]) -> Iterat
             elif name in _PLACES:
                 yield from _pair(name, [Token(NUMBER, "0", match.start(), match.start(), Fraction(0))])
     yield _mark(CLOSE, ")", match.end())
-    if _MOVED.search(found.get("style", ("", 0))[0]):
-        yield from _call("transform-style", [_broken(*found["style"])])
+    style, at = found.get("style", ("", 0))
+    if _MOVED.search(style):
+        why = f"{style[:40]!r} is not applied: write the numbers that it leads to"
+        yield from _call("transform-css", [_broken(style, at)._replace(why=why)])
     if "transform" in found:
         yield from _changes(*found["transform"])
     if {"x", "y"} <= set(holder) and not round_:

@@ -2,7 +2,7 @@
 
 import re
 from bisect import bisect_right
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any
@@ -60,9 +60,9 @@ class Names:
     def _insert(self, pair: Pair) -> None:
         """Store a value under its path; a variable that is declared again keeps its earlier value as another shape."""
         node = self.env
-        size = len(pair.value.items) if isinstance(pair.value, Group) else 0
-        if pair.before and len(pair.path) == 2 and pair.path[1] == size:  # a length: double xs[3] = {0, 4, 4}
-            pair = replace(pair, path=pair.path[:1])
+        lengths, sizes = pair.path[1:], tuple(_sizes(pair.value))
+        if pair.before and lengths and lengths in (sizes[: len(lengths)], sizes[-len(lengths) :]):
+            pair = replace(pair, path=pair.path[:1])  # double xs[3] = {0, 4, 4}, float a[][2] = {{0, 0}, {4, 0}}
         for part in pair.path[:-1]:
             child = node.fields.get(part)
             if not isinstance(child, Obj):
@@ -128,6 +128,13 @@ class Names:
         """Note something about the reading, once."""
         if text not in self.remarks:
             self.remarks.append(text)
+
+
+def _sizes(value: Any) -> Iterator[int]:
+    """Yield how many items a list has, its first item, and so on."""
+    while isinstance(value, Group) and value.items:
+        yield len(value.items)
+        value = value.items[0]
 
 
 def _holds(value: Any, place: int) -> bool:

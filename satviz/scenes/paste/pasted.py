@@ -29,11 +29,12 @@ MAX_SHAPES = 40
 MAX_TRACES = 60
 MAX_PART_PAIRS = 4_000  # pairs of convex parts in all traces together; a second of work
 MAX_NAMED = 5  # parts that are not understood, in one line
-# Points with decimal commas: (0,5; 1,5), POLYGON((0,5 1,5, 2,5 0,5, ...)), three of (0,5, 1,5), x;y;r over 0,5;1,5;2
+# Points with decimal commas: (0,5; 1,5), POLYGON((0,5 1,5, 2,5 0,5, ...)), three of (0,5, 1,5), x;y;r over 0,5;1,5;2,
+# name;0,5;1,5
 _N = r"[-+]?\d+,\d+"
 DECIMAL = re.compile(
     rf"\([ ]?{_N}[ ]?;[ ]?{_N}[ ]?\)|\(\s*{_N} +{_N}\s*,|[\[(]\s*(?:\({_N}, +{_N}\)\s*,\s*){{2}}\({_N}, +{_N}\)"
-    rf"|^[A-Za-z]\w*(?:;[A-Za-z]\w*)+\s*\n[-+]?\d*;?{_N};",
+    rf"|^[A-Za-z]\w*(?:;[A-Za-z]\w*)+\s*\n[-+]?\d*;?{_N};|^\w+;[ ]?{_N};[ ]?{_N}\b",
     re.MULTILINE,
 )
 COMMA = re.compile(r"(?<=\d),(?=\d)")

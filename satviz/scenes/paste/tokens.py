@@ -1,7 +1,7 @@
 """A text as tokens: numbers with every digit, names, brackets.  One tokenizer reads every notation."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -87,17 +87,28 @@ def tokens(text: str) -> list[Token]:
             f"the text has {len(text):,} characters: the limit is {MAX_CHARS:,}, so paste the shapes alone"
         )
     found: list[Token] = []
-    units: set[str] = set()
-    for token in _scan(_without_open_comments(_PREFIX.sub(_blank, _PROMPT.sub(_blank, text)))):
-        if token.kind == NUMBER and token.text.endswith(LENGTHS):
-            units.add(token.text.lstrip("-+.0123456789eE_ "))
-            if len(units) > 1:
-                mixed = " and ".join(sorted(units))
-                token = token._replace(value=None, why=f"the lengths are in {mixed}: write all of them in one unit")
+    for token in in_one_unit(_scan(_without_open_comments(_PREFIX.sub(_blank, _PROMPT.sub(_blank, text))))):
         found.append(token)
         if len(found) > MAX_TOKENS:
             raise InvalidScene(TOO_MANY)
     return found
+
+
+def in_one_unit(found: Iterable[Token]) -> Iterator[Token]:
+    """Yield the tokens; from the second unit of length on, no length has a value.  "in mm" is for what follows."""
+    units: set[str] = set()
+    said = before = ""
+    for token in found:
+        if token.kind == NAME and before == "in" and token.text in LENGTHS:
+            said = token.text
+        if token.kind == NUMBER:
+            unit = token.text.lstrip("-+.0123456789eE_ ") if token.text.endswith(LENGTHS) else said
+            units |= {unit} - {""}
+            if unit and len(units) > 1:
+                mixed = " and ".join(sorted(units))
+                token = token._replace(value=None, why=f"the lengths are in {mixed}: write all of them in one unit")
+        before = token.text
+        yield token
 
 
 def _without_open_comments(text: str) -> str:
