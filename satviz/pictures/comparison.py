@@ -302,7 +302,10 @@ def _join(
         (Vec(8.0, across), Vec(width - 8.0, across)) if stacked else (Vec(width / 2, 8.0), Vec(width / 2, cell - 4.0))
     )
     marks.append(Mark("between", "segment", "guide", line))
-    return _under_heading(heading(trace), width, height, marks, title)._replace(sentence=claimed.sentence)
+    lines, sentence = heading(trace), claimed.sentence
+    if trace.claim is trace.relation and answers(trace).is_wrong:  # a number or a move is wrong, or another moment
+        sentence = f"{sentence.removesuffix(', and so it is.')}. {lines[1]}"
+    return _under_heading(lines, width, height, marks, title)._replace(sentence=sentence)
 
 
 def _under_heading(words: tuple[str, str], width: float, low: float, below: Sequence[Mark], title: str) -> Picture:
