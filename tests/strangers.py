@@ -1911,4 +1911,21 @@ static const double b[3][2] = {{3, 1}, {7, 1}, {7, 5}};""",
 | 2 | peg   | 3 | 3 | 2 |""",
         ((-4, -4, 4, 4), (1, 1, 5, 5)),
     ),
+    Paste(
+        "a picture in a picture",
+        """<svg x="0" y="0"><circle cx="3" cy="1" r="1"/><svg x="10" y="0"><rect x="0" y="0" width="4" height="4"/></svg></svg>""",
+        ((2, 0, 4, 2), (0, 0, 4, 4)),
+        as_="leave-out",
+        asks=True,
+    ),
+    Paste(
+        "moved after a turn",
+        """const b = new SAT.Polygon(new SAT.Vector(5, 0), [new SAT.Vector(0, 0), new SAT.Vector(4, 0), new SAT.Vector(4, 4)]);
+b.rotate(Math.PI);
+b.translate(1, 0);
+const c = new SAT.Circle(new SAT.Vector(7, 2), 1);""",
+        ((6, 1, 8, 3),),
+        as_="leave-out",
+        asks=True,
+    ),
 )

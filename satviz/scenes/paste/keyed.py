@@ -105,6 +105,10 @@ class Keyed(Boxes):
         if obj.rest and (place is not None or angle is not None):
             self.consume(obj.rest)
             found = [s for v in obj.rest for s in self.shapes(v, label)]
+            ordered = any(s.shift != ZERO or "translation" in obj.fields for s in found if not (s.form or s.is_circle))
+            turn = self.resolve(angle)
+            if ordered and place and isinstance(turn, Num) and (turn.turn or turn.value):
+                raise Unreadable("a move and a turn of one shape: write the corners that result")
             found = [_placed(s, obj, place) if place else s for s in found]
             return [self._turned(s, angle, unit, self.pivot(s, place)) if angle is not None else s for s in found]
         inner = [s for v in obj.rest if not isinstance(v, Name) for s in self.shapes(v, label)]

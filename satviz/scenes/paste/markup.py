@@ -25,7 +25,8 @@ _BETWEEN = re.compile(r"[\s,]*")
 _TRANSFORM = re.compile(r"(\w+)\s*\(([^()]*)\)")
 # parts without a shape: how large a picture is, a declaration, how many items a list of C has, a pattern of DE-9IM
 _OTHER = re.compile(
-    r"<(?:svg|g|text|tspan|title|desc|style|defs|image)\b(?![^<>]*transform)[^<>]*>|\bviewBox\s*=\s*(?:\"[^\"<>]*\"|'[^'<>]*')"
+    r"<(?:svg(?![^<>]*\s[xy]\s*=\s*[\"'][^\"'<>]*[1-9])|g|text|tspan|title|desc|style|defs|image)\b"
+    r"(?![^<>]*(?:transform|(?:translate|rotate|scale)\s*:))[^<>]*>|\bviewBox\s*=\s*(?:\"[^\"<>]*\"|'[^'<>]*')"
     r"|\b(?:interface|struct|type|record)\s+\w+\s*(?:=\s*)?\{(?:[^{}()\d]|(?<=[a-z_])\d+)*\}"
     r"|\b(?:class|struct|record)\s+\w+\s*\((?:[^{}()\d]|(?<=[a-z_])\d+)*\)"
     r"|\bsizeof\s*\([^()]*\)\s*/\s*sizeof\s*\([^()]*\)|(?P<quote>['\"])[012FT*]{9}(?P=quote)"
