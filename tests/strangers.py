@@ -1928,4 +1928,29 @@ const c = new SAT.Circle(new SAT.Vector(7, 2), 1);""",
         as_="leave-out",
         asks=True,
     ),
+    Paste(
+        "a corner deleted",
+        """p = [(0, 0), (4, 0), (4, 4), (0, 4)]
+del p[0]""",
+        ((0, 0, 4, 4),),
+        as_="leave-out",
+        asks=True,
+    ),
+    Paste(
+        "a part of a list",
+        """p = [(0, 0), (4, 0), (4, 4), (0, 4)]
+q = Polygon(p[1:])""",
+        ((0, 0, 4, 4),),
+        as_="leave-out",
+        asks=True,
+    ),
+    Paste(
+        "numpy shortened",
+        """[[0 0]
+ [4 0]
+ ...
+ [4 4]
+ [0 4]]""",
+        (),
+    ),
 )

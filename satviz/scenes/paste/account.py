@@ -401,6 +401,10 @@ class Account:
         cuts = self.at(i + 1).text != "None" and any(t.text == ":" for t in self.tokens[i : self.close[i]][:4])
         if touches and cuts and self.is_data(i - 1):
             self.miss(i, i)  # [::-1]
+        left_of = self.at(i - 2).text
+        taken = left_of in ASSIGNS or (left_of == "(" and notation(self.at(i - 3).text) is not None)
+        if opens == "[" and self.is_variable(self.at(i - 1)) and (left_of == "del" or (cuts and taken)):
+            self.miss(i - 1, i)  # del p[0], q = p[:3], Polygon(p[:3])
         begin = self.open.get(i - 1)
         if opens == "(" and begin == i - 2 and self.callee(begin) and self.holds(*self.span(i)):
             self.miss(begin - 1, i)  # Box.flip()(0, 0, 4, 4)

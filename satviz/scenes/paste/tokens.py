@@ -47,7 +47,7 @@ _TOKEN = re.compile(
     re.VERBOSE | re.DOTALL,
 )
 # what a Python or IPython session writes before each line; replaced by spaces, so that places in the text stay
-_PROMPT = re.compile(r"^[ \t]*(?:>>>|\.\.\.:?|In \[\d+\]:|Out\[\d+\]:)(?=\s)", re.MULTILINE)
+_PROMPT = re.compile(r"^[ \t]*(?:>>>|\.\.\.:?(?!\s*\n\s*[\[({\d-])|In \[\d+\]:|Out\[\d+\]:)(?=\s)", re.MULTILINE)
 
 # what a log or a list writes before a shape: a date and a time, a level, a source, a number
 _TIME = r"\d\d:\d\d:\d\d(?:[.,]\d+)?"
