@@ -166,7 +166,7 @@ def _draw_what_is_missing(sketch: Sketch, test: AxisTest) -> None:
         radii = [describe.digits(trace).gap((s.interval.hi - s.interval.lo) / 2) for s in (test.a, test.b)]
         text = f"counted as circles,\nradius {' and '.join(dict.fromkeys(radii))}"
         low = Vec(midpoint(test.a.points[0], test.b.points[0]).x, sketch.layout.limits[1])
-        sketch.label("believed-name", text, "wrong", low, far=True, first=3)
+        sketch.label("believed-name", text, "wrong", low, far=True, optional=True, first=3)
     for (role, name, shape), side in zip(sketch.roles(), (test.a, test.b), strict=True):
         if test.source.kind == CENTROIDS:
             p, q = side.points[0], side.points[-1]

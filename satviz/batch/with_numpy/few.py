@@ -116,12 +116,12 @@ def colliding_pairs(shapes: Shapes) -> Pairs | None:
     All pairs are evaluated in float64 by a few expressions, since calls take longer than the work: a corner is a
     complex number x + iy.
     """
-    columns = _columns_of(shapes)
-    if columns is None:
-        return None
-    closed, _, radius = columns
-    n = closed.shape[1]
     with np.errstate(all="ignore"):
+        columns = _columns_of(shapes)
+        if columns is None:
+            return None
+        closed, _, radius = columns
+        n = closed.shape[1]
         is_upright = radius is None and _are_upright(closed)
         if n <= MAX_ALL_PAIRS and closed.size <= MAX_WHOLE_CORNERS and not is_upright:
             every = _all_pairs(n)
