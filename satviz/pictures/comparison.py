@@ -303,8 +303,9 @@ def _join(
     )
     marks.append(Mark("between", "segment", "guide", line))
     lines, sentence = heading(trace), claimed.sentence
-    if trace.claim is trace.relation and answers(trace).is_wrong:  # a number or a move is wrong, or another moment
-        sentence = f"{sentence.removesuffix(', and so it is.')}. {lines[1]}"
+    begun = sentence.removesuffix(", and so it is.")
+    if begun != sentence and answers(trace).is_wrong:  # a number or a move is wrong, or another moment
+        sentence = f"{begun}. {lines[1]}"
     return _under_heading(lines, width, height, marks, title)._replace(sentence=sentence)
 
 
