@@ -77,9 +77,14 @@ def test_a_line_that_cuts_a_shape_separates_nothing_wherever_it_cuts(a, b):
         ((1000, 999), 1000, "1000x + 999y = 1000"),
         ((-1, 1000), 0, "-x + 1000y = 0"),
         ((1001, -2002), 2002, "0.5x - y = 1"),  # of large numbers the largest becomes 1
+        ((3, 4), 10**308, "3x + 4y = 1.000e308"),  # where the right side would be larger, too, and then 1/4
+        ((3, 4), 10**308 + 1, "0.75x + y = 2.500e307"),
+        ((3, 4), 4 * 10**308, "0.75x + y = 1.000e308"),
+        ((3, -4), -4 * 10**308 - 1, "0.188x - 0.25y = -2.500e307"),
+        ((2002, 2002), 2002 * 2 * 10**308, "0.25x + 0.25y = 5.000e307"),
     ],
 )
-def test_whole_factors_up_to_1000_are_written_as_they_are(normal, offset, text):
+def test_whole_factors_up_to_1000_are_written_as_they_are_where_the_right_side_fits_into_a_float(normal, offset, text):
     shape = box(0, 0, 1, 1)
     assert str(SeparatingLine(shape, shape, frac(*normal), Fraction(offset))) == f"separating line {text}"
 
