@@ -83,6 +83,7 @@ def test_a_line_that_cuts_a_shape_separates_nothing_wherever_it_cuts(a, b):
         ((3, -4), -4 * 10**308 - 1, "0.188x - 0.25y = -2.500e307"),
         ((2002, 2002), 2002 * 2 * 10**308, "0.25x + 0.25y = 5.000e307"),
     ],
+    ids=range(10),
 )
 def test_whole_factors_up_to_1000_are_written_as_they_are_where_the_right_side_fits_into_a_float(normal, offset, text):
     shape = box(0, 0, 1, 1)
