@@ -57,6 +57,8 @@ TESTS = {  # which test files judge a module
         for path in sorted((ROOT / "batch").rglob("[!_]*.py"))
     },
     "batch/with_numba/few": ["batch_few", "batch_broad", "batch_padded"],
+    "batch/with_numpy/few": ["batch_few_numpy", "batch_few", "batch_broad", "batch_padded"],
+    "batch/with_numpy/outlines": ["batch_outlines", "batch_few", "batch_padded", "batch_validation"],
     "batch/with_numba/outlines": ["batch_few", "batch_outlines", "batch_padded", "batch_validation"],
     "engine/axes": ["axes", "trace", "failing"],
     "engine/sat": ["trace"],
@@ -75,6 +77,9 @@ ABOUT = {  # of those files only these tests, as pytest -k takes them, since eac
     "batch/with_numba/few": f"{GRID} or few or giant or odd or order or pairs or sizes or sorted or swept",
     "batch/with_numba/outlines": "bad or circles or layout or number or outline or padded or pose or radi or repeats"
     " or tile or zero",
+    "batch/with_numpy/few": "few_numpy or all_colliding or along_one or candidate_pairs or chosen or depends or giant"
+    " or joined or joins or no_comparisons or odd_shape_among or padded or same_broad or swept or unlike",
+    "batch/with_numpy/outlines": "circles or kind_of_array or layout or number or outline or padded or star",
     "engine/axis_count": "axes or axis or enough or touch",
     "batch/with_numba/filter": "circles or columns or filter or float32 or hard_pairs or ordinary or scalar or upright",
     "batch/with_numba/indexed": "columns or hard_pairs or index or lanes or many_corners or ordinary or picked"
