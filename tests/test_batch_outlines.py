@@ -123,7 +123,7 @@ def test_outlines_are_looked_at_in_blocks_of_many_corners(monkeypatch):
     sizes, real = [], outlines._turns_one_way
     monkeypatch.setattr(outlines, "_turns_one_way", lambda xy: sizes.append(xy[0].size) or real(xy))
     outlines.certified_group(np.tile(plain_outlines(5, 1), (20_000, 1, 1)))
-    assert sum(sizes) == 100_000 and all(2**13 < size <= 2**17 for size in sizes)
+    assert sum(sizes) == 100_000 and all(2**13 < size <= 2**17 for size in sizes[:-1])
 
 
 @pytest.mark.parametrize("v", [3, 4, 5, 8, 12])
