@@ -57,7 +57,7 @@ def _scene_named(name: str) -> "Scene":
     is_file = any(c in name for c in "./\\") or os.path.exists(name)
     known = names()
     if name not in known and not is_file:
-        raise Refused(f"no scene and no file {name!r}{did_you_mean(name, known)}")
+        raise Refused(f"there is no scene and no file {name!r}{did_you_mean(name, known)}")
     return scene(name) if name in known else load(name)
 
 
@@ -71,7 +71,7 @@ def figures(args: argparse.Namespace) -> int:
         known = {key: f for f in (*FIGURES, STRIP) for key in (f.name, f.stem, str(f.number), f"{f.number:02}")}
         for name in args.only:
             if name not in known:
-                raise Refused(f"no figure {name!r}{did_you_mean(name, [f.name for f in (*FIGURES, STRIP)])}")
+                raise Refused(f"there is no figure {name!r}{did_you_mean(name, [f.name for f in (*FIGURES, STRIP)])}")
         wanted = [figure for figure in (*FIGURES, STRIP) if figure in [known[name] for name in args.only]]
     forms = dict.fromkeys(args.format)
 
@@ -304,7 +304,7 @@ def handout(args: argparse.Namespace) -> int:
     for name in args.what:
         chapter = chapter_named(name)
         if not chapter and name.isdecimal() and not os.path.exists(name):
-            raise Refused(f"no chapter {name}: the chapters are 1 to {len(chapters())}")
+            raise Refused(f"there is no chapter {name}: the chapters are 1 to {len(chapters())}")
         given.append(chapter.title.split()[0] if chapter else _scene_named(name))
     try:
         texts = [handout(*given, paper=args.paper, solutions=solutions) for solutions in (False, True)]
@@ -426,7 +426,7 @@ def _text_of(name: str) -> str:
     try:
         return raw.decode("utf-16" if raw[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig")
     except UnicodeDecodeError:
-        raise Refused(f"{'standard input' if name == '-' else name}: not UTF-8 text: save it as UTF-8") from None
+        raise Refused(f"{'standard input' if name == '-' else name} is not UTF-8 text: save it as UTF-8") from None
 
 
 def advise(args: argparse.Namespace) -> int:

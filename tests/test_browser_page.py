@@ -441,8 +441,9 @@ def test_two_panels_need_no_scrolling_aside_on_a_telephone(browser, tmp_path, na
     if name != "pentagram":  # which has no steps
         page.get_by_role("button", name="last step").click()
         assert page.evaluate(fits)
-        saw, truth = (page.get_by_text(words).first.bounding_box() for words in ("what the shortcut saw", "what is"))
-        assert truth["y"] > saw["y"] + 150
+        headings = "what the shortcut saw", "what is true"
+        claimed, actual = (page.get_by_text(words).first.bounding_box() for words in headings)
+        assert actual["y"] > claimed["y"] + 150
     context.close()
 
 

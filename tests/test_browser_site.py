@@ -297,7 +297,7 @@ def test_a_failing_scenes_link_opens_it(visit):
 
 def test_a_link_opens_the_same_state_and_the_address_follows_the_hand(visit):
     mine = sv.Scene("mine", sv.Polygon([(0, 0), (4, 0), (0, 4)]), sv.Circle((5, 5), 1))
-    page = visit(f"scene.html#{fragment(mine, ViewOptions(free=40.0, way_out=True))}")
+    page = visit(f"scene.html#{fragment(mine, ViewOptions(free=40.0, mtv=True))}")
     assert "at 40 degrees" in said(page) and page.get_by_label("free axis").is_checked()
     assert page.get_by_label("way out").is_checked() and not page.get_by_role("checkbox", name="B − A").is_checked()
     page.locator('[data-handle="axis"]').focus()
@@ -349,7 +349,7 @@ def test_the_link_to_a_step_of_the_rest_opens_that_step(visit):
 
 
 def test_what_a_link_shows_stays_where_the_first_drag_is_refused(visit):
-    page = visit("scene.html#circles&free=40&way-out=1&against=1")
+    page = visit("scene.html#circles&free=40&mtv=1&difference=1")
     radius, center = (page.locator(f'[data-handle="B-{part}"]').bounding_box() for part in ("radius", "move"))
     page.mouse.move(radius["x"] + radius["width"] / 2, radius["y"] + radius["height"] / 2)
     page.mouse.down()
@@ -600,7 +600,7 @@ def test_the_picture_is_saved_as_it_is_shown(visit, theme):
 
 @pytest.mark.parametrize("screen", [{}, {"viewport": {"width": 390, "height": 844}}], ids=["wide", "phone"])
 def test_what_is_shown_beside_the_picture_is_saved_with_it(visit, screen):
-    page = visit("scene.html#triangles&free=40&against=1", **screen)
+    page = visit("scene.html#triangles&free=40&difference=1", **screen)
     pictures = page.locator(".live svg.sv-picture:not(.sv-dial svg)")  # the dial is a control
     assert pictures.count() == 4 and all(each.is_visible() for each in pictures.all())
     root = ElementTree.fromstring(saved(page, "svg"))

@@ -150,7 +150,7 @@ def test_version(capsys):
 
 NESTED = '{"satviz": "scene 1", "a": ' + "[" * 100_000
 BAD = {
-    "no json": ("{", "not JSON"),
+    "no json": ("{", "this is not JSON"),
     "unknown key": ({**GOOD, "colour": 1}, '"colour"'),
     "missing key": ({"satviz": "scene 1", "a": GOOD["a"]}, 'lacks "b"'),
     "no format": ({"a": GOOD["a"], "b": GOOD["a"]}, 'write "satviz": "scene 1" into it'),
@@ -186,11 +186,11 @@ def test_a_bad_scene_file_gives_one_clear_line_and_exit_code_2(what, tmp_path, c
 
 def test_other_bad_input_gives_one_clear_line_too(tmp_path, capsys):
     for args, words in (
-        (["trace", "nosuch"], "no scene and no file 'nosuch': choose one of aabb"),
-        (["trace", "triangle"], "no scene and no file 'triangle': did you mean triangles?\n"),
+        (["trace", "nosuch"], "there is no scene and no file 'nosuch': choose one of aabb"),
+        (["trace", "triangle"], "there is no scene and no file 'triangle': did you mean triangles?\n"),
         (["trace", "nosuch.json"], "cannot read nosuch.json"),
         (["trace", str(tmp_path)], "cannot read"),
-        (["figures", "--only", "nosuch"], "no figure 'nosuch': choose one of aabb-apart, aabb-project-y, "),
+        (["figures", "--only", "nosuch"], "there is no figure 'nosuch': choose one of aabb-apart, aabb-project-y, "),
     ):
         assert main(args) == 2
         err = capsys.readouterr().err
@@ -347,7 +347,7 @@ def test_what_is_no_regular_file_is_no_scene(tmp_path, capsys):
     for path in (tmp_path / "fifo", tmp_path / "link", tmp_path, Path("/dev/zero"), Path("/dev/null")):
         for command in ("trace", "draw"):
             assert main([command, str(path)]) == 2
-            assert capsys.readouterr().err == f"satviz: cannot read {path}: not a regular file\n"
+            assert capsys.readouterr().err == f"satviz: cannot read {path}: it is not a regular file\n"
 
 
 ESCAPES = "a\x1b[31m\x07\r\x9b\u202e\nb"
@@ -628,7 +628,7 @@ CLASHES = {
     "draw triangles --format html --step 3": "a page has all steps",
     "draw triangles --step 16": "the run has no step 16: its steps are 0 to 15",
     "draw triangles --step 99 --format link": "the run has no step 99: its steps are 0 to 15",
-    "handout 9": "no chapter 9: the chapters are 1 to 8",
+    "handout 9": "there is no chapter 9: the chapters are 1 to 8",
     "draw no-area --step 0": "no-area has no run",
     "draw no-area --predict --format html": "no-area has no run",
     "draw triangles --theme dark --format html": "a page has both themes",

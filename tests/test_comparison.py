@@ -588,10 +588,10 @@ def test_what_gjk_and_sat_look_at_is_written_beside_each_corner_and_adds_up(b):
     drawn = sv.picture(trace)
     totals = case.claimed_value(trace), case.true_value(trace.a, trace.b)
     for panel, total in zip(("claimed", "actual"), totals, strict=True):
-        times = {int(m.text[:-1]) for m in drawn.labels if m.part == f"{panel}-looks"}
-        dots = sum(m.part == f"{panel}-looked" for m in drawn.marks)
+        times = {int(m.text[:-1]) for m in drawn.labels if m.part == f"{panel}-evaluations"}
+        dots = sum(m.part == f"{panel}-evaluated" for m in drawn.marks)
         assert {k * dots for k in times} == {total} or (panel == "actual" and not dots)  # of many axes it shows one
-    assert any(m.part == "claimed-looked" for m in drawn.marks)
+    assert any(m.part == "claimed-evaluated" for m in drawn.marks)
 
 
 def test_a_single_crossing_is_counted_in_the_singular():
@@ -603,8 +603,8 @@ def test_a_raw_normal_makes_a_way_out_as_many_times_as_long_as_the_normal_is():
     drawn = sv.picture("raw-depth")
     arrows = {mark.part: mark.points for mark in drawn.marks if mark.kind == "arrow"}
     lengths = {part: math.dist(p, q) for part, (p, q) in arrows.items()}
-    assert lengths["claimed-way-out"] == pytest.approx(2 * lengths["actual-mtv"])
-    assert lengths["claimed-push"] == pytest.approx(lengths["actual-way-out"])
+    assert lengths["claimed-axis-push"] == pytest.approx(2 * lengths["actual-mtv"])
+    assert lengths["claimed-push"] == pytest.approx(lengths["actual-axis-push"])
     assert {"read as 1.5", "read as 1", "normal 2 long:", "normal 1 long:"} <= set(drawn.texts)
 
 

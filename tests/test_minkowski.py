@@ -70,7 +70,7 @@ def test_the_explorer_shows_the_difference_beside_the_pair_on_request():
     explorer = ExplorerModel(sv.scene("triangles"))
     state = explorer.state()
     assert "difference" not in state
-    pose = {"kind": "pose", "n": 1, "a": state["a"], "b": state["b"], "against": True}
+    pose = {"kind": "pose", "n": 1, "a": state["a"], "b": state["b"], "difference": True}
     assert explorer.answer(pose)["difference"]["sentence"].startswith("The origin lies outside B \u2212 A")
 
 

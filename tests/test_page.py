@@ -23,8 +23,8 @@ def data_of(page):
     return json.loads(re.search(r'id="satviz-show">(.*?)</script>', page, re.DOTALL)[1])["shows"]
 
 
-def with_looks(data, marks):
-    return [mark | {"look": data["looks"][mark["look"]]} for mark in marks]
+def with_styles(data, marks):
+    return [mark | {"style": data["styles"][mark["style"]]} for mark in marks]
 
 
 @pytest.fixture(scope="module")
@@ -78,7 +78,7 @@ def test_a_show_holds_every_step_as_it_is_drawn(scene):
     for i, step in enumerate(found["steps"]):
         drawn = sv.picture(trace, i)
         marks = [found["marks"][m] for m in step["marks"]]
-        assert with_looks(found, marks) == with_looks(drawn.data(), drawn.data()["marks"])
+        assert with_styles(found, marks) == with_styles(drawn.data(), drawn.data()["marks"])
         assert (step["sentence"], step["limits"]) == (drawn.sentence, list(drawn.limits))
 
 

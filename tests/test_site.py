@@ -545,24 +545,24 @@ def test_any_other_scene_comes_whole_and_is_the_same_again():
     mine = sv.Scene(
         "kite", sv.Polygon([(0, 0), (0.1, -1), (6, 0)], ["w", "é", "n"]), sv.Circle((5.5, 3), 1), title="Ä & <b>"
     )
-    made = sv.link(mine, site="https://example.org/satviz", free=30.5, way_out=True)
+    made = sv.link(mine, site="https://example.org/satviz", free=30.5, mtv=True)
     assert made.startswith("https://example.org/satviz/scene.html#") and re.fullmatch(
         r"[\w\-&=.]+", made.partition("#")[2]
     )
-    assert links.parse_fragment(made.partition("#")[2]) == (mine, links.ViewOptions(free=30.5, way_out=True))
+    assert links.parse_fragment(made.partition("#")[2]) == (mine, links.ViewOptions(free=30.5, mtv=True))
 
 
 def test_a_link_opens_the_same_state():
-    state = opened("triangles&free=30&way-out=1&against=1")
+    state = opened("triangles&free=30&mtv=1&difference=1")
     assert "at 30 degrees" in state["first"]["sentence"] and "difference" in state["first"]
-    assert state["pose"]["degree"] == 30 and state["pose"]["wayOut"] and state["pose"]["against"]
+    assert state["pose"]["degree"] == 30 and state["pose"]["mtv"] and state["pose"]["difference"]
     assert opened("far-centers&view=truth")["first"]["view"] == "truth"
     assert opened("triangles&row=4")["first"]["lit"] == 4
     player = opened("triangles&step=5&predict=1")
     assert player["step"] == 5 and player["predict"] and len(player["shows"][0]["steps"]) == 16
-    rest = opened("triangles&step=43&rest=1")
-    assert rest["rest"] and rest["step"] == 43 == len(rest["shows"][1]["steps"]) - 1
-    assert not opened("circles&rest=1")["rest"]  # one axis, tested: nothing rests
+    whole = opened("triangles&step=43&every-axis=1")
+    assert whole["everyAxis"] and whole["step"] == 43 == len(whole["shows"][1]["steps"]) - 1
+    assert not opened("circles&every-axis=1")["everyAxis"]  # the early exit leaves out no axis
 
 
 def test_the_state_says_the_link_that_opens_it_again():
@@ -573,7 +573,7 @@ def test_the_state_says_the_link_that_opens_it_again():
     assert again["picture"]["marks"] and again["sentence"] == said["sentence"] and again["link"] == said["link"]
 
 
-@pytest.mark.parametrize("shows", ["row=0", "row=5", "free=0", "free=-0.1", "free=0.00001", "free=359", "against=1"])
+@pytest.mark.parametrize("shows", ["row=0", "row=5", "free=0", "free=-0.1", "free=0.00001", "free=359", "difference=1"])
 def test_what_a_link_says_alone_is_shown_and_said_again(shows):
     first = opened(f"triangles&{shows}")["first"]
     assert first["link"] == f"triangles&{shows}" and opened(first["link"])["first"] == first
@@ -610,7 +610,7 @@ BAD = [
     "triangles&step=1.5",
     "triangles&view=other",
     "triangles&__class__=1",
-    "triangles&way-out=yes",
+    "triangles&mtv=yes",
     "no-area",
     urlsafe_b64encode(b'{"satviz": "scene 1", "a": {"circle": [0, 0], "radius": 0}, "b": 1}').decode(),
     urlsafe_b64encode(b"[" * 2000).decode(),

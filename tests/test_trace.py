@@ -584,12 +584,12 @@ def axis_of(kind, shape, *vertices):
 AXIS_LIES = {
     "a number for a normal": (lambda axis: axis.update(normal=5), "pair of numbers"),
     "three numbers for a normal": (lambda axis: axis.update(normal=[1.0, 2.0, 3.0]), "pair of numbers"),
-    "no direction": (lambda axis: axis.update(normal=[0.0, 0.0], length=0.0), "has not the direction"),
-    "turned round": (lambda axis: axis.update(normal=[-c for c in axis["normal"]]), "has not the direction"),
-    "a little off": (lambda axis: axis.update(normal=[c + 1e-9 for c in axis["normal"]]), "has not the direction"),
+    "no direction": (lambda axis: axis.update(normal=[0.0, 0.0], length=0.0), "not have the direction"),
+    "turned round": (lambda axis: axis.update(normal=[-c for c in axis["normal"]]), "not have the direction"),
+    "a little off": (lambda axis: axis.update(normal=[c + 1e-9 for c in axis["normal"]]), "not have the direction"),
     "twice as long": (
         lambda axis: axis.update(normal=[2 * c for c in axis["normal"]], length=4.0),
-        "has not the direction",
+        "not have the direction",
     ),
     "another length": (lambda axis: axis.update(length=axis["length"] * (1 + 1e-9)), "the length"),
     "no length": (lambda axis: axis.update(length=0.0), "the length"),
@@ -611,7 +611,7 @@ AXIS_LIES = {
     "both world axes": (axis_of("world", None, 0, 1), "does not fit these shapes"),
     "two circles' centers": (axis_of("centers", None), "does not fit these shapes"),
     "circles about one center": (axis_of("any direction", None), "does not fit these shapes"),
-    "not through the centroids": (axis_of("centroids", None), "has not the direction"),
+    "not through the centroids": (axis_of("centroids", None), "not have the direction"),
     "somebody's given direction": (axis_of("given direction", "A", 0), "does not fit these shapes"),
     "nowhere as a given direction": (
         lambda axis: axis.update(
@@ -964,7 +964,7 @@ def test_the_normal_of_an_axis_in_a_file_must_be_exact_to_the_last_bit(choose):
     x, y = data["axes"][0]["normal"]
     for normal in [x + 2**-60 if x == 0 else x * (1 + 2**-52), y], [x, y * (1 - 2**-52)]:
         data["axes"][0]["normal"] = normal
-        with pytest.raises(sv.InvalidScene, match="has not the direction"):
+        with pytest.raises(sv.InvalidScene, match="not have the direction"):
             sv.Trace.from_json(json.dumps(data))
 
 
@@ -1352,7 +1352,7 @@ def test_what_is_written_can_be_read_again_or_is_not_written(monkeypatch):
     with pytest.raises(sv.InvalidScene, match=rf"cannot|too large .*the limit is {size:,}"):
         trace.to_json(indent=1)
     many = ngon(1001)
-    with pytest.raises(sv.InvalidScene, match="1,001 vertices: a file holds 1,000 at most"):
+    with pytest.raises(sv.InvalidScene, match="1,001 vertices: a file can hold 1,000"):
         sv.record(many, A, axes=axes.world).to_json()
     with pytest.raises(sv.InvalidScene, match="1,001 vertices"):
         sv.Scene("many", many, A).to_json()

@@ -71,7 +71,7 @@ def test_sentence_picture_number_line_and_table_speak_of_one_axis_with_one_numbe
         assert not re.search(r"gap of|leaves a gap", state["enough"])
 
 
-WAYS = {}, {"pinned": 1}, {"wayOut": True}, {"view": "truth"}, {"against": True}, {"degree": 73.0}
+WAYS = {}, {"pinned": 1}, {"mtv": True}, {"view": "truth"}, {"difference": True}, {"degree": 73.0}
 LENGTH = rf"(?:gap \+|gap of |overlap |depth |distance |way out )({NUMBER})"
 
 

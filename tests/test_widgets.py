@@ -133,7 +133,7 @@ def test_no_challenge_of_the_widget_is_won_when_it_begins(name, goal):
 def test_no_challenge_of_a_link_is_won_before_the_reader_did_anything(goal):
     opened = set()
     for name in names():
-        reply = json.loads(live.answer("p", json.dumps({"kind": "open", "hash": f"{name}&goal={goal}&way-out=1"})))
+        reply = json.loads(live.answer("p", json.dumps({"kind": "open", "hash": f"{name}&goal={goal}&mtv=1"})))
         assert reply["kind"] == "refused" or not reply["first"]["goal"]["met"], name
         opened |= {name} if reply["kind"] == "opened" else set()
     assert "aabb-turned" in opened
@@ -292,8 +292,8 @@ def test_every_failing_scene_can_be_explored_dragged_and_shown_with_the_exact_an
         widget.sent = []
         widget.send = lambda content, buffers=None, sent=widget.sent: sent.append((content, buffers))
         for more in (
-            {"wayOut": True},
-            {"view": "truth", "wayOut": True},
+            {"mtv": True},
+            {"view": "truth", "mtv": True},
             {"view": "shortcut", "pinned": 0},
             {"degree": 20},
         ):
@@ -460,7 +460,7 @@ EXTREME = {
 def test_the_strangest_pose_is_shown_or_refused_and_then_nothing_has_changed(name, pair):
     explored, (a, b) = ExplorerModel(sv.scene(name)), EXTREME[pair]
     before = json.dumps(explored.state())
-    for more in ({}, {"view": "truth", "wayOut": True}, {"degree": 20.0}, {"against": True}):
+    for more in ({}, {"view": "truth", "mtv": True}, {"degree": 20.0}, {"difference": True}):
         said = explored.answer({"kind": "pose", "n": 1, "a": a, "b": b, "degree": None, "pinned": None} | more)
         if said["kind"] == "refused":
             assert 0 < len(said["why"]) < 500 and json.dumps(explored.state()) == before
@@ -507,10 +507,10 @@ def test_a_narrow_place_gets_a_narrow_picture_and_not_smaller_letters(name):
     widget = explorer(name)
     for width in (None, 700, 358, 100):
         wanted = {None: 540, 700: 540, 358: 358, 100: 300}[width]
-        said = pose(widget, width=width, degree=20, against=True)
+        said = pose(widget, width=width, degree=20, difference=True)
         assert [said[key]["size"][0] <= wanted for key in ("picture", "curve", "difference")] == [True] * 3
         assert said["picture"]["size"][0] == wanted
-        assert min(look["size"] for look in said["picture"]["looks"] if look["kind"] == "label") >= 11
+        assert min(style["size"] for style in said["picture"]["styles"] if style["kind"] == "label") >= 11
     assert pose(widget, width="wide")["why"] == "the width must be a finite number, not 'wide'"
 
 

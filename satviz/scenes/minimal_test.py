@@ -102,7 +102,7 @@ def _expected(scene: Scene, case: FailureCase | None) -> dict[str, Any]:
 
 
 def _expected_refusal(case: FailureCase) -> dict[str, Any]:
-    """Return a failing case whose outlines are refused, with the reason."""
+    """Return the raw outlines of a failing case that the engine refuses, with the reason."""
     data: dict[str, Any] = {"name": case.name, "title": case.claim}
     for key, outline in ("a", case.a), ("b", case.b):
         raw = [] if isinstance(outline, Shape) else [[float(x), float(y)] for x, y in outline]

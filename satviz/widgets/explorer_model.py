@@ -221,8 +221,8 @@ class ExplorerModel(PlayerModel):
         if view != self._view:
             pinned = None  # the other run's rows are others
         self._snap_words = snap_words
-        self._pinned, self._degree, self._show_mtv = pinned, degree, bool(content.get("wayOut"))
-        self._show_difference = bool(content.get("against"))
+        self._pinned, self._degree, self._show_mtv = pinned, degree, bool(content.get("mtv"))
+        self._show_difference = bool(content.get("difference"))
         self._set_run(changed, trace, view, met)
 
     def _snapped(self, a: Shape, b: Shape, key: object, *, by_key: bool = False) -> tuple[Shape, Shape, str]:

@@ -509,11 +509,11 @@ export class Explorer {
 /**
  * The pose of a state, with the options of another pose.
  * @param {State} state
- * @param {Pick<Pose, "degree" | "wayOut" | "against">} options
+ * @param {Pick<Pose, "degree" | "mtv" | "difference">} options
  * @returns {Pose}
  */
-function poseOf({ a, b, view, scene, goal }, { degree, wayOut, against } = { degree: null, wayOut: false, against: false }) {
-  return { a, b, view, scene, goal: goal?.goal ?? null, pinned: null, degree, wayOut, against };
+function poseOf({ a, b, view, scene, goal }, { degree, mtv, difference } = { degree: null, mtv: false, difference: false }) {
+  return { a, b, view, scene, goal: goal?.goal ?? null, pinned: null, degree, mtv, difference };
 }
 
 /**

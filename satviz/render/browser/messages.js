@@ -13,8 +13,8 @@
  * @property {string | null} goal The challenge.
  * @property {number | null} pinned The row of the axis that is shown.
  * @property {number | null} degree The direction of a free axis.
- * @property {boolean} wayOut
- * @property {boolean} against Is the difference B − A shown?
+ * @property {boolean} mtv
+ * @property {boolean} difference Is the difference B − A shown?
  */
 /** @typedef {{ goal: string, met: boolean, asks: string, says: string, hint: string }} Goal */
 /**

@@ -121,7 +121,7 @@ export class ScenePlace {
     this.widget?.remove();
     if ("shows" in content) {
       const player = new Player(made, content.shows, { ...content, site: SITE });
-      if (content.rest) player.switchShow();
+      if (content.everyAxis) player.switchShow();
       player.go(content.step, { animate: false });
       arrowKeys(player);
       this.link.hash = `${content.link}&step=${content.step}${content.predict ? "&predict=1" : ""}`;
