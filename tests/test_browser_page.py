@@ -287,7 +287,7 @@ def test_predict_asks_before_it_shows_and_keeps_count(browser, errors, pages):
     question = page.locator(".sv-question")
     assert "separate them?" in question.inner_text() and "1.664" not in page.locator("tbody").inner_text()
     question.get_by_role("button", name="yes").click()
-    assert page.locator(".sv-sentence").inner_text().startswith("Not so.")
+    assert page.locator(".sv-sentence").inner_text().startswith("Not right.")
     page.get_by_role("button", name="last step").click()
     question.get_by_role("button", name="yes").click()
     assert page.locator(".sv-sentence").inner_text().startswith("Right.")

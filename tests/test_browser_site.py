@@ -484,7 +484,8 @@ def test_a_question_is_answered_by_choosing_and_the_answer_is_judged(visit):
     fold, said = question.locator("~ details.later").first, question.locator("+ .judged")
     assert fold.get_attribute("open") is None and said.inner_text() == ""
     question.get_by_role("button", name="v2v3").click()
-    assert said.inner_text().startswith("Not so. This edge faces away from A.") and fold.get_attribute("open") is None
+    assert said.inner_text().startswith("Not right. This edge faces away from A.")
+    assert fold.get_attribute("open") is None
     question.get_by_role("button", name="v1v3").press("Enter")
     assert said.inner_text() == "Right. It is the edge of B that faces A."
     assert fold.get_attribute("open") is not None and fold.locator("figure").is_visible()

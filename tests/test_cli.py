@@ -607,9 +607,9 @@ def test_small_hostile_files_are_refused_at_once(tmp_path, capsys):
 # -- options together
 
 CLASHES = {
-    "draw triangles --sheet --format gif": "--sheet is one picture",
-    "draw triangles --sheet --format html": "--sheet is one picture",
-    "draw triangles --sheet --format svg --format html": "--sheet is one picture",
+    "draw triangles --sheet --format gif": "--sheet makes one picture",
+    "draw triangles --sheet --format html": "--sheet makes one picture",
+    "draw triangles --sheet --format svg --format html": "--sheet makes one picture",
     "draw triangles --sheet --format link": "--format link prints a line: --sheet is for files",
     "draw triangles --steps --format link": "--format link prints a line: --steps is for files",
     "draw triangles --format link --out somewhere": "--format link prints a line: --out is for files",
@@ -622,7 +622,7 @@ CLASHES = {
     "draw triangles --goal touch --format html": "--goal is not for these formats: give it with --format embed or link",
     "draw triangles --play --format link": "--play is not for these formats: give it with --format embed",
     "draw triangles --show table": "--show is not for these formats: give it with --format embed",
-    "draw triangles --format link --goal touch --predict": "a challenge is dragged, and --predict is for steps",
+    "draw triangles --format link --goal touch --predict": "a challenge has no steps, and --predict is for steps",
     "draw triangles --format link --goal break": "are not a shortcut",
     "draw triangles --format link --step 3-8": "a link opens one step",
     "draw triangles --format html --step 3": "a page has all steps",
@@ -631,7 +631,7 @@ CLASHES = {
     "handout 9": "there is no chapter 9: the chapters are 1 to 8",
     "draw no-area --step 0": "no-area has no run",
     "draw no-area --predict --format html": "no-area has no run",
-    "draw triangles --theme dark --format html": "a page has both themes",
+    "draw triangles --theme dark --format html": "a page follows its reader's theme",
     "draw no-area --sheet": "no-area has no run",
     "draw no-area --steps --format gif": "no-area has no run",
     "draw no-area --axes world": "no-area has no run",

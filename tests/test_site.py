@@ -754,10 +754,10 @@ def stands(goal, a, b, axes="needed"):
 
 def test_exactly_one_axis_is_one():
     box, turned = sv.Polygon([(0, 0), (2, 0), (2, 2), (0, 2)]), sv.Polygon([(2.2, 1), (3.2, 0), (4.2, 1), (3.2, 2)])
-    assert stands("one-axis", box, turned).says == "Exactly one axis separates them."
+    assert stands("one-axis", box, turned).status == "Exactly one axis separates them."
     assert not stands("one-axis", box, sv.Polygon([(9, 9), (11, 9), (10, 12)])).met
-    assert "collide" in stands("one-axis", box, sv.Circle((1, 1), 1)).says
-    assert "dent" in stands("one-axis", sv.Polygon([(0, 0), (4, 0), (1, 1), (0, 4)]), sv.Circle((9, 9), 1)).says
+    assert "collide" in stands("one-axis", box, sv.Circle((1, 1), 1)).status
+    assert "dent" in stands("one-axis", sv.Polygon([(0, 0), (4, 0), (1, 1), (0, 4)]), sv.Circle((9, 9), 1)).status
 
 
 def test_axes_that_a_hand_has_left_parallel_but_for_rounding_are_one():
@@ -766,15 +766,15 @@ def test_axes_that_a_hand_has_left_parallel_but_for_rounding_are_one():
     for hundredths in range(40, 120):
         corners = [(float(f"{x - hundredths / 100:.12g}"), y) for x, y in start.b.vertices]
         found = stands("one-axis", start.a, sv.Polygon(corners))
-        assert found.met and found.says == "Exactly one axis separates them.", (hundredths, found.says)
+        assert found.met and found.status == "Exactly one axis separates them.", (hundredths, found.status)
 
 
 def test_touching_is_exact():
     box = sv.Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
     assert stands("touch", box, sv.Circle((2, 0.5), 1)).met
     hair = stands("touch", box, sv.Circle((2.0000000000000004, 0.5), 1))
-    assert not hair.met and "e" in hair.says  # a gap too small for three decimals is not shown as 0
-    assert stands("touch", box, sv.Circle((1.9999999999999998, 0.5), 1)).says == "They overlap."
+    assert not hair.met and "e" in hair.status  # a gap too small for three decimals is not shown as 0
+    assert stands("touch", box, sv.Circle((1.9999999999999998, 0.5), 1)).status == "They overlap."
 
 
 @pytest.mark.slow
@@ -792,7 +792,7 @@ def test_no_challenge_is_won_when_it_begins_and_each_has_its_link():
     for goal, start in goals.challenges():
         assert not goals.evaluate_goal(goal, start).met
         first = opened(sv.link(start, goal=goal).partition("#")[2])["first"]
-        assert first["goal"]["asks"] == goals.GOAL_TASKS[goal] and first["link"].endswith(f"&goal={goal}")
+        assert first["goal"]["task"] == goals.GOAL_TASKS[goal] and first["link"].endswith(f"&goal={goal}")
 
 
 def by_the_hint(goal, start):
@@ -842,7 +842,7 @@ def test_a_drag_is_judged_and_a_preset_ends_the_challenge():
     first = opened("aabb&goal=touch")["first"]
     b = {"polygon": [[x - 2, y] for x, y in first["b"]["polygon"]]}
     said = json.loads(live.answer("place", json.dumps({"kind": "pose", "n": 1, "a": first["a"], "b": b})))
-    assert said["goal"]["met"] and said["goal"]["says"] == "They touch, exactly."
+    assert said["goal"]["met"] and said["goal"]["status"] == "They touch, exactly."
     said = json.loads(live.answer("place", json.dumps({"kind": "preset", "name": "circles"})))
     assert "goal" not in said
 

@@ -173,7 +173,7 @@ def test_a_challenge_counts_the_rows_with_a_gap():
     model = ExplorerModel(sv.scene("triangles"))
     state = model.answer({"kind": "challenge", "goal": "one-axis"})
     rows = [row for row in state["rows"] if row.get("gap", -1) > 0]
-    assert state["goal"]["says"] == f"{len(rows)} axes separate them."
+    assert state["goal"]["status"] == f"{len(rows)} axes separate them."
     assert "five are enough" in state["enough"] and sum("gap" in row for row in state["rows"]) == 5
 
 

@@ -117,7 +117,7 @@ def test_a_challenge_is_set_in_the_widget_judged_at_every_pose_and_given_up():
     assert begun["goal"]["goal"] == "touch" and not begun["goal"]["met"]
     assert begun["link"].endswith("&goal=touch") and widget.scene == sv.scene("aabb")
     met = pose(widget, b=moved_b(widget, -2, 0))
-    assert met["goal"]["met"] and met["goal"]["says"] == "They touch, exactly."
+    assert met["goal"]["met"] and met["goal"]["status"] == "They touch, exactly."
     assert "goal" not in pose(widget, goal=None)
     assert pose(widget, goal="touch")["goal"]["goal"] == "touch"  # undone
     assert "goal" not in heard(widget, kind="preset", name="circles")
@@ -158,7 +158,7 @@ def test_a_challenge_that_cannot_be_set_is_refused_and_changes_nothing(goal, why
 
 
 def test_explore_sets_a_challenge():
-    assert sv.explore("aabb", goal="touch").first["goal"]["asks"].startswith("Make the shapes touch")
+    assert sv.explore("aabb", goal="touch").first["goal"]["task"].startswith("Make the shapes touch")
     with pytest.raises(InvalidScene, match="not a shortcut"):
         sv.explore("aabb", goal="break")
 

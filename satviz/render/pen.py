@@ -24,8 +24,7 @@ Painted = tuple[Path, tuple[float, float, float, float]]  # and its colour
 class Pen:
     """A pen for one Axes: it draws pictures with three collections (fills, strokes, solids) and a pool of texts.
 
-    Few artists, kept and given new numbers for the next picture, are what makes a
-    redraw quick.
+    A redraw is quick because these few artists are kept and only get new numbers.
     """
 
     def __init__(self, ax: "Axes", theme: Theme = LIGHT) -> None:

@@ -51,7 +51,7 @@ TIMEOUT_SECONDS = 180  # for npm, and for Node
 
 
 class PythonMissing(Exception):
-    """Raised when Python for the page cannot be had; the message is one line that says why."""
+    """Raised when Python for the page cannot be found or fetched; the message is one line that says why."""
 
 
 def runtime_files(pyodide: Path | None) -> tuple[dict[str, bytes], str]:

@@ -16,7 +16,7 @@
  * @property {boolean} mtv
  * @property {boolean} difference Is the difference B − A shown?
  */
-/** @typedef {{ goal: string, met: boolean, asks: string, says: string, hint: string }} Goal */
+/** @typedef {{ goal: string, met: boolean, task: string, status: string, hint: string }} Goal */
 /**
  * Everything that an explorer shows.
  * @typedef {object} State

@@ -210,7 +210,7 @@ export class Player {
     const right = yes === ("gap" in asked && asked.gap > 0);
     this.answered.set(row, right);
     this.go(this.knownAt[row]);
-    this.sentence.textContent = (right ? "Right. " : "Not so. ") + this.sentence.textContent;
+    this.sentence.textContent = (right ? "Right. " : "Not right. ") + this.sentence.textContent;
     this.svg.focus();
   }
 
