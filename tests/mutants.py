@@ -77,9 +77,8 @@ ABOUT = {  # of those files only these tests, as pytest -k takes them, since eac
     " or tile or zero",
     "engine/axis_count": "axes or axis or enough or touch",
     "batch/with_numba/filter": "circles or columns or filter or float32 or hard_pairs or ordinary or scalar or upright",
-    "batch/with_numba/indexed": "columns or hard_pairs or index or lanes or many_corners or ordinary or picked"
-    " or upright",
-    "batch/with_numpy/indexed": "hard_pairs or index or many_corners or ordinary or picked or side_by_side or upright",
+    "batch/with_numba/indexed": "columns or hard_pairs or index or lanes or many_corners or ordinary or upright",
+    "batch/with_numpy/indexed": "hard_pairs or index or many_corners or ordinary or side_by_side or upright",
     "batch/with_numpy/circle_polygons": "circle or foot or hard_pairs or relations_are_the_scalar or tiny",
 }
 # what kernels run as Python cannot do: number cells beyond 2**63, pass by 1e308 without a warning, and be quick

@@ -143,7 +143,7 @@ SEEN = """() => {
 }"""
 
 
-def test_the_outline_is_under_the_hand_in_the_same_event(hand):
+def test_the_outline_follows_the_pointer_within_the_same_event(hand):
     reset(hand)
     x, y = hand.spot("B-move")
     hand.page.mouse.move(x, y)
@@ -272,7 +272,7 @@ def test_a_failing_scene_has_a_switch_between_the_shortcut_and_the_truth(hand):
     switch.wait_for(state="hidden")
 
 
-def test_the_difference_is_shown_beside_and_follows_the_hand(hand):
+def test_the_difference_is_shown_beside_the_scene_and_follows_a_drag(hand):
     widget = hand.widgets.first
     shown = widget.locator(".sv-difference")
     assert not shown.is_visible()
@@ -295,7 +295,7 @@ def test_presets_change_the_scene(hand):
     hand.handle("A-vertex-0").wait_for()
 
 
-def test_a_challenge_is_set_judged_and_given_up(hand):
+def test_a_challenge_can_be_set_evaluated_and_given_up(hand):
     reset(hand)
     widget = hand.widgets.first
     goal = widget.locator(".sv-goal")
@@ -358,7 +358,7 @@ def test_files_come_from_the_matplotlib_pen(hand):
     hand.press("reset", 2)
 
 
-def test_why_the_player_gives_no_file_is_said(hand):
+def test_the_player_says_why_it_cannot_save_a_file(hand):
     hand.page.evaluate(ASK, "from satviz.pictures import playback; playback.MAX_STEPS = 1")
     player = hand.widgets.nth(2)
     player.locator(".sv-menu summary:has-text('save')").click()
@@ -389,7 +389,7 @@ def test_the_explorer_saves_what_it_shows(hand):
 
 
 @pytest.mark.parametrize("width", [1500, 390])
-def test_a_paste_in_a_notebook_is_explained_and_sent_on(hand, width):
+def test_a_text_pasted_into_a_notebook_is_explained_and_can_be_exported(hand, width):
     before = hand.page.viewport_size
     sidebar = "jupyterapp.commands.execute('application:toggle-left-area')"  # leaves no room on a phone
     if width < 500:
@@ -443,7 +443,7 @@ def css(colour):
     return f"rgb({', '.join(str(c) for c in bytes.fromhex(colour[1:]))})"
 
 
-def test_touch_drags_too(hand):
+def test_a_shape_can_be_dragged_by_touch(hand):
     reset(hand)
     x, y = hand.spot("B-move")
     session = hand.page.context.new_cdp_session(hand.page)

@@ -100,7 +100,7 @@ def test_draw_writes_one_step_or_some(tmp_path, capsys):
     assert sorted(path.name for path in (tmp_path / "end").iterdir()) == ["triangles-14.svg", "triangles-15.svg"]
 
 
-def test_a_page_a_link_and_a_frame_ask_the_question_that_was_chosen(tmp_path, capsys):
+def test_predict_reaches_a_page_a_link_and_a_frame(tmp_path, capsys):
     made = ["draw", "far-centers", "--predict", "--format", "html", "--out", str(tmp_path), "--format", "link"]
     assert main([*made, "--format", "embed", "--site", "https://example.org/s", "--theme", "dark"]) == 0
     page, captured = (tmp_path / "far-centers.html").read_text(), capsys.readouterr().out
@@ -112,7 +112,7 @@ def test_a_page_a_link_and_a_frame_ask_the_question_that_was_chosen(tmp_path, ca
     )
 
 
-def test_a_link_stands_for_its_scene(tmp_path, capsys):
+def test_a_link_can_be_given_instead_of_a_scene(tmp_path, capsys):
     """Of a scene dragged in the explorer there is only its address."""
     mine = sv.Scene("mine", sv.Polygon([(0, 0), (4, 0), (0, 3)]), sv.Circle((5, 3), 1))
     for scene in mine, sv.scene("triangles"):
@@ -200,7 +200,7 @@ def test_other_bad_input_gives_one_clear_line_too(tmp_path, capsys):
     assert main(["trace", str(binary)]) == 2 and "UTF-8" in capsys.readouterr().err
 
 
-def test_an_option_nobody_knows_shows_usage_and_no_traceback():
+def test_an_unknown_option_shows_usage_and_no_traceback():
     done = run("figures", "--format", "bmp")
     assert done.returncode == 2 and done.stderr.count("\n") == 1 and "Traceback" not in done.stderr
 
@@ -341,7 +341,7 @@ def test_too_little_memory_gives_a_one_line_error(capsys, monkeypatch):
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no named pipes there")
-def test_what_is_no_regular_file_is_no_scene(tmp_path, capsys):
+def test_a_path_that_is_no_regular_file_is_refused(tmp_path, capsys):
     os.mkfifo(tmp_path / "fifo")
     (tmp_path / "link").symlink_to(tmp_path / "fifo")
     for path in (tmp_path / "fifo", tmp_path / "link", tmp_path, Path("/dev/zero"), Path("/dev/null")):
@@ -353,7 +353,7 @@ def test_what_is_no_regular_file_is_no_scene(tmp_path, capsys):
 ESCAPES = "a\x1b[31m\x07\r\x9b\u202e\nb"
 
 
-def test_no_name_steers_the_terminal(tmp_path, capsys):
+def test_no_name_can_control_the_terminal(tmp_path, capsys):
     held = tmp_path / f"{ESCAPES}.json"
     held.write_text("{")
     out = tmp_path / ESCAPES
@@ -514,7 +514,7 @@ def test_an_earlier_interrupt_does_not_stop_the_next_command(capsys, monkeypatch
     assert main(["trace", "aabb"]) == 0
 
 
-def test_jupyterlab_gets_the_interrupts_for_itself(tmp_path):
+def test_interrupts_are_left_to_jupyterlab(tmp_path):
     for name in ("jupyterlab", "anywidget"):
         (tmp_path / f"{name}.py").write_text(
             "import os, signal, sys\nos.kill(os.getppid(), signal.SIGINT)\nprint(sys.argv[1:], flush=True)\nsys.exit(5)"
@@ -577,7 +577,7 @@ def test_the_sums_are_of_the_table_and_keep_to_its_width(capsys):
     assert "leave out --json" in capsys.readouterr().err
 
 
-def test_the_terminals_width_is_asked_for(monkeypatch, capsys):
+def test_the_table_is_as_wide_as_the_terminal(monkeypatch, capsys):
     monkeypatch.setenv("COLUMNS", "40")
     monkeypatch.setattr("sys.stdout.isatty", lambda: True, raising=False)
     assert main(["trace", "triangles"]) == 0
@@ -657,7 +657,7 @@ def test_options_that_cannot_be_together_get_one_line(line, capsys, tmp_path, mo
 
 @pytest.mark.parametrize("scene", ["circles", "no-area"])
 @pytest.mark.parametrize("form", one_in(3, DRAW_FORMATS))
-def test_no_option_of_draw_is_taken_in_silence(form, scene, capsys, tmp_path, monkeypatch):
+def test_no_option_of_draw_is_ignored_silently(form, scene, capsys, tmp_path, monkeypatch):
     """What is given changes what is made, or is refused; or it is so in any case, as the help says."""
 
     def files(pictures, form, theme, stem, times=()):

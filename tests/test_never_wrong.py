@@ -99,7 +99,7 @@ def test_no_rare_form_is_wrong(form):
     refute(RARE[form], known(ALL))
 
 
-def test_the_rationals_agree_with_the_most_simple_minded_way():
+def test_the_rationals_agree_with_the_simplest_method():
     for kind, a, b in pairs(1, 12 * len(KINDS)):
         if kind not in ("concave", "in the notch"):
             assert truth.relation(a, b) is truth.relation(b, a) is naive(a, b), (a, b)
@@ -155,7 +155,7 @@ def numbers(shape: Shape) -> list[float]:
 
 
 @pytest.mark.slow
-def test_no_form_is_wrong_where_the_least_numbers_are_taken_for_0_and_none_is_given():
+def test_no_form_is_wrong_where_subnormal_numbers_are_flushed_to_zero_and_none_is_given():
     some = [row for row in known(ALL)[::4] if all(c == 0 or abs(c) > 1e-290 for s in row[:2] for c in numbers(s))]
     assert len(some) > 200
     with warnings.catch_warnings():

@@ -65,7 +65,7 @@ def does(python, use, folder):
     assert code == 0, said
 
 
-def test_the_wheel_alone_is_enough_for_pictures_and_what_needs_an_extra_names_it(alone, tmp_path):
+def test_the_wheel_alone_is_enough_for_pictures_and_other_features_name_their_extra(alone, tmp_path):
     draw = "main(['draw', 'triangles', '--step', '3', '--format', 'png'])"
     does(alone, f"from satviz.cli import main; raise SystemExit({draw})", tmp_path)
     for name in MISSING:
@@ -90,5 +90,5 @@ def test_the_wheel_alone_makes_the_figures_of_the_checkout_and_copies_its_notebo
 
 
 @pytest.mark.parametrize("extra", USES)
-def test_an_extra_alone_is_enough_for_what_it_is_for(extra, wheels, tmp_path):
+def test_an_extra_alone_is_enough_for_its_purpose(extra, wheels, tmp_path):
     does(environment(tmp_path, f"{wheels[0]}[{extra}]"), USES[extra], tmp_path)

@@ -228,7 +228,7 @@ def test_an_axis_shows_where_0_lies_on_it():
 
 
 @pytest.mark.parametrize("name", TRACES)
-def test_bars_brackets_and_numbers_are_the_traces(name):
+def test_bars_brackets_and_numbers_are_those_of_the_trace(name):
     trace = TRACES[name]
     for run, pair in [(t, i) for i, t in enumerate(trace.pairs)] or [(trace, None)]:
         for i, test in enumerate(run.tests):
@@ -386,7 +386,7 @@ def test_a_mark_that_moves_starts_where_it_comes_from():
     assert len(drops) == 4 and [(m.points[0], m.points[-1]) for m in drops] == [(*m.start, *m.points) for m in landings]
 
 
-def test_nothing_is_read_from_an_id(monkeypatch):
+def test_no_picture_depends_on_the_text_of_an_id(monkeypatch):
     named, plain = Mark.id.fget, [pictured(figure.stem) for figure in FIGURES]
     monkeypatch.setattr(Mark, "id", property(lambda mark: md5(named(mark).encode()).hexdigest()))
     assert [figure.picture() for figure in FIGURES] == plain
@@ -407,7 +407,7 @@ def test_a_step_the_trace_does_not_have_is_an_index_error():
         sv.picture(TRACES["triangles"], Step(Stage.GAP, 5))
 
 
-def test_a_picture_goes_to_json_whole():
+def test_every_field_of_a_picture_is_in_its_json():
     picture = pictured("14-sat-ranges-gap")
     data = json.loads(picture.to_json())
     assert data == picture.data()
@@ -542,7 +542,7 @@ def test_any_scene_is_drawn_at_every_step_with_its_labels_apart(a, b):
             assert inside, (a, b, i, mark)
 
 
-def test_where_one_range_holds_the_other_the_overlap_and_the_depth_are_both_said():
+def test_where_one_range_contains_the_other_overlap_and_depth_are_both_named():
     trace = sv.record(box(0, 0, 10, 1), box(4, 0, 5, 1))
     assert "overlap 1, way out 5" in describe.test_sentence(trace, 1)
     picture = sv.picture(trace, Step(Stage.GAP, 1))
@@ -625,7 +625,7 @@ def test_a_curve_needs_two_shapes_and_an_angle():
             sv.gap_curve(SQUARE, SQUARE, degree)
 
 
-def test_a_picture_by_itself_has_no_room_for_what_other_steps_show():
+def test_a_picture_by_itself_has_no_space_for_the_contents_of_other_steps():
     trace = sv.scene("triangles").record()
     first, whole = sv.picture(trace, 0, by_itself=True), sv.picture(trace, 0)
     assert first.size[1] < 0.6 * whole.size[1] and first.scale >= whole.scale

@@ -125,7 +125,7 @@ def test_many_more_pictures_hold_at_any_scale(seed):
         hold(trace, rng)
 
 
-def test_what_is_too_small_is_a_speck_and_larger_beside_the_picture():
+def test_a_shape_too_small_to_see_is_a_dot_with_an_inset():
     tiny = sv.Polygon([(1, 0), (1.0001, 0), (1, 0.0001)])
     picture = sv.picture(sv.record(sv.Polygon([(-1, -1), (0.9, 0), (-1, 1)]), tiny))
     assert picture.mark("B.speck").kind == "dot" and "B, ×5,000" in picture.texts

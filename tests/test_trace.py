@@ -75,7 +75,7 @@ def test_an_early_exit_is_a_prefix_of_the_full_run():
             assert all(not t.separates for t in short.tests[:-1])
 
 
-def test_skipped_axes_say_why():
+def test_skipped_axes_have_a_reason():
     trace = sv.record(A, B)
     assert {(s.why, s.number) for s in trace.skipped} == {(axes.PARALLEL, 2), (axes.EARLY_EXIT, 2)}
     assert ": parallel to axis 2\n" in str(trace) and ": early exit: axis 2 separates\n" in str(trace)
@@ -1101,7 +1101,7 @@ def test_anything_but_text_is_named_in_the_error(text):
             read(text)
 
 
-def test_a_text_that_is_not_what_the_facts_give_is_shown_from_where_it_parts():
+def test_a_wrong_text_is_quoted_from_its_first_difference():
     for shortcut, said, lie in (
         ("one-overlap", "no gap", "a gap"),
         ("one-overlap", "false hit", "true hit"),
@@ -1124,7 +1124,7 @@ def test_a_text_that_is_not_what_the_facts_give_is_shown_from_where_it_parts():
 
 
 @pytest.mark.parametrize("lie", ["", "A", "B", "A an", "A and C", "A and B are not apart"])
-def test_texts_that_part_early_are_shown_from_their_beginning(lie):
+def test_texts_that_differ_early_are_quoted_from_their_beginning(lie):
     data = json.loads(sv.record(A, B).to_json()) | {"sentence": lie}
     with pytest.raises(
         sv.InvalidScene,
@@ -1336,7 +1336,7 @@ def test_the_table_of_many_pairs_of_parts_shows_the_first_and_the_one_that_colli
 
 @pytest.mark.parametrize("lie", sv.Relation)
 @pytest.mark.parametrize("choice", ["world", "hull-normals", "needed"])
-def test_a_certificate_comes_to_an_end_whatever_relate_says(lie, choice, monkeypatch):
+def test_a_certificate_is_right_even_where_relate_returns_a_wrong_relation(lie, choice, monkeypatch):
     for a, b in [(A, B), (A, A), (L, box(2.5, 2.5, 3.5, 3.5)), (L, box(1, 1, 3, 3)), (L, sv.Circle((3, 3), 1))]:
         truth = sv.relate(a, b)
         monkeypatch.setattr(trace_module, "relate", lambda a, b: lie)
@@ -1344,7 +1344,7 @@ def test_a_certificate_comes_to_an_end_whatever_relate_says(lie, choice, monkeyp
         assert certificate.check() and isinstance(certificate, SharedPoint) == (truth is not sv.Relation.APART)
 
 
-def test_what_is_written_can_be_read_again_or_is_not_written(monkeypatch):
+def test_a_trace_that_could_not_be_read_again_is_not_written(monkeypatch):
     trace = sv.record(A, B)
     size = len(trace.to_json())
     monkeypatch.setattr(tracefile, "MAX_CHARS", size)

@@ -145,13 +145,13 @@ def test_right_programs_pass(said):
     assert not said["right.py"]
 
 
-def test_readme_passes_but_for_what_may_be_none(said):
+def test_readme_passes_except_for_values_that_may_be_none(said):
     """Its pair is apart, so it asks for the separating axis's gap without looking whether there is one."""
     others = [m for file in said if file.startswith("readme") for lines in said[file].values() for m in lines]
     assert [m for m in others if '"None"' not in m] == []
 
 
-def test_each_wrong_use_is_told_of_and_nothing_else(said):
+def test_type_checkers_report_each_wrong_use_and_nothing_else(said):
     first = START.count("\n") + 1
     reported = {WRONG[line - first] if line >= first else f"line {line}" for line in said["wrong.py"]}
     assert reported == set(WRONG)

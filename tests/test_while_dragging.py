@@ -48,7 +48,7 @@ def text_of(state, where, part):
 
 
 @pytest.mark.parametrize("name", one_in(6, EXPLORED))
-def test_sentence_picture_number_line_and_table_speak_of_one_axis_with_one_number(name):
+def test_sentence_picture_number_line_and_table_show_the_same_axis_and_number(name):
     for model, state in poses(name):
         if state["lit"] is None or "line" not in state:
             continue
@@ -148,7 +148,7 @@ def test_a_number_line_has_the_scale_of_its_picture():
 
 @pytest.mark.parametrize("name", ["triangles", "circles", "far-centers", "lengths", "tile-seam"])
 @pytest.mark.parametrize("width", [None, 350])
-def test_no_words_of_a_number_line_meet(name, width):
+def test_no_labels_of_a_number_line_overlap(name, width):
     model = ExplorerModel(sv.scene(name))
     state = model.state()
     model.answer({"kind": "pose", "n": 1, "a": state["a"], "b": state["b"], "width": width})
@@ -275,7 +275,7 @@ def before_axis(name, axes):
     ],
     ids=["few", "many", "most"],
 )
-def test_no_label_leaps_unless_what_it_names_does_and_few_are_left_out(seeds):
+def test_no_label_jumps_unless_its_target_does_and_few_are_left_out(seeds):
     found = {seed: leaps_and_missing(seed) for seed in seeds}
     assert not {seed: leaps for seed, (leaps, _, _) in found.items() if leaps}
     missing, shown = (sum(each[i] for each in found.values()) for i in (1, 2))
@@ -346,7 +346,7 @@ def let_go(b, key="b"):
 
 @pytest.mark.parametrize("x", [2.93, 3.07])
 @pytest.mark.parametrize("key", ["a", "b"])
-def test_let_go_close_by_shapes_snap_and_that_is_said(x, key):
+def test_shapes_released_near_a_touch_snap_and_a_message_says_so(x, key):
     state, model = let_go(sv.Polygon([(x, 1), (5, 0.5), (5, 2)]), key)
     assert state["relation"] == "touching" and state["snapped"] == "Snapped: they touch exactly."
     assert (model.scene.a.vertices[0].x != 0) == (key == "a")
@@ -354,12 +354,12 @@ def test_let_go_close_by_shapes_snap_and_that_is_said(x, key):
     assert again["relation"] == "touching" and "snapped" not in again
 
 
-def test_what_was_said_of_snapping_is_not_said_of_the_next_scene():
+def test_the_message_about_snapping_does_not_stay_in_the_next_scene():
     state, model = let_go(sv.Polygon([(3.07, 1), (5, 0.5), (5, 2)]))
     assert "snapped" in state and "snapped" not in model.answer({"kind": "preset", "name": "triangles"})
 
 
-def test_where_no_place_is_found_that_is_said_and_nothing_moves():
+def test_if_no_touching_place_is_found_a_message_says_so_and_nothing_moves():
     third = 1 / 3
     state, model = let_go(sv.Circle((3.4 + third, 3.4 + third), 1.013))  # off a corner, at no angle with floats
     assert state["snapped"].startswith("No place nearby was found") and state["relation"] != "touching"
@@ -367,7 +367,7 @@ def test_where_no_place_is_found_that_is_said_and_nothing_moves():
 
 
 @pytest.mark.parametrize("b", [sv.Polygon([(8, 1), (9, 0.5), (9, 2)]), sv.Polygon([(3, 1), (5, 0.5), (5, 2)])])
-def test_far_away_or_touching_already_nothing_snaps(b):
+def test_shapes_far_apart_or_touching_already_do_not_snap(b):
     state, model = let_go(b)
     assert "snapped" not in state and model.scene.b == b
 
@@ -386,7 +386,7 @@ def test_an_arrow_key_snaps_on_the_way_to_a_touch_and_leaves_it_again():
 # -- challenges, the dial
 
 
-def test_the_map_is_hidden_until_a_shortcut_is_broken_or_the_challenge_given_up():
+def test_the_error_region_is_hidden_until_the_challenge_is_solved_or_given_up():
     model = ExplorerModel(sv.scene("far-centers"))
     state = model.answer({"kind": "challenge", "goal": "break"})
 
