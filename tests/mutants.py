@@ -111,7 +111,7 @@ ALIAS = m.SimpleStatementLine([m.Assign(value=m.Subscript() | m.BinaryOperation(
 
 
 def ours(node: cst.CSTNode) -> Iterator[cst.CSTNode]:
-    """What a node is replaced with, beside mutmut's own."""
+    """Yield the replacements of a node, in addition to those of mutmut."""
     for other in SWAPS.get(type(node), ()):
         yield other()
     match node:
@@ -268,7 +268,7 @@ class Watch:
 
 
 def judge(path: Path, source: str, tests: list[str], about: str, watch: Watch) -> int:
-    """pytest's exit code in this process, which dies of a signal if a test runs away."""
+    """Return pytest's exit code in this process, which a signal ends if a test runs too long."""
     import hypothesis
     import numba
     import pytest

@@ -17,7 +17,7 @@ DESIGN = (Path(__file__).parent.parent / "DESIGN.md").read_text(encoding="utf-8"
 
 
 def listed(block):
-    """The first words of a list in DESIGN.md, from the bottom up."""
+    """Return the first words of a list in DESIGN.md, from the bottom up."""
     (text,) = re.findall(rf"^```{block}\n(.*?)^```$", DESIGN, re.MULTILINE | re.DOTALL)
     return [line.split()[0] for line in text.splitlines()][::-1]
 
@@ -43,7 +43,7 @@ MODULES = {module_name(path): path for path in ROOT.rglob("*.py")}
 
 @cache
 def imported(path):
-    """The modules of satviz that a file imports, at import time, inside functions and for type checkers."""
+    """Return the modules of satviz that a file imports: at import time, inside functions and for type checkers."""
     package = module_name(path).split(".")[: None if path.name == "__init__.py" else -1]
     found = []
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):

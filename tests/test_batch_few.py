@@ -60,12 +60,12 @@ def upright_boxes(rng, n, wide):
 
 
 def touching(rng, n, wide):
-    """Unit boxes and diamonds on a grid: nearly every pair near each other touches, at corners or along sides."""
+    """Return unit boxes and diamonds on a grid, where nearly every pair of neighbours touches."""
     return [(BOX, DIAMOND)[k] + rng.integers(0, wide, 2) for k in rng.integers(0, 2, n)]
 
 
 def circles(rng, n, wide):
-    """Radii and distances of Pythagorean triples, so that many touch."""
+    """Return circles with radii and distances of Pythagorean triples, so that many touch."""
     return [(rng.integers(0, wide, 2) * (3, 4)[k], (1, 4, 2.5)[k + 1]) for k in rng.integers(0, 2, n)]
 
 
@@ -641,7 +641,7 @@ def test_numpy_makes_batches_and_answers_without_loading_numba():
 
 @pytest.fixture(params=ENGINES)
 def made_by(request, monkeypatch):
-    """Batches are made by this engine."""
+    """Let one engine make all batches."""
     engine = engines.engine_of(request.param)
     monkeypatch.setattr(constructors, "engine_for_checks", lambda _: engine)
     return request.param
@@ -862,7 +862,7 @@ def test_a_batch_is_read_correctly_while_another_thread_joins_its_blocks(functio
     want, lines = use(batch.concat([boxes, circles])), 0
 
     def joined_before(line):
-        """What `use` returns where the blocks are joined just before that line of the function."""
+        """Return what `use` returns if the blocks are joined just before that line of the function."""
         shapes, count = batch.concat([boxes, circles]), 0
 
         def trace(frame, event, _):

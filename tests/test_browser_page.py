@@ -7,7 +7,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from browser import explored, settled, shut_out
+from browser import accessibility_faults, explored, settled
 from matplotlib.colors import to_hex
 from matplotlib.path import Path
 
@@ -66,12 +66,12 @@ READ = """() => [...document.querySelectorAll('[data-id]')].map(e => {
 
 
 def colour(css):
-    """ "rgb(0, 114, 178)" as "#0072b2"."""
+    """Return a colour such as "rgb(0, 114, 178)" as "#0072b2"."""
     return to_hex([int(c) / 255 for c in css.removeprefix("rgb(").removesuffix(")").split(",")])
 
 
 def svg_look(part):
-    """How a line, a filled shape or a text looks, and its corners in points; of a circle its leftmost and rightmost."""
+    """Return the style and the corners (points) of a line, a filled shape or a text; of a circle both sides."""
     if part["text"] is not None:
         look = colour(part["fill"]), part["text"], part["fontSize"], part["bold"]
         return look, np.array([part["at"].split()], dtype=float)
@@ -85,7 +85,7 @@ def svg_look(part):
 
 
 def matplotlib_looks(pen, drawn):
-    """The same of all that the matplotlib pen drew, what lies on top last."""
+    """Yield the same for everything that the matplotlib pen drew, in drawing order."""
 
     def on_canvas(points):
         return (np.asarray(points) - [drawn.limits[0], drawn.limits[3]]) * [drawn.scale, -drawn.scale]
@@ -187,7 +187,7 @@ def test_the_page_plays_only_when_asked_and_stops_at_the_end(browser, errors, pa
 
 
 def pressed_on(page, key, *, on="body"):
-    """How many steps on the player is after a key."""
+    """Return by how many steps a key moves the player."""
     before = page.locator(".sv-count").inner_text()
     if on == "body":
         page.evaluate("document.activeElement.blur()")
@@ -375,7 +375,7 @@ def test_the_page_has_no_accessibility_fault(browser, errors, pages, axe_core, t
             page.get_by_role("checkbox", name="B − A").check()
             page.locator(".sv-difference").wait_for()
             page.locator(".sv-menu summary:has-text('save')").click()
-            assert [f for f in shut_out(axe_core, page) if "<h1" not in f[1]] == []
+            assert [f for f in accessibility_faults(axe_core, page) if "<h1" not in f[1]] == []
     for name in "triangles", "tile-seam":
         context = browser.new_context(color_scheme=theme, **screen)
         page = context.new_page()
@@ -383,7 +383,7 @@ def test_the_page_has_no_accessibility_fault(browser, errors, pages, axe_core, t
         settled(page)
         for step in "0", "2":
             page.get_by_role("slider", name="step").fill(step)
-            assert shut_out(axe_core, page) == []
+            assert accessibility_faults(axe_core, page) == []
         context.close()
 
 
@@ -542,7 +542,7 @@ ANSWERED = "() => !window.unanswered"
 
 
 def stop_the_clock(page):
-    """From now on time passes for the page only where the test says so."""
+    """Stop the page's clock, so that only the test lets its time pass."""
     page.clock.install(time=0)
     page.clock.pause_at(1000)
 

@@ -1,7 +1,7 @@
 """The paste box and shapes by hand, in a real browser, at the width of a desk and of a phone."""
 
 import pytest
-from browser import axe, explored, settled, shut_out
+from browser import accessibility_faults, axe, explored, settled
 from reports import REPORTS
 
 import satviz as sv
@@ -252,7 +252,7 @@ def test_the_paste_box_has_no_accessibility_fault(browser):
         desk = Desk(page, None)
         desk.paste(BY_THREAD["libgdx/libgdx#1635"].text)
         desk.press("draw polygon")
-        assert shut_out(source, page) == []
+        assert accessibility_faults(source, page) == []
     assert errors == []
 
 

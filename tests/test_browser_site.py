@@ -11,7 +11,7 @@ from itertools import cycle
 from xml.etree import ElementTree
 
 import pytest
-from browser import served, settled, shut_out
+from browser import accessibility_faults, served, settled
 from PIL import Image
 
 import satviz as sv
@@ -37,7 +37,7 @@ def url(built):
 
 
 def watched(context, at, errors):
-    """A page of which each error, and each request to anywhere but this address, is kept."""
+    """Return a page that records each error, and each request to another address."""
     page = context.new_page()
     page.on("pageerror", lambda error: errors.append(str(error)))
     page.on("console", lambda message: errors.append(message.text) if message.type == "error" else None)
@@ -78,7 +78,7 @@ OPEN_ALL = "for (const rest of document.querySelectorAll('.rest')) rest.open = t
 
 
 def whole(page):
-    """Show all of a chapter, which waits for answers, and its players, which are made when they are near."""
+    """Open all folds of a chapter, and scroll to its players, which are made when they are near."""
     page.get_by_role("button", name="Show the whole chapter").click()
     for player in page.locator(".player:visible").all():
         player.evaluate("player => player.scrollIntoView()")
@@ -92,24 +92,24 @@ def middle(page, part):
     return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
 
 
-def said(page):
+def sentence_of(page):
     return page.locator(".live .sv-sentence").inner_text()
 
 
-def says(page, word):
+def wait_for_sentence(page, word):
     page.wait_for_function(f"() => document.querySelector('.live .sv-sentence').textContent.includes({word!r})")
 
 
 def test_a_triangle_is_dragged_with_the_mouse(visit):
     page = visit("")
-    assert said(page) == sv.scene("triangles").record().sentence
+    assert sentence_of(page) == sv.scene("triangles").record().sentence
     (ax, ay), (bx, by) = middle(page, "A.outline"), middle(page, "B.outline")
     page.mouse.move(bx, by)
     page.mouse.down()
     for i in range(1, 21):
         page.mouse.move(bx + (ax - bx) * i / 20, by + (ay - by) * i / 20)
     page.mouse.up()
-    says(page, "overlap")
+    wait_for_sentence(page, "overlap")
     assert page.locator(".live").get_by_text("overlapping").count()
 
 
@@ -126,7 +126,7 @@ def test_a_triangle_is_dragged_with_a_finger_on_a_phone(visit):
     for i in range(1, 11):
         finger("touchMove", (bx + (ax - bx) * i / 10, by + (ay - by) * i / 10))
     finger("touchEnd")
-    says(page, "overlap")
+    wait_for_sentence(page, "overlap")
 
 
 def test_a_triangle_is_moved_with_the_keyboard(visit):
@@ -134,7 +134,7 @@ def test_a_triangle_is_moved_with_the_keyboard(visit):
     page.locator('[data-handle="B-move"]').focus()
     for _ in range(24):
         page.keyboard.press("ArrowLeft")
-    says(page, "overlap")
+    wait_for_sentence(page, "overlap")
 
 
 def test_no_page_is_wider_than_its_window_or_has_an_accessibility_fault(visit, url, built, axe_core):
@@ -154,7 +154,7 @@ def test_no_page_is_wider_than_its_window_or_has_an_accessibility_fault(visit, u
             page.set_viewport_size({"width": width, "height": 844})
             settled(page)
             assert page.evaluate("document.documentElement.scrollWidth") <= width, path
-        assert shut_out(axe_core, page) == [], path
+        assert accessibility_faults(axe_core, page) == [], path
 
 
 def test_a_site_works_where_a_browser_has_no_space_to_store_its_files(visit, url):
@@ -178,13 +178,13 @@ def test_no_live_page_and_no_frame_has_an_accessibility_fault(visit, axe_core, p
     """Neither dark at a desk nor light on a telephone."""
     page = visit(path, color_scheme="dark")
     if path[:1].isdigit():
-        assert shut_out(axe_core, page) == []
+        assert accessibility_faults(axe_core, page) == []
         whole(page)
-    assert shut_out(axe_core, page) == []
+    assert accessibility_faults(axe_core, page) == []
     page.emulate_media(color_scheme="light")
     page.set_viewport_size({"width": 390, "height": 844})
     page.wait_for_function(LIGHT_NOW)
-    assert shut_out(axe_core, page) == []
+    assert accessibility_faults(axe_core, page) == []
 
 
 def test_python_starts_from_the_stored_memory(visit):
@@ -285,7 +285,7 @@ def test_a_link_that_opens_nothing_says_why_and_offers_the_scenes(visit, link):
     offer.get_by_role("link", name="Two circles").click()
     page.locator(".live.ready").wait_for(timeout=LIVE)
     assert not offer.is_visible() and why.inner_text() == "" and page.url.endswith("#circles")
-    assert said(page) == sv.scene("circles").record().sentence
+    assert sentence_of(page) == sv.scene("circles").record().sentence
 
 
 def test_a_failing_scenes_link_opens_it(visit):
@@ -298,15 +298,15 @@ def test_a_failing_scenes_link_opens_it(visit):
 def test_a_link_opens_the_same_state_and_the_address_follows_each_drag(visit):
     mine = sv.Scene("mine", sv.Polygon([(0, 0), (4, 0), (0, 4)]), sv.Circle((5, 5), 1))
     page = visit(f"scene.html#{fragment(mine, ViewOptions(free=40.0, mtv=True))}")
-    assert "at 40 degrees" in said(page) and page.get_by_label("free axis").is_checked()
+    assert "at 40 degrees" in sentence_of(page) and page.get_by_label("free axis").is_checked()
     assert page.get_by_label("way out").is_checked() and not page.get_by_role("checkbox", name="B − A").is_checked()
     page.locator('[data-handle="axis"]').focus()
     page.keyboard.press("[")
-    says(page, "at 45 degrees")
+    wait_for_sentence(page, "at 45 degrees")
     page.wait_for_function("() => location.hash.includes('free=45')")
     page.reload()
     page.locator(".live.ready").wait_for(timeout=LIVE)
-    assert "at 45 degrees" in said(page)
+    assert "at 45 degrees" in sentence_of(page)
 
 
 def test_a_link_to_a_step_opens_the_player(visit):
@@ -339,12 +339,12 @@ def test_the_link_to_a_step_of_the_run_on_every_axis_opens_that_step(visit):
     page.context.grant_permissions(["clipboard-read", "clipboard-write"])
     page.get_by_role("button", name="test the rest").click()
     page.get_by_role("slider", name="step").fill("30")
-    before = said(page), page.locator(".sv-count").inner_text()
+    before = sentence_of(page), page.locator(".sv-count").inner_text()
     page.locator(".sv-menu summary:has-text('save')").click()
     page.get_by_role("button", name="copy link").click()
     page.get_by_text("Copied.").wait_for()
     page = visit(page.evaluate("navigator.clipboard.readText()").rpartition("/")[2])
-    assert (said(page), page.locator(".sv-count").inner_text()) == before
+    assert (sentence_of(page), page.locator(".sv-count").inner_text()) == before
     assert page.get_by_role("button", name="test the rest").get_attribute("aria-pressed") == "true"
 
 
@@ -369,16 +369,16 @@ def test_the_skip_link_does_not_open_a_scene(visit):
     page.keyboard.press("Enter")
     page.wait_for_function("() => location.hash === '#main'")
     page.locator('[data-handle="B-move"]').press("ArrowLeft")
-    says(page, "1.700")
+    wait_for_sentence(page, "1.700")
     assert page.locator(".status").inner_text() == ""
     page = visit("scene.html#main")
-    assert said(page) == sv.scene("triangles").record().sentence
+    assert sentence_of(page) == sv.scene("triangles").record().sentence
 
 
 def test_a_drag_just_before_another_scene_is_opened_does_not_change_its_address(visit):
     page = visit("scene.html#circles")
     page.locator('[data-handle="B-move"]').press("ArrowLeft")
-    says(page, "1.700")  # the address follows a little later
+    wait_for_sentence(page, "1.700")  # the address follows a little later
     page.evaluate("() => { location.hash = 'far-centers'; }")
     page.locator(".sv-heading", has_text="centers").wait_for()
     page.wait_for_timeout(600)
@@ -391,7 +391,7 @@ def test_the_error_of_a_link_disappears_when_the_scene_changes(visit):
     page.get_by_text("This link cannot be opened").wait_for()
     assert page.locator(".offer").is_visible()
     page.locator('[data-handle="B-move"]').press("ArrowLeft")
-    says(page, "1.700")
+    wait_for_sentence(page, "1.700")
     assert page.locator(".status").inner_text() == "" and not page.locator(".offer").is_visible()
 
 
@@ -504,8 +504,8 @@ def one_spaced(texts):
     return {" ".join(line.split()) for text in texts for line in text.split("\n")}
 
 
-def heard(page):
-    """The lines of all names and texts that the browser hands to a screen reader."""
+def announced(page):
+    """Return the lines of all names and texts that the browser gives to a screen reader."""
     nodes = page.context.new_cdp_session(page).send("Accessibility.getFullAXTree")["nodes"]
     return one_spaced(node.get("name", {}).get("value", "") for node in nodes if not node["ignored"])
 
@@ -513,7 +513,7 @@ def heard(page):
 @pytest.mark.parametrize("more", [{}, PHONE], ids=["desktop", "phone"])
 @pytest.mark.parametrize("chapter", chapters(), ids=lambda chapter: chapter.path)
 def test_nothing_gives_a_question_away_until_it_is_answered(visit, chapter, more):
-    """Neither seen nor heard: the answer, and all that comes after it."""
+    """No reader and no screen reader gets the answer, or anything that comes after it."""
     page = visit("gallery.html", live=False, service_workers="block", **more)
     without_python(page)
     page.goto(page.url.replace("gallery.html", chapter.path))
@@ -523,11 +523,11 @@ def test_nothing_gives_a_question_away_until_it_is_answered(visit, chapter, more
         assert asked.nth(i).is_visible() and page.locator("ul.choices:visible").count() == i + 1
         waiting = page.locator("article > .later:not([open]) > :not(summary), .rest > :not(summary)")
         assert waiting.evaluate_all(unseen)
-        told, there = heard(page), page.locator("article > :is(:not(.rest, .later), .later[open])")
-        given_away = told & one_spaced(waiting.all_text_contents()) - one_spaced(there.all_text_contents())
+        lines, there = announced(page), page.locator("article > :is(:not(.rest, .later), .later[open])")
+        given_away = lines & one_spaced(waiting.all_text_contents()) - one_spaced(there.all_text_contents())
         assert not {line for line in given_away if len(line) > 30}
         words = GIVES_AWAY.get((chapter.path, i))
-        assert not words or not re.search(words, "\n".join([page.locator("article").inner_text(), *told]))
+        assert not words or not re.search(words, "\n".join([page.locator("article").inner_text(), *lines]))
         choose = asked.nth(i).locator("li[data-right] button")
         choose.tap() if more else choose.click()
         page.wait_for_function(
@@ -567,7 +567,7 @@ def test_no_label_of_a_link_makes_the_page_wider(visit):
 
 
 def saved(page, form, inside=".live"):
-    """The file that the save menu hands over."""
+    """Return the file that the save menu saves."""
     page.locator(f"{inside} .sv-menu summary:has-text('save')").click()
     with page.expect_download() as found:
         page.locator(inside).get_by_role("button", name=f"save {form.upper()}").click()
@@ -579,11 +579,11 @@ def saved(page, form, inside=".live"):
 def test_the_picture_is_saved_as_it_is_shown(visit, theme):
     page = visit("scene.html#triangles", color_scheme=theme.name)
     page.locator('[data-handle="B-move"]').press("ArrowLeft")
-    says(page, "1.11")
+    wait_for_sentence(page, "1.11")
     svg = saved(page, "svg").decode()
     root = ElementTree.fromstring(svg)
     line = page.locator(".live .sv-line").get_attribute("aria-label")
-    assert root.find("{*}title").text == f"{said(page)} {line}" and "var(" not in svg and "style=" not in svg
+    assert root.find("{*}title").text == f"{sentence_of(page)} {line}" and "var(" not in svg and "style=" not in svg
     assert root.find("{*}rect").get("fill") == theme.paper
     blue = f"rgb({', '.join(str(c) for c in bytes.fromhex(theme.roles['A'][1:]))})"
     assert blue in {path.get("stroke") for path in root.findall(".//{*}path")}
@@ -671,7 +671,7 @@ def test_python_starts_without_the_stored_memory_if_that_does_not_load(built, vi
         page.locator('[data-handle="B-move"]').focus()
         for _ in range(24):
             page.keyboard.press("ArrowLeft")
-        says(page, "overlap")
+        wait_for_sentence(page, "overlap")
         page.context.close()
     if harm == "unknown to Pyodide":  # Python itself says why its first start failed
         assert errors[0].startswith("Fatal Python error")
@@ -680,7 +680,7 @@ def test_python_starts_without_the_stored_memory_if_that_does_not_load(built, vi
 
 @pytest.fixture
 def slim(monkeypatch):
-    """A site built now has neither chapters nor reference, which take long to make."""
+    """Let a site that is built now have neither chapters nor reference, which take long to make."""
     monkeypatch.setattr(build, "chapters", list)
     monkeypatch.setattr(build, "reference", lambda in_site: ())
 
@@ -753,7 +753,7 @@ def test_a_page_read_once_opens_without_a_server(built, visit):
 def left_until_met(page):
     """Press the arrow key, each time with its answer, until the challenge is met."""
     for _ in range(60):
-        before = said(page)
+        before = sentence_of(page)
         page.keyboard.press("ArrowLeft")
         page.wait_for_function(
             "before => document.querySelector('.live .sv-sentence').textContent !== before", arg=before
@@ -1030,14 +1030,14 @@ def test_a_key_on_a_handle_ends_the_first_minute_and_moves_the_shape(visit):
     page.locator('[data-handle="B-move"]').focus()
     page.locator(".turning").wait_for(state="detached")
     page.keyboard.press("ArrowLeft")
-    says(page, "1.")
+    wait_for_sentence(page, "1.")
 
 
 # -- the page "Is yours right?"
 
 
 def run_code(page, language=None, code=None):
-    """Run what stands in the editor, and return what the page says of it."""
+    """Run the code in the editor, and return the page's report."""
     if language:
         page.locator(f'[value="{language}"]').check()
     if code is not None:
@@ -1051,7 +1051,7 @@ def run_code(page, language=None, code=None):
 
 @pytest.fixture(scope="module")
 def one_check_page(browser, url):
-    """The page, which is opened once since Python takes long to start, and what it complains of."""
+    """Yield the page, opened once since Python takes long to start, and the list of its errors."""
     errors = []
     context = browser.new_context(viewport={"width": 1280, "height": 800})
     yield watched(context, url, errors), errors
@@ -1060,7 +1060,7 @@ def one_check_page(browser, url):
 
 @pytest.fixture
 def check_page(one_check_page, url):
-    """The page with no code kept, in Python; a test before may have left it, or left code and an answer there."""
+    """Yield the page in Python without stored code; an earlier test may have left code and an answer there."""
     page, errors = one_check_page
     if page.url != f"{url}yours.html":
         page.goto(f"{url}yours.html")
@@ -1144,7 +1144,7 @@ def collide(a, b):
 
 @contextmanager
 def served_without_headers(folder):
-    """As a plain server of files does, which sends no policy: only the page's own meta tag holds."""
+    """Serve the site without a security policy in the headers, so that only the page's own meta tag counts."""
     plain = partial(Plain, directory=str(folder))
     with ThreadingHTTPServer(("127.0.0.1", 0), plain) as serving:
         threading.Thread(target=serving.serve_forever, daemon=True).start()
@@ -1184,7 +1184,7 @@ def test_a_hostile_function_reaches_neither_the_page_nor_another_server(browser,
 
 @contextmanager
 def served_spy():
-    """A server of another origin that remembers what it is asked, and answers anybody."""
+    """Yield a server of another origin that records its requests and answers all."""
     asked = []
 
     class Spy(BaseHTTPRequestHandler):
@@ -1303,7 +1303,7 @@ def drag(page, by, start, end):
 def test_the_check_page_has_no_accessibility_fault(check_page, axe_core):
     run_code(check_page)
     check_page.locator(".yours").wait_for()
-    assert shut_out(axe_core, check_page) == []
+    assert accessibility_faults(axe_core, check_page) == []
 
 
 def test_a_program_of_a_chapter_is_opened_and_corrected_without_replacing_the_readers_own(check_page):

@@ -442,7 +442,7 @@ def test_a_fault_of_our_own_is_one_line_too_and_development_mode_shows_where(err
 
 @pytest.fixture
 def listening():
-    """A test run in the background has interrupts ignored."""
+    """Let this process take interrupts, which a test run in the background ignores."""
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
     yield
     signal.signal(signal.SIGINT, before)
@@ -454,7 +454,7 @@ class Finalized:
 
 
 def vanishing(work):
-    """The work with an interrupt in it that comes inside a callback, where its exception is lost."""
+    """Do the work with an interrupt inside a callback, where its exception is lost."""
 
     def worked(*args, **more):
         Finalized()
@@ -658,7 +658,7 @@ def test_options_that_cannot_be_together_get_one_line(line, capsys, tmp_path, mo
 @pytest.mark.parametrize("scene", ["circles", "no-area"])
 @pytest.mark.parametrize("form", one_in(3, DRAW_FORMATS))
 def test_no_option_of_draw_is_ignored_silently(form, scene, capsys, tmp_path, monkeypatch):
-    """What is given changes what is made, or is refused; or it is so in any case, as the help says."""
+    """Each option changes the files, or is refused, or has an effect in any case, as the help says."""
 
     def files(pictures, form, theme, stem, times=()):
         return f"{form} {len(pictures)} {theme.name} {pictures[-1].to_json()} {times}".encode()

@@ -434,7 +434,7 @@ def test_a_step_shows_no_more_than_its_sentence_and_its_labels_stay_in_the_next_
 
 
 def pushes_on(size, count, text="push (-1234567890123, 9876543210987)"):
-    """A picture of labels alone, all of which must be said, asked for round the middle of a canvas of that size."""
+    """Return a picture of required labels alone, requested around the middle of a canvas of that size."""
     layout = Layout((0.0, 0.0, *size), size)
     spots = [sv.Vec(size[0] * (0.4 + 0.02 * i), size[1] / 2) for i in range(count)]
     requests = [LabelRequest("push", text, "move", spot, number=i) for i, spot in enumerate(spots)]

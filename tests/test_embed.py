@@ -21,7 +21,7 @@ def address(html):
 
 
 def opened(html):
-    """What the page of a frame's address opens."""
+    """Return what the page of a frame's address opens."""
     asked, _, fragment = address(html).partition("?")[2].partition("#")
     return json.loads(live.answer("frame", json.dumps({"kind": "open", "hash": fragment, "query": asked})))
 

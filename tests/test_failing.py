@@ -585,7 +585,7 @@ def test_of_fifteen_axes_in_space_only_edge_crosses_separate():
 
 
 def corners_in_space(box):
-    """Return the eight corners of a box in space."""
+    """Yield the eight corners of a box in space."""
     for signs in product((-1, 1), repeat=3):
         yield tuple(
             c + sum(s * h * u[i] for s, h, u in zip(signs, box.half, box.axes, strict=True))

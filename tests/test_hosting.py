@@ -38,7 +38,7 @@ def pages(files):
 
 @pytest.fixture(scope="module")
 def unknown():
-    """What all pages share of a site whose address is not known."""
+    """Return the SiteInfo of a site whose address is not known."""
     return pages_of_site.SiteInfo(chapters.chapters(), guides.guides(), "v1", False, False)
 
 

@@ -42,7 +42,7 @@ def prose(notebook):
 
 
 def cells_that_differ(notebook, folder):
-    """Run a copy of the notebook; what nbval says of the code cells that failed or showed something else, by id."""
+    """Run a copy of the notebook; return nbval's messages about cells that failed or differ, by cell id."""
     import nbformat
 
     nbformat.write(notebook, folder / "copy.ipynb")
@@ -63,7 +63,7 @@ def cells_that_differ(notebook, folder):
 
 
 def with_numbers_changed(notebook):
-    """The ids of the cells in which the first digit shown was made another one."""
+    """Change the first shown digit of each cell and return the ids of these cells."""
     changed = set()
     for cell in code_cells(notebook):
         if "nbval-ignore-output" in cell.metadata.get("tags", ()):

@@ -26,7 +26,7 @@ MISSING = "jupyter", "fast", "docs", "site"
 
 @pytest.fixture(scope="module")
 def wheels(tmp_path_factory):
-    """The wheel of the sdist, and the wheel of the checkout."""
+    """Return the wheel of the sdist and the wheel of the checkout."""
     folder = tmp_path_factory.mktemp("build")
     for name, options in ("through", []), ("straight", ["--wheel"]):
         code, said = uv("build", "-q", *options, "--out-dir", folder / name, ROOT, cwd=folder)
@@ -36,7 +36,7 @@ def wheels(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def alone(tmp_path_factory, wheels):
-    """The Python of an environment with the wheel and what it needs, and with nothing else."""
+    """Return the Python of an environment with only the wheel and its dependencies."""
     return environment(tmp_path_factory.mktemp("alone"), wheels[0])
 
 

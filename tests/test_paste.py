@@ -35,7 +35,7 @@ def found(pasted):
 
 
 def points(text, as_=""):
-    """The corners that were read, shape by shape."""
+    """Return the corners that were read, shape by shape."""
     return [[tuple(v) for v in each.vertices] for each in sv.paste(text, as_).readings]
 
 
@@ -653,7 +653,7 @@ TEXTS = (*REPORTS, *PASTES)
 
 
 def mutated(text, rng):
-    """The text with some letters taken out, put in or doubled."""
+    """Return the text with some letters removed, inserted or doubled."""
     letters = list(text)
     for _ in range(rng.choice((1, 1, 2, 3, 8))):
         i, j = sorted((rng.randrange(len(letters) + 1), rng.randrange(len(letters) + 1)))
@@ -672,7 +672,7 @@ def mutated(text, rng):
 
 
 def numerals(text):
-    """The sizes of all numbers in a text, in their order, found by other means than the tokenizer."""
+    """Return the absolute values of all numbers in a text, in order, found without the tokenizer."""
     values = []
     for match in NUMERAL.finditer(text.replace("\u2212", "-")):
         try:
@@ -684,7 +684,7 @@ def numerals(text):
 
 
 def stands_in_order(sizes, numbers):
-    """Whether the sizes stand in the numbers in this order, with others between them."""
+    """Return whether the sizes occur in the numbers in this order, perhaps with others between them."""
     rest = iter(numbers)
     return all(size in rest for size in sizes)
 

@@ -13,7 +13,7 @@ import satviz as sv
 
 
 def bounds(read):
-    """The bounding box of a shape as it was read."""
+    """Return the bounding box of a shape as it was read."""
     reach = read.radius or 0
     xs, ys = zip(*read.points, strict=True)
     return tuple(float(v) for v in (min(xs) - reach, min(ys) - reach, max(xs) + reach, max(ys) + reach))
@@ -61,7 +61,7 @@ LINES_BEHIND = (
 
 
 def places_of_data(pasted):
-    """The places behind the numbers and around the brackets of the shapes, each with what can be put there."""
+    """Yield the places after the numbers and around the brackets of the shapes, each with texts to insert there."""
     text = pasted.text
     for each in pasted.readings:
         yield from ((place, AFTER_A_NUMBER) for place in sorted(each.read.used))
@@ -76,7 +76,7 @@ def places_of_data(pasted):
 
 
 def attack(count, seed):
-    """Put a sign or a call beside the data of texts that are answered, or a line behind them: none stays answered."""
+    """Insert a sign or a call beside the data of answered texts, or a line after them; return those still answered."""
     rng = random.Random(seed)
     answered = [sv.paste(each.text, each.as_) for each in (*PASTES, *REPORTS, *TEXTS) if getattr(each, "bounds", True)]
     answered = [p for p in answered if not p.open and p.traces and "leave-out" not in p.chosen and "_" not in p.chosen]

@@ -45,7 +45,7 @@ TRACES = {scene.name: scene.record() for scene in SCENES} | {
 
 
 def every_picture():
-    """How to make each; made at collection, they would cost every run of one test two seconds."""
+    """Yield functions that make the pictures: made at collection, they would cost each run two seconds."""
     for name, trace in TRACES.items():
         for i in range(len(sv.steps(trace))):
             yield f"{name} {i}", partial(sv.picture, trace, i)
@@ -76,7 +76,7 @@ def pictured(name):
 
 
 def boxes(picture):
-    """Each label's box in points from the lower left."""
+    """Yield each label's box in points from the lower left."""
     x0, y0 = picture.limits[:2]
     for mark in picture.marks:
         if mark.kind == "label":
@@ -90,7 +90,7 @@ def meet(p, q):
 
 
 def strokes(picture):
-    """What a label must not cover: each mark's segments in points, without the dotted guides."""
+    """Yield the segments that a label must not cover, in points, without the dotted guides."""
     x0, y0 = picture.limits[:2]
     for mark in picture.marks:
         if mark.kind in ("outline", "segment", "arrow", "interval", "bracket"):
@@ -211,12 +211,12 @@ def test_a_ranges_label_stands_on_its_bars_own_side(number):
 
 
 def of_one_text(m, n):
-    """Are both labels pieces of one text, which has several colours?"""
+    """Return whether both labels are pieces of one text with several colours."""
     return m.part == n.part and m.part in ("landing-sum", "turn-name")
 
 
 def beyond(p, q, r):
-    """On which side of the line from p to q does r lie?"""
+    """Return a number whose sign says on which side of the line from p to q the point r lies."""
     return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x)
 
 
@@ -265,7 +265,7 @@ def test_the_axis_is_clear_of_both_shapes(name):
 
 
 def apart(points, shape):
-    """Is a drawn line apart from the shape?  A sliver of a triangle stands in for the line."""
+    """Return whether a drawn line is apart from the shape, with a thin triangle in place of the line."""
     p, q = points[0], points[-1]
     if p == q:
         return True
@@ -289,7 +289,7 @@ VECTOR = r"\((\S+), (\S+)\)"
 
 
 def vectors(text):
-    """Every (x, y) in a text."""
+    """Return every (x, y) in a text."""
     return [tuple(float(c.replace("−", "-")) for c in found) for found in re.findall(VECTOR, text)]
 
 
@@ -334,7 +334,7 @@ def test_an_axis_has_one_direction_in_table_sentence_and_arrow_and_its_normal_th
 
 
 def describes_outward(trace, test):
-    """By the middle of an edge: a small step along the axis leaves the shape, as an oracle sees it."""
+    """Return whether a small step along the axis from the middle of its edge leaves the shape, by the oracle."""
     kind, role, ids = test.source
     if kind not in (axes.EDGE, axes.HULL):
         return True
@@ -463,7 +463,7 @@ EYES = {
 
 
 def lab(colour, eye):
-    """CIELAB coordinates of a colour as an eye sees it."""
+    """Return the CIELAB coordinates of a colour as an eye sees it."""
     r, g, b = (min(1, max(0, sum(m * c for m, c in zip(row, linear(colour))))) for row in EYES[eye])
     sums = (
         (0.412 * r + 0.358 * g + 0.180 * b) / 0.950,

@@ -56,7 +56,7 @@ def scene(rng):
 
 
 def named(shape, rng):
-    """Some outlines have vertices with names, short and long, and letters that DejaVu lacks."""
+    """Return an outline whose vertices may have names, short and long, and letters that DejaVu lacks."""
     if isinstance(shape, sv.Circle) or len(shape.vertices) > 8 or rng.random() < 0.6:
         return shape
     names = "the north-eastern corner", "a", "日本語ラベル", "left"

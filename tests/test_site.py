@@ -61,7 +61,7 @@ def files():
 
 @pytest.fixture(scope="module")
 def pages(files):
-    """The site's own pages by their path; those of the reference are pdoc's (test_reference.py)."""
+    """Return the site's own pages by their path; those of the reference are pdoc's (test_reference.py)."""
     own = {path: data for path, data in files.items() if not path.startswith("reference/")}
     return {path: data.decode() for path, data in own.items() if path.endswith(".html")}
 
@@ -79,7 +79,7 @@ def test_no_table_has_a_header_without_words(pages):
 
 
 def without_code(page):
-    """The page without the code that it shows."""
+    """Return the page without the code that it shows."""
     return re.sub(r"<pre\b.*?</pre>", "", page, flags=re.DOTALL)
 
 
@@ -145,7 +145,7 @@ def test_a_chapter_is_whole_without_javascript(pages):
 
 
 def shown_by(chapter, function):
-    """How many cells end with a call of that function."""
+    """Return how many cells end with a call of that function."""
     ends = ["".join(cell["source"]).rsplit("\n", 1)[-1] for cell in chapter.cells if cell["cell_type"] == "code"]
     return sum(end.startswith(function) for end in ends)
 
@@ -796,7 +796,7 @@ def test_no_challenge_is_won_when_it_begins_and_each_has_its_link():
 
 
 def by_the_hint(goal, start):
-    """Where a hand may bring a scene: B moved by arrow keys, a circle level with a point, two corners to one place."""
+    """Yield the scenes that a person can reach: B moved by keys, a circle level with a point, corners on one place."""
     a, b = start.a, start.b
     at_most = 8 / ExplorerModel(start).picture().scale  # as the browser's: 1, 2 or 5 times a power of ten
     step = max(

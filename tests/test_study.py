@@ -223,7 +223,7 @@ def times_by_method(rows):
 
 
 def sharp(time):
-    """A time with nothing between its quartiles."""
+    """Return a time with no distance between its quartiles."""
     return Spread(time, time, time)
 
 

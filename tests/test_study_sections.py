@@ -714,7 +714,7 @@ def test_charts_that_compare_programs_name_the_vectorised_ones():
 
 
 def drawn_texts(fig):
-    """Every label of a figure; ticks beyond the view are not drawn."""
+    """Yield every drawn label of a figure; ticks beyond the view are not drawn."""
     yield from fig.texts
     for ax in fig.axes:
         yield from (child for child in ax.get_children() if isinstance(child, Text))

@@ -31,7 +31,7 @@ def plain(text):
 
 
 def poses(name, count=12, step=0.21):
-    """The explorer's states while B of a scene is moved to the left and up."""
+    """Yield the explorer's states while B of a scene is moved to the left and up."""
     model, scene = ExplorerModel(sv.scene(name)), sv.scene(name)
     size = 200 / model.picture().scale
     yield model, model.state()
@@ -76,7 +76,7 @@ LENGTH = rf"(?:gap \+|gap of |overlap |depth |distance |way out )({NUMBER})"
 
 
 def anywhere(seed):
-    """An explorer's state after both shapes of a scene were moved by chance, and one of the tools was used."""
+    """Return an explorer's state after random moves of both shapes, with one of the tools in use."""
     rng = random.Random(seed)
     scene = sv.scene(rng.choice(EXPLORED))
     model = ExplorerModel(scene)
@@ -190,7 +190,7 @@ WIDEST_PX, WIDEST_PT = 760, 540  # a wide picture is shown so much larger; one o
 
 
 def drag(seed):
-    """(pixels in a unit, picture) of each pose of a drag: what is dragged, and where to, comes from the seed."""
+    """Yield (pixels in a unit, picture) of each pose of a drag, whose handle and way come from the seed."""
     rng = random.Random(seed)
     model = ExplorerModel(sv.scene(EXPLORED[seed % len(EXPLORED)]))
     state, width, key = model.state(), rng.choice([None, 350]), rng.choice("ab")
@@ -221,7 +221,7 @@ def middle(points):
 
 
 def target_of(label, picture):
-    """What a label names: the middle of its shape, its corner, its bar, the tip of its axis; else the canvas."""
+    """Return what a label names: the middle of its shape, a corner, a bar, the tip of an axis, or else the canvas."""
     marks = {(m.part, m.owner, m.axis, m.number): m for m in picture.marks}
 
     def points(part, owner="", axis="", number=None):
@@ -245,7 +245,7 @@ def target_of(label, picture):
 
 
 def leaps_and_missing(seed):
-    """The labels that leap in a drag, how often a label goes missing, and how many labels there are."""
+    """Return the labels that jump in a drag, how often a label goes missing, and how many labels there are."""
     leaps, missing, shown, before = [], 0, 0, {}
     for per_unit, picture in drag(seed):
         now = {m.id: (m.points[0], target_of(m, picture)) for m in picture.labels}
@@ -261,7 +261,7 @@ def leaps_and_missing(seed):
 
 
 def before_axis(name, axes):
-    """Is the axis of a label still shown?"""
+    """Return whether the axis of a label is still shown."""
     number = name.rsplit(".", 1)[1] if "range-name" in name or "gap-name" in name or "axis-name" in name else ""
     return not number or number in axes
 
@@ -306,7 +306,7 @@ def test_when_the_drag_rests_no_label_covers_another():
 
 
 def nearly_touching(seed):
-    """Two shapes with corners on a grid of tenths, a little apart or a little into each other."""
+    """Return two shapes with corners on a grid of tenths, a little apart or overlapping a little."""
     rng = random.Random(seed)
 
     def shape(x):

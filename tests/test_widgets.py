@@ -29,7 +29,7 @@ TRIANGLES = sv.scene("triangles")
 
 
 def explorer(scene="triangles"):
-    """A widget whose messages are kept instead of sent."""
+    """Return a widget whose messages are stored instead of sent."""
     widget = sv.explore(scene)
     widget.sent = []
     widget.send = lambda content, buffers=None: widget.sent.append((content, buffers))
@@ -106,27 +106,27 @@ def test_the_view_stays_while_dragging_and_is_fitted_when_the_drag_ends():
     assert all(x0 < x < x1 and y0 < y < y1 for m in fitted["marks"] if m["id"] == "B.outline" for x, y in m["points"])
 
 
-def heard(widget, **content):
+def reply_to(widget, **content):
     widget._receive(widget, content, [])
     return widget.sent[-1][0]
 
 
 def test_a_challenge_is_set_in_the_widget_evaluated_at_every_pose_and_given_up():
     widget = explorer("aabb")
-    begun = heard(widget, kind="challenge", goal="touch")
+    begun = reply_to(widget, kind="challenge", goal="touch")
     assert begun["goal"]["goal"] == "touch" and not begun["goal"]["met"]
     assert begun["link"].endswith("&goal=touch") and widget.scene == sv.scene("aabb")
     met = pose(widget, b=moved_b(widget, -2, 0))
     assert met["goal"]["met"] and met["goal"]["status"] == "They touch, exactly."
     assert "goal" not in pose(widget, goal=None)
     assert pose(widget, goal="touch")["goal"]["goal"] == "touch"  # undone
-    assert "goal" not in heard(widget, kind="preset", name="circles")
+    assert "goal" not in reply_to(widget, kind="preset", name="circles")
 
 
 @pytest.mark.parametrize("name", ["triangles", "aabb", "far-centers", "box-in-u"])
 @pytest.mark.parametrize("goal", ["touch", "one-axis"])
 def test_no_challenge_of_the_widget_is_won_when_it_begins(name, goal):
-    assert not heard(explorer(name), kind="challenge", goal=goal)["goal"]["met"]
+    assert not reply_to(explorer(name), kind="challenge", goal=goal)["goal"]["met"]
 
 
 @pytest.mark.parametrize("goal", ["touch", "one-axis", "break"])
@@ -141,7 +141,7 @@ def test_no_challenge_of_a_link_is_won_before_the_reader_did_anything(goal):
 
 def test_a_challenge_moves_a_wrong_shortcut_to_a_place_where_it_is_right():
     widget = explorer("far-centers")
-    assert not heard(widget, kind="challenge", goal="break")["goal"]["met"]
+    assert not reply_to(widget, kind="challenge", goal="break")["goal"]["met"]
     assert widget.scene.axes == "far-centers" and widget.scene != sv.scene("far-centers")
 
 
@@ -152,7 +152,7 @@ def test_a_challenge_that_cannot_be_set_is_refused_and_changes_nothing(goal, why
     for kind in "challenge", "pose":
         widget = explorer("circles")
         before = widget._model.state()
-        said = heard(widget, kind=kind, a=before["a"], b=before["b"], goal=goal)
+        said = reply_to(widget, kind=kind, a=before["a"], b=before["b"], goal=goal)
         assert said["kind"] == "refused" and why in said["why"]
         assert widget._model.state() == before
 
@@ -167,7 +167,7 @@ ONLY_Y = sv.Shortcut("only y", "y is enough", sv.axes.directions((0, 1)))
 
 
 def posed(model, b, **more):
-    """The state after B was put elsewhere."""
+    """Return the state after B was moved."""
     pose = {"kind": "pose", "n": 1, "a": shape_data(model.scene.a), "b": shape_data(b), "scene": model.state()["scene"]}
     return model.answer(pose | more)
 
@@ -391,8 +391,8 @@ def test_the_gap_curve_has_the_numbers_of_the_trace():
 SHOW = [sv.play, sv.page, sv.difference, sv.sheet, sv.gap_curve, sv.explore]
 
 
-def told(shown):
-    """What is shown, in words."""
+def words_of(shown):
+    """Return the shown picture or text in words."""
     return shown if isinstance(shown, str) else shown.sentence if isinstance(shown, sv.Picture) else repr(shown)
 
 
@@ -403,7 +403,7 @@ def test_whatever_shows_a_pair_takes_a_name_a_scene_two_shapes_or_their_trace(sh
     if show is sv.explore:
         with pytest.raises(TypeError, match="a Trace, one run of two shapes: pass the shapes"):
             show(*asked.pop())
-    assert len({told(show(*what)) for what in asked}) == 1
+    assert len({words_of(show(*what)) for what in asked}) == 1
 
 
 @pytest.mark.parametrize("show", [sv.picture, sv.draw, sv.steps], ids=lambda show: show.__name__)
@@ -437,7 +437,7 @@ def square_data(at, size):
 
 
 def ring_data(n, dent=1.0):
-    """n corners round (0, 0), every second one drawn in."""
+    """Return n corners around (0, 0), every second one pulled inwards."""
     ring = [((dent if i % 2 else 1.0), 2 * pi * i / n) for i in range(n)]
     return polygon_data(*((r * cos(t), r * sin(t)) for r, t in ring))
 

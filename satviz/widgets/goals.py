@@ -72,7 +72,7 @@ def challenge_start(goal: str, shown: Scene) -> Scene:
 
 
 def challenges() -> Iterator[tuple[str, Scene]]:
-    """Return (goal, first scene) of each challenge that the site offers."""
+    """Yield (goal, first scene) of each challenge that the site offers."""
     yield TOUCH, scene("aabb")
     yield ONE_AXIS, replace(scene("triangles"), axes="needed")
     yield TOUCH, scene("circle-polygon")
