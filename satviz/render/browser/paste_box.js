@@ -1,4 +1,4 @@
-// The paste box: shapes as text go to Python, which says how they were read, how they lie, why, and what can be sent on.
+// The paste box: shapes as text go to Python, which replies with the readings, the relation, its reason, and forms to copy or save.
 // What comes back is shown as text, and the box keeps what was pasted.
 
 import { PAGE_FORMATS, savePictures } from "./download.js";

@@ -152,7 +152,7 @@ def gap_in_both_frames(trace: Trace) -> float:
 def region_on_the_way(a: Shape, b: Shape, window: Window) -> RegionOrReason:
     """Return the moves for which A hits B only between two frames, or why none is shown."""
     if a.core_is_point or b.core_is_point:
-        return "the flight of a circle is not worked out"
+        return "satviz does not compute the flight of a circle"
     if not (a.is_convex and b.is_convex):
         return "a shape has a dent, and both frames are tested without its convex parts"
     x, y = map(float, true_value.FLIGHT)
