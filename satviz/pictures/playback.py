@@ -153,7 +153,7 @@ def playback_steps(trace: Trace) -> list[Step]:
         every = [step for step in every if step.test is None or step.stage is Stage.GAP]
     if len(every) > MAX_STEPS:
         raise ValueError(
-            f"{len(every)} tests are too many to step through: the limit is {MAX_STEPS}; draw a sheet instead (sv.sheet)"
+            f"{len(every)} tests are too many to step through: the limit is {MAX_STEPS}: draw a sheet (sv.sheet)"
         )
     return every
 
