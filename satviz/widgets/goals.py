@@ -1,4 +1,4 @@
-"""Challenges: goals that the reader reaches by dragging a scene, judged by the engine; standard library only."""
+"""Challenges: goals that the reader reaches by dragging a scene, evaluated by the engine; standard library only."""
 
 from collections.abc import Iterator
 from dataclasses import replace
