@@ -175,7 +175,7 @@ def test_the_page_steps_by_keys_buttons_and_slider(browser, errors, pages):
     page.close()
 
 
-def test_the_page_plays_only_when_asked_and_stops_at_the_end(browser, errors, pages):
+def test_the_page_plays_only_on_request_and_stops_at_the_end(browser, errors, pages):
     page = opened(browser, errors, pages / "triangles.html", reduced_motion="reduce")
     page.wait_for_timeout(600)
     assert page.locator(".sv-count").inner_text() == "1 / 16"

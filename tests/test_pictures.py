@@ -645,7 +645,7 @@ def test_no_separating_line_runs_through_the_heading(options):
     assert lines > 3
 
 
-def test_two_panels_have_one_canvas_however_they_are_asked_for():
+def test_two_panels_have_one_canvas_for_every_way_to_request_them():
     trace = sv.scene("far-centers").record()
     assert sv.picture(trace, 0, by_itself=True) == sv.picture(trace, 0)
 
