@@ -13,7 +13,7 @@
  * @property {string | null} goal The challenge.
  * @property {number | null} pinned The row of the axis that is shown.
  * @property {number | null} degree The direction of a free axis.
- * @property {boolean} mtv
+ * @property {boolean} mtv Is the MTV shown?
  * @property {boolean} difference Is the difference B − A shown?
  */
 /** @typedef {{ goal: string, met: boolean, task: string, status: string, hint: string }} Goal */
