@@ -13,11 +13,13 @@ import numpy as np
 import pytest
 from batches import RNG, resting_exactly
 from oracle import relation
-from test_batch_few import hulls
+from test_batch_few import any_bounds, hulls, meeting
 from test_batch_padded import colliding, padded, shapes_of
+from test_batch_small import rule
 
 import satviz as sv
 from satviz import batch
+from satviz.batch import broad_rule
 from satviz.batch.with_numpy import few
 
 BOX = np.array([(0.0, 0), (8, 0), (8, 8), (0, 8)])
@@ -191,14 +193,23 @@ def exactly(monkeypatch):
     return found
 
 
+@pytest.fixture
+def one_by_one(monkeypatch):
+    """Return the pairs that have error bounds of their own, in a list that grows."""
+    found, real = [], few._clearances
+    monkeypatch.setattr(few, "_clearances", lambda columns, i, j: found.extend(zip(i, j)) or real(columns, i, j))
+    return found
+
+
 @pytest.mark.parametrize("kind", [*SCENES, *(f"{kind}, of which none touches" for kind in SCENES if "circles" in kind)])
 def test_every_way_of_few_shapes_finds_the_pairs_and_leaves_only_touching_ones_to_exact_arithmetic(
-    kind, exactly, monkeypatch
+    kind, exactly, one_by_one, monkeypatch
 ):
     shapes, hits, touching = scene(kind)
     assert hits and (touching or "none touches" in kind)
     if kind == "upright boxes":
         touching = set()  # their sides tell
+    only_circles = sum(map(corners_of, shapes)) == len(shapes)
     slow = len(shapes) * sum(map(corners_of, shapes)) > 300  # at the ends of float64 all signs are exact ones
     for e in (-1070, -500, -400, 0, 400, 460, 980):
         whole = e in (-400, 0, 400)  # no product loses bits or overflows
@@ -206,12 +217,14 @@ def test_every_way_of_few_shapes_finds_the_pairs_and_leaves_only_touching_ones_t
             with monkeypatch.context() as patch:
                 for name, value in constants.items():
                     patch.setattr(few, name, value)
-                for form in FORMS if e == 0 and way == "as they are" else ["padded"]:
+                for form in FORMS if only_circles or (e == 0 and way == "as they are") else ["padded"]:
                     made = FORMS[form](scaled(shapes, e))
                     exactly.clear()
+                    one_by_one.clear()
                     found = few.colliding_pairs(made)
                     if whole:
                         assert sorted(exactly) == sorted(touching), (way, form)
+                        assert way != "as they are" or set(one_by_one) <= (set() if only_circles else touching), form
                         assert (found is None) == any(isinstance(shapes[k], tuple) for pair in touching for k in pair)
                     found = batch.colliding_pairs(made, engine="numpy") if found is None else found
                     assert found.tolist() == hits, (e, way, form)
@@ -275,20 +288,18 @@ NEAR = a_corner_on_an_edge, a_circle_on_an_edge, a_speck_on_an_edge, a_circle_on
 @pytest.mark.parametrize("make", NEAR)
 def test_every_way_of_few_shapes_is_right_within_the_last_bits_of_a_contact(make, monkeypatch):
     rng, found_any = RNG(len(make.__name__)), []
-    for _ in range(60):
+    for k in range(60):
         shapes = make(rng)
         if isinstance(shapes[1], tuple):
             shapes[1] = (shapes[1][0], float(np.nextafter(shapes[1][1], rng.choice([0, shapes[1][1], 99]))))
         if rng.random() < 0.5:
             shapes = shapes[::-1]
-        made = batch.from_padded(*padded(shapes, rng))
+        made = FORMS[["padded", "in arrays"][k % 2]](shapes)
         hits = colliding(shapes_of(made))
         found_any.append(len(hits))
-        for constants in {}, {"MAX_WHOLE_CORNERS": 0}:
-            with monkeypatch.context() as patch:
-                for name, value in constants.items():
-                    patch.setattr(few, name, value)
-                assert batch.colliding_pairs(made, engine="numpy").tolist() == hits
+        for limit in 200, 0:
+            monkeypatch.setattr(few, "MAX_WHOLE_CORNERS", limit)
+            assert batch.colliding_pairs(made, engine="numpy").tolist() == hits
     assert 0 < sum(found_any) < 60
 
 
@@ -380,3 +391,24 @@ def test_pairs_are_evaluated_in_blocks_that_bound_the_memory(name, per_pair, mon
         peaks.append(tracemalloc.get_traced_memory()[1])
         tracemalloc.stop()
     assert found[0] == found[1] and peaks[0] < peaks[1] / 8
+
+
+def test_boxes_are_swept_along_the_axis_that_the_rule_says(monkeypatch):
+    rng = RNG(1)
+    for k in range(60):
+        limits = 1, 40, int(rng.integers(0, 5)), 0
+        for name, value in zip(("MAX_ALL_PAIRS", "MAX_SWEEP_NUMPY", "MAX_SWEEP_COMPARISONS"), limits):
+            monkeypatch.setattr(few, name, value)
+        bounds = any_bounds(rng, 2 + k % 40)
+        pairs, *found = few.candidate_pairs(bounds)
+        with np.errstate(over="ignore"):
+            _, comparisons, _ = rule(bounds, limits, np.inf)
+        if len(bounds) > 40:
+            assert found == [broad_rule.GRID, -1]
+        else:
+            assert found == [
+                broad_rule.GRID if comparisons > limits[2] * len(bounds) else broad_rule.SWEEP,
+                comparisons,
+            ]
+        assert (pairs is None) == (found[0] == broad_rule.GRID)
+        assert pairs is None or sorted(map(tuple, pairs.tolist())) == list(map(tuple, meeting(bounds).tolist()))

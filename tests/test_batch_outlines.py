@@ -118,6 +118,14 @@ def test_plain_outlines_of_either_winding_are_certified_at_once(v, blocks):
                 assert (made.as_complex is not None) == (blocks is None and 1 < n <= 64 and one_way)
 
 
+def test_outlines_are_looked_at_in_blocks_of_many_corners(monkeypatch):
+    """Each block takes some dozens of calls, and its arrays stay in the cache."""
+    sizes, real = [], outlines._turns_one_way
+    monkeypatch.setattr(outlines, "_turns_one_way", lambda xy: sizes.append(xy[0].size) or real(xy))
+    outlines.certified_group(np.tile(plain_outlines(5, 1), (20_000, 1, 1)))
+    assert sum(sizes) == 100_000 and all(2**13 < size <= 2**17 for size in sizes[:-1])
+
+
 @pytest.mark.parametrize("v", [3, 4, 5, 8, 12])
 def test_one_outline_at_fault_is_left_to_exact_checks_wherever_it_is(v, blocks):
     faults = [np.roll(star(v, step, 50), k, axis=0) for k in range(v) for step in range(2, v // 2 + 1)]
@@ -165,6 +173,16 @@ def test_no_outline_is_certified_that_is_not_convex_within_the_last_bits(v, scal
                 assert right or outlines.certified_group(given) is None
     plain = plain_outlines(v, 3) * 2.0**scale
     assert (outlines.certified_group(plain) is not None) == (abs(scale) <= 450)
+
+
+def test_a_corner_with_the_largest_error_found_is_not_taken_for_convex():
+    """Its turn is computed as 2.06 units of 2**-53, and is less than 0 (found by a search)."""
+    corner = [(0.9945261093165646, 0.5357482547195055), (1.9998980334101153, 1.6037256412793843)]
+    ring = np.array([*corner, (4.555335697452068, 4.318292830353044), (0, 9)])
+    assert not is_convex(ring)
+    for n in 1, 2:
+        for way in 1, -1:
+            assert outlines.certified_group(np.tile(ring[::way], (n, 1, 1))) is None
 
 
 def circle_arrays(n):
@@ -223,6 +241,9 @@ def test_plain_shapes_in_padded_arrays_are_certified_at_once(counts):
             assert np.array_equal(np.stack([x, y], axis=1), np.concatenate([c[:v] for c, v in zip(corners, counts)]))
             assert np.diff(start).tolist() == counts == made.count.tolist() and made.radius.tolist() == radii.tolist()
             assert not np.shares_memory(made.radius, radii)
+            rows = max(counts) if max(counts) > 1 else 0  # circles alone have no edges
+            assert len(made.as_complex.edges) == rows and len(made.as_complex.closed) == rows + 1
+            assert (made.as_complex.radius is None) == (1 not in counts)
 
 
 @pytest.mark.parametrize("counts", COUNTS)
@@ -234,7 +255,8 @@ def test_one_shape_at_fault_in_padded_arrays_is_left_to_exact_checks(counts):
         given = {"corners": corners.copy(), "counts": count.copy(), "radii": radii.copy()}
         for name, (at, value) in wrong.items():
             given[name][at] = value
-        return outlines.certified_padded(*given.values())
+        with np.errstate(divide="raise"):
+            return outlines.certified_padded(*given.values())
 
     assert certified() is not None
     for i in range(n):
