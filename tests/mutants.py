@@ -87,9 +87,9 @@ ABOUT = {  # of those files only these tests, as pytest -k takes them, since eac
     "engine/axis_count": "axes or axis or enough or touch",
     "batch/with_numba/filter": "circles or columns or filter or float32 or hard_pairs or ordinary or scalar or small"
     " or upright",
-    "batch/with_numba/indexed": "columns or hard_pairs or index or lanes or many_corners or ordinary or picked"
-    " or small or upright",
-    "batch/with_numpy/indexed": "hard_pairs or index or many_corners or ordinary or picked or side_by_side or upright",
+    "batch/with_numba/indexed": "columns or hard_pairs or index or lanes or many_corners or ordinary or small"
+    " or upright",
+    "batch/with_numpy/indexed": "hard_pairs or index or many_corners or ordinary or side_by_side or upright",
     "batch/with_numpy/circle_polygons": "circle or foot or hard_pairs or relations_are_the_scalar or tiny",
 }
 # what kernels run as Python cannot do: number cells beyond 2**63, pass by 1e308 without a warning, and be quick
@@ -122,7 +122,7 @@ ALIAS = m.SimpleStatementLine([m.Assign(value=m.Subscript() | m.BinaryOperation(
 
 
 def ours(node: cst.CSTNode) -> Iterator[cst.CSTNode]:
-    """What a node is replaced with, beside mutmut's own."""
+    """Yield the replacements of a node, in addition to those of mutmut."""
     for other in SWAPS.get(type(node), ()):
         yield other()
     match node:
@@ -279,7 +279,7 @@ class Watch:
 
 
 def judge(path: Path, source: str, tests: list[str], about: str, watch: Watch) -> int:
-    """pytest's exit code in this process, which dies of a signal if a test runs away."""
+    """Return pytest's exit code in this process, which a signal ends if a test runs too long."""
     import hypothesis
     import numba
     import pytest

@@ -20,7 +20,7 @@ TRIANGLE = np.array([(0.0, 0), (4, 0), (1, 3)])
 
 @pytest.fixture(params=ENGINES)
 def made_by(request, monkeypatch):
-    """Batches are made by this engine."""
+    """Let one engine make all batches."""
     if request.param == "numba":
         kernels_of("outlines")
     engine = engines.engine_of(request.param)
