@@ -279,7 +279,7 @@ def _crossing_candidates(one: Border, other: Border, radius: float) -> Iterator[
             # angles to m - n; a way along the slot leaves an arc, which bends away, but a segment beyond which the
             # crossing was rounded only if it leads back across
             error = ROUNDING / max(opening, ROUNDING)
-            outs += (way + back for way in (1j * (m - n), 1j * (n - m)) for back in (0, m * TILT))
+            outs = [way + back for way in (1j * (m - n), 1j * (n - m)) for back in (0, m * TILT)]
         if all(border.contains(move, max(error, BORDER_TOLERANCE)) for border in (one, other)):
             yield from (Candidate(abs(move), move, out, error) for out in outs)
 
