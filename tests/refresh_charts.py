@@ -77,7 +77,8 @@ def measured_sentences() -> list[str]:
     of_others = prices_of_few_corners(run["rows"])
     found = [
         f"in a scene of one kilometre with shapes of {{{in_metres(LEAST_SIDE)} to {in_metres(MOST_ACROSS)}}}. A gap",
-        f"`satviz bench` measured medians of {{{min(of_others):.1f} to {max(of_others):.1f}}} times for the answers alone.",
+        f"`satviz bench` measured medians of {{{min(of_others):.1f} to {max(of_others):.1f}}} times for the answers "
+        "alone.",
         f"with steps of {{{STEP_ANGLES[0]} to {STEP_ANGLES[1]}}} radians, as in this chart",
         f"shapely was wrong about a gap of {{{in_metres(of['shapely']['metres'])}}}, where",
         f"wrong up to {{{in_metres(raw['metres'])}}} with raw normals, and up to {{{in_metres(unit['metres'])}}} with",

@@ -534,9 +534,7 @@ def test_steps_cost_more_than_sat_a_counted_angle_less_and_an_angle_added_up_mor
     assert at["float64", "sum", 1e3, 10_000] > 5 * at["float64", "steps", 1e3, 10_000] > 50 * sat
 
 
-@pytest.mark.parametrize(
-    "angles, better, worse", [((1e-6, 1e-5), "sum", "steps"), ((50.0, 60.0), "steps", "angle")]
-)
+@pytest.mark.parametrize("angles, better, worse", [((1e-6, 1e-5), "sum", "steps"), ((50.0, 60.0), "steps", "angle")])
 def test_with_much_smaller_or_larger_steps_the_order_of_the_ways_is_another(monkeypatch, angles, better, worse):
     monkeypatch.setattr(pose_error, "STEP_ANGLES", angles)
     monkeypatch.setattr(pose_error, "DISTANCES", (1e3,))

@@ -102,9 +102,7 @@ def rows(found: dict[str, Any]) -> dict[str, list[JsonRow]]:
 def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     """Return the table as a chart."""
     least = sum(row["kind"] != "exact" for row in rows)
-    title = (
-        f"{least} of {len(rows)} such scenes need less than filtered exact SAT: model no more than a scene needs"
-    )
+    title = f"{least} of {len(rows)} such scenes need less than filtered exact SAT: model no more than a scene needs"
     lines = (
         "The least model that satviz advise proves right for every pair of one such scene, of about "
         f"{shapes_in_a_scene(settings)} shapes. Another of the kind can need more. In the last row wrong hits are "

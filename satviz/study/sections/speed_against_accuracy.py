@@ -286,7 +286,8 @@ def all_methods_chart(rows: list[JsonRow], settings: Settings) -> Chart:
         ax.tick_params(axis="y", length=0)
         ax.spines["left"].set_visible(False)
 
-    text = f"{title}. In brackets: {timings.interval_in_words(len(sat['ns_runs']))}. SAT checks no shapes, satviz does. "
+    text = f"{title}. In brackets: {timings.interval_in_words(len(sat['ns_runs']))}. "
+    text += "SAT checks no shapes, satviz does. "
     for row in rows:
         text += (
             f"{row['method']}: {format_time(row['ns'])} for the answer, {format_time(row['whole'])} from the arrays; "
