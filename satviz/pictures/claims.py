@@ -98,7 +98,7 @@ def verdict_words(trace: Trace) -> tuple[str, str]:
 
 
 def heading(trace: Trace, digits: Digits = USUAL_DIGITS) -> tuple[str, str]:
-    """Return two lines: the claim, and what is wrong with it or that it happens to be right."""
+    """Return two lines: the claim, and what is wrong with it or that it happens to be right; `digits`: of lengths."""
     assert trace.shortcut
     found = answers(trace, digits)
     claim, case = f"Claim: {_as_printed(trace.shortcut.claim)}.", case_of(trace.shortcut)
