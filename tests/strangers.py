@@ -1993,6 +1993,13 @@ circle((9, 9), 1)""",
         ((-1, -1, 1, 1), (-2, 0, 2, 2)),
     ),
     Paste(
+        "bullets with two signs",
+        """- circle((0, 0), 5)
+- circle((7, 0), 5)
++ circle((9, 0), 5)""",
+        ((-5, -5, 5, 5), (2, -5, 12, 5), (4, -5, 14, 5)),
+    ),
+    Paste(
         "a merge that is not finished",
         """<<<<<<< HEAD
 a = Circle((0, 0), 5)

@@ -29,8 +29,8 @@ _SHAPE = r"(?i:circle|ball|dis[ck]|rect(?:angle)?|box|polygon|triangle)"
 _NUMBERED = rf"\b({_SHAPE})[ ]+(?:#\d+:?|\d+:?(?=[ ]*\([ ]?{_N}[ ]?,[ ]?{_N}[ ]?,))(?=[ ]*\()"
 _LETTER = r"(?:x|y|w|h|r|width|height|radius)"
 _PLACED = r"(?:center|centre|pos|position|size|extents)"
-# Behind the sign of a line that a change adds or removes stands no number: -4 and +4 are coordinates.
-_REMOVED, _ADDED = r"-(?![ \t]*[-.\d]).*\n", r"\+(?![ \t]*[.\d]).*(?:\n|\Z)"
+# Behind the sign of a line that a change adds or removes stands no number, as in -4, and not one space, as in a list.
+_REMOVED, _ADDED = r"-(?![ \t]*[-.\d]| \S).*\n", r"\+(?![ \t]*[.\d]| \S).*(?:\n|\Z)"
 _PATCH = re.compile(r"^(?:--- \S.*\n\+\+\+ \S|@@ -\d+.*@@)", re.MULTILINE)
 _CHANGE = re.compile(rf"^(?:{_REMOVED})++(?P<added>(?:{_ADDED})++)?", re.MULTILINE)
 
@@ -46,7 +46,7 @@ _ROWS = [
     for pattern, write in (
         (_PROMPT, blank),
         (r"^ *\[,1\] +\[,2\] *$|^ *\[\d+,\](?= )", blank),  # a matrix of R
-        (rf"\b{_LETTER} {_N}(?:[ ,;]+{_LETTER} {_N}(?![\w.])){{2,}}", lambda m: re.sub(r"(?<=[a-z]) ", "=", m[0])),
+        (rf"\b(?!h){_LETTER} {_N}(?:[ ,;]+{_LETTER} {_N}(?![\w.])){{2,}}", lambda m: re.sub(r"(?<=[a-z]) ", "=", m[0])),
         (rf"\b{_PLACED} \([^()\n]*\)[ ,;]+{_PLACED} (?=\()", lambda m: re.sub(r"(?<=[a-z]) ", "=", m[0])),
         (r"(?<=\w):(?=(?:moveTo|move|rotate|setPosition|setRotation|setAngle|translate)\()", lambda _: "."),  # Lua
         (_PREFIX, blank),

@@ -24,7 +24,10 @@ _MOVED = re.compile(r"(?<!text-)(?:transform|rotate|scale|translate)\s*:(?!\s*no
 _BETWEEN = re.compile(r"[\s,]*")
 _TRANSFORM = re.compile(r"(\w+)\s*\(([^()]*)\)")
 # names of parameters, with their defaults
-_PARAMETERS = r"\((?:\s*[A-Za-z_$*&][^,(){}]*+,?)*+\s*\)(?:\s*->[^\n:{]*)?(?::(?=\s*\n)|(?=\s*(?::[^\n{]*)?\{|\s*$))"
+_PARAMETERS = (
+    r"\((?:\s*[A-Za-z_$*&](?:[^,(){}\[]|\[(?![-+.\d\s(\[]))*+,?)*+\s*\)"
+    r"(?:\s*->[^\n:{]*)?(?::(?=\s*\n)|(?=\s*(?::[^\n{]*)?\{|\s*$))"
+)
 # parts without a shape: how large a picture is, a declaration, how many items a list of C has, a pattern of DE-9IM
 _OTHER = re.compile(
     r"<(?:svg(?![^<>]*\s[xy]\s*=\s*[\"'][^\"'<>]*[1-9])|g|text|tspan|title|desc|style|defs|image)\b"

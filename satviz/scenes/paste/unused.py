@@ -161,7 +161,7 @@ def _is_harmless(left: Left) -> bool:
     aside = not {"bounds", "properties"}.isdisjoint(path) and key(path[-1]) not in ("center", "half", "size")
     row = notation(left.key)
     no_radius = left.value == 0 and row is not None and row.kind == RING  # b2MakePolygon(&hull, 0.0f)
-    drawn = said & {"draw", "graphics", "cv2"} and not last & CHANGING_NUMBERS  # a width, a color, how many segments
+    drawn = row and said & {"draw", "graphics", "cv2"} and not last & CHANGING_NUMBERS  # a width, a color
     if "moment" in said or left.key == "pymunk.Body" or aside or no_radius or drawn:
         return True
     if any(word.startswith(SHAPE_STEMS) for word in last) and not last & CHANGING_NUMBERS:
