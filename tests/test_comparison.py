@@ -220,7 +220,7 @@ def test_a_shortcut_that_is_right_for_once_is_not_struck_out():
     ],
 )
 def test_a_shortcut_is_called_wrong_only_where_it_is(name, move, right):
-    """Not for a rounding, nor for a push where there is nothing to push."""
+    """It is not called wrong for a rounding, nor for a push where there is nothing to push."""
     case = NAMED[name]
     a, b = case.shapes
     trace = sv.record(a, translated(b, sv.Vec(*move)), axes=case.shortcut)
