@@ -50,7 +50,7 @@ SEED = _whole_number(0, 2**63 - 1)
 
 
 def _folder(text: str) -> Path:
-    """Return the path of a folder; refuse an empty text (an unset variable), which would mean this folder."""
+    """Return the path of a folder; ArgumentTypeError for an empty text (an unset variable), which means this folder."""
     if not text:
         raise argparse.ArgumentTypeError("the folder's name is empty: write . for the current folder")
     return Path(text)
@@ -89,7 +89,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _report_failure(error: BaseException) -> int:
-    """Print what went wrong in one line and return the exit code."""
+    """Print an error in one line and return its exit code."""
     if isinstance(error, BrokenPipeError):
         return 0  # the reader has gone: nothing left to say
     if isinstance(error, (Refused, InvalidScene)):
@@ -138,9 +138,9 @@ def _parser() -> argparse.ArgumentParser:
 
     explain = command.add_parser(
         "explain",
-        help="read shapes from any text, and say how they lie and why",
+        help="read shapes from any text, and say whether they touch or overlap, and why",
         epilog="The text may be WKT, GeoJSON, JSON, or lines in Python, JavaScript, C, C++, C#, Java, Rust, Scala or "
-        "GDScript. Nothing in it is run. Where two readings are possible, both are named with what they give.",
+        "GDScript. No code is run. If the text can be read in two ways, both are listed with their results.",
     )
     explain.add_argument(
         "file", metavar="FILE", help="a file with the text, a scene's name or link, or - for standard input"
@@ -159,8 +159,8 @@ def _parser() -> argparse.ArgumentParser:
     explain.add_argument(
         "--pair", type=_whole_number(1, 10_000), default=1, metavar="N", help="which pair --to is about"
     )
-    explain.add_argument("--site", default="", metavar="URL", help="where the site is that --to link leads to")
-    wrong_site = "--site is where a link leads: give it with --to link"
+    explain.add_argument("--site", default="", metavar="URL", help="the address of the site for --to link")
+    wrong_site = "--site is the address of a link: give it with --to link"
     explain.set_defaults(
         run=commands.explain, clash=lambda args: wrong_site if args.site and args.to != "link" else None
     )
@@ -173,45 +173,43 @@ def _parser() -> argparse.ArgumentParser:
         action="store_true",
         help="put each sentence under its picture (a page and a sheet always have it; a GIF has a few words instead)",
     )
-    draw.add_argument("--site", metavar="URL", help="where the site is of --format link and embed: http or https")
+    draw.add_argument("--site", metavar="URL", help="the address of the site for --format link and embed")
     which = draw.add_mutually_exclusive_group()
     which.add_argument(
-        "--sweep", action="store_true", help="an axis that turns through 180 degrees, instead of the steps of the run"
+        "--sweep", action="store_true", help="draw an axis that turns through 180 degrees, instead of the steps"
     )
-    which.add_argument(
-        "--difference", action="store_true", help="how B - A comes about, instead of the steps of the run"
-    )
-    which.add_argument("--sheet", action="store_true", help="one picture of the whole run, a row for each axis")
+    which.add_argument("--difference", action="store_true", help="draw how B - A comes about, instead of the steps")
+    which.add_argument("--sheet", action="store_true", help="draw the whole run in one picture, a row for each axis")
     which.add_argument(
         "--steps",
         action="store_true",
-        help=f"every step, also of a run of more than {commands.MAX_STEP_FILES} (which else gets a sheet)",
+        help=f"draw every step, even of a run of more than {commands.MAX_STEP_FILES}, which gets a sheet otherwise",
     )
     which.add_argument(
         "--step",
         type=_step_range,
         metavar="N[-M]",
-        help="only this step, or the steps from N to M; the first is 0, and last is the last one",
+        help="draw only this step, or the steps from N to M; the first is 0, and the word last means the last one",
     )
-    draw.add_argument("--predict", action="store_true", help="a page, link or frame that asks before it shows")
-    draw.add_argument("--goal", choices=GOALS, help="a link or frame with this challenge")
-    draw.add_argument("--play", action="store_true", help="a frame that steps through the run")
-    draw.add_argument("--show", action="append", choices=PARTS, help="a frame that has this too; may be repeated")
+    draw.add_argument("--predict", action="store_true", help="ask the reader for each result (page, link, frame)")
+    draw.add_argument("--goal", choices=GOALS, help="set this challenge (link, frame)")
+    draw.add_argument("--play", action="store_true", help="step through the run (frame)")
+    draw.add_argument("--show", action="append", choices=PARTS, help="show this too (frame); may be repeated")
     draw.add_argument(
         "--speed",
         type=_speed,
         metavar="TIMES",
-        help="of a GIF or a page: 2 is twice as fast, 0.25 leaves time to read (default: 1)",
+        help="the speed of a GIF or a page: 2 is twice as fast, 0.25 leaves time to read (default: 1)",
     )
     usual = {"out": Path("satviz-out"), "format": ["svg"], "show": []}  # a frame is not light where nothing is said
     draw.set_defaults(run=commands.draw, clash=_clash_of_draw, usual=usual)
 
     advise = command.add_parser(
         "advise",
-        help="the least model that is right for a scene, with its proof and its cost",
+        help="find the simplest model that is right for a scene, with its proof and its cost",
         epilog="A file of many shapes is an .npz with coords (M, 2) and offsets (N + 1), polygons one after another, "
-        "or centers (K, 2) and radii (K), circles numbered after the polygons, or both; and if only some pairs are "
-        "meant, pairs (P, 2). Else all pairs are whose boxes meet.",
+        "or centers (K, 2) and radii (K), circles numbered after the polygons, or both. An array pairs (P, 2) selects "
+        "pairs; without it, all pairs whose boxes meet are tested.",
     )
     advise.add_argument("scene", metavar="SCENE", help="a built-in scene's name, a scene file, or an .npz of shapes")
     advise.add_argument("--json", action="store_true", help="print it as JSON (with --chart, with the costs)")
@@ -233,19 +231,19 @@ def _parser() -> argparse.ArgumentParser:
     check.add_argument(
         "--symptom", metavar="WORDS", help='list the known mistakes that look like this: "falls through"'
     )
-    check.add_argument("--returns", choices=RETURNED, help="what it returns (default: found out)")
+    check.add_argument("--returns", choices=RETURNED, help="what it returns (default: as its first answers)")
     check.add_argument(
-        "--kinds", action="append", choices=PAIR_KINDS, help="of pairs, may be repeated (default: boxes, convex)"
+        "--kinds", action="append", choices=PAIR_KINDS, help="pairs to test; may be repeated (default: boxes, convex)"
     )
     check.add_argument("--form", choices=FORMS, default="points", help="how a function gets shapes (default: points)")
     check.add_argument("--touching", choices=TOUCHING_AS, default="hit", help="what is right for touching shapes")
-    check.add_argument("--tolerance", type=float, default=0.0, metavar="X", help="judge no verdict so near to touching")
-    check.add_argument("--whole-numbers", action="store_true", help="leave out the pairs in rounded numbers")
-    check.add_argument("--counter-clockwise", action="store_true", help="give all vertices in this order")
-    check.add_argument("--seed", type=SEED, default=1, metavar="N", help="of the random pairs (default: 1)")
-    check.add_argument("--seconds", type=float, default=5.0, metavar="S", help="then ask no more (default: 5)")
-    check.add_argument("--call-seconds", type=float, default=2.0, metavar="S", help="for one call (default: 2)")
-    check.add_argument("--json", action="store_true", help="print what was found as JSON")
+    check.add_argument("--tolerance", type=float, default=0.0, metavar="X", help="skip pairs within X of touching")
+    check.add_argument("--whole-numbers", action="store_true", help="test only pairs in whole numbers")
+    check.add_argument("--counter-clockwise", action="store_true", help="give all vertices counter-clockwise")
+    check.add_argument("--seed", type=SEED, default=1, metavar="N", help="seed of the random pairs (default: 1)")
+    check.add_argument("--seconds", type=float, default=5.0, metavar="S", help="time for all calls (default: 5)")
+    check.add_argument("--call-seconds", type=float, default=2.0, metavar="S", help="time for one call (default: 2)")
+    check.add_argument("--json", action="store_true", help="print the result as JSON")
     check.add_argument("--out", type=_folder, metavar="DIR", help="draw the counterexample, into this folder")
     check.add_argument("--theme", choices=THEMES, default="light", help="(default: light)")
     check.add_argument("--force", action="store_true", help="overwrite what satviz did not make")
@@ -253,7 +251,7 @@ def _parser() -> argparse.ArgumentParser:
 
     handout = command.add_parser(
         "handout",
-        help="questions to print for a class, and their solutions on a sheet of their own",
+        help="write questions to print for a class, and their solutions on another sheet",
         epilog="A scene has its picture, empty number lines and a table to fill in. The files are HTML in black and "
         "white: print them, or save them as PDF, from any browser.",
     )
@@ -279,7 +277,7 @@ def _parser() -> argparse.ArgumentParser:
         metavar="DIR",
         help="(default: satviz-notebooks)",
     )
-    notebook.add_argument("--no-open", action="store_true", help="copy them only")
+    notebook.add_argument("--no-open", action="store_true", help="copy them, but do not open them")
     notebook.add_argument("--force", action="store_true", help="overwrite notebooks that were changed")
     notebook.set_defaults(run=commands.notebook)
 
@@ -288,31 +286,33 @@ def _parser() -> argparse.ArgumentParser:
         "--pairs",
         type=_whole_number(1, 10**8),
         metavar="N",
-        help="pairs a workload; scenes grow with them (default: 100000)",
+        help="pairs per workload; scenes grow with them (default: 100000)",
     )
     bench.add_argument(
         "--rounds", type=_whole_number(1, 10**6), metavar="N", help="rounds to take the median of (default: 9)"
     )
-    bench.add_argument("--seed", type=SEED, default=1, metavar="N", help="of the random pairs (default: 1)")
-    bench.add_argument("--quick", action="store_true", help="less of everything: half a minute, rough figures")
+    bench.add_argument("--seed", type=SEED, default=1, metavar="N", help="seed of the random pairs (default: 1)")
+    bench.add_argument("--quick", action="store_true", help="run less of everything: half a minute, rough figures")
     bench.add_argument("--json", action="store_true", help="print the figures, the machine and the versions as JSON")
     bench.add_argument("--chart", type=_folder, metavar="DIR", help="draw the figures as well, into this folder")
     bench.add_argument("--force", action="store_true", help="overwrite what satviz did not make")
     bench.set_defaults(run=commands.bench, clash=_clash_of_bench, usual={"pairs": 100_000, "rounds": 9})
 
     study = command.add_parser("study", help="chart speed against accuracy, and what exactness costs")
-    study.add_argument("--quick", action="store_true", help="fewer and smaller runs, half a minute, and no PNG")
+    study.add_argument("--quick", action="store_true", help="make fewer and smaller runs, half a minute, and no PNG")
     study.add_argument(
         "--out", type=_folder, default=Path("satviz-study"), metavar="DIR", help="the folder (default: satviz-study)"
     )
-    study.add_argument("--seed", type=SEED, default=1, metavar="N", help="of all that is random (default: 1)")
+    study.add_argument("--seed", type=SEED, default=1, metavar="N", help="seed of all random numbers (default: 1)")
     study.add_argument(
-        "--executor", metavar="WHERE", help="threads, processes, or a dask scheduler's address, for what is not timed"
+        "--executor",
+        metavar="WHERE",
+        help="where to run work that is not timed: threads, processes, or a dask scheduler's address",
     )
     study.add_argument("--force", action="store_true", help="overwrite files that satviz did not make")
     study.set_defaults(run=commands.study)
 
-    reference = command.add_parser("reference", help="write what every public name takes and gives, with examples")
+    reference = command.add_parser("reference", help="write a reference of all public names, with examples")
     reference.add_argument(
         "--out", type=_folder, default=Path("satviz-reference"), metavar="DIR", help="(default: satviz-reference)"
     )
@@ -325,15 +325,15 @@ def _parser() -> argparse.ArgumentParser:
     )
     site.add_argument("--open", action="store_true", help="serve it on this machine and open it, until Ctrl-C")
     site.add_argument("--zip", action="store_true", help="write DIR.zip, a package for a learning platform, instead")
-    site.add_argument("--url", default="", metavar="URL", help="the address it will have: for the sitemap and previews")
-    site.add_argument("--pyodide", type=_folder, metavar="DIR", help="Pyodide's core, if npm is not to fetch it")
-    site.add_argument("--still", action="store_true", help="without Python in the page: pictures do not move")
+    site.add_argument("--url", default="", metavar="URL", help="the site's future address, for sitemap and previews")
+    site.add_argument("--pyodide", type=_folder, metavar="DIR", help="Pyodide's core, so that npm does not fetch it")
+    site.add_argument("--still", action="store_true", help="leave out Python: then shapes cannot be dragged")
     site.add_argument("--force", action="store_true", help="overwrite files that satviz did not make")
     site.set_defaults(run=commands.site, clash=_clash_of_site)
 
     scenes = command.add_parser("scenes", help="list the built-in scenes")
     scenes.add_argument("--json", action="store_true", help="print every scene with its expected answer as JSON")
-    scenes.add_argument("--failing", action="store_true", help="those where shortcuts fail, and what is right")
+    scenes.add_argument("--failing", action="store_true", help="list those where shortcuts fail, and the right answers")
     twice = "--json lists the failing scenes too: leave out --failing"
     scenes.set_defaults(run=commands.scenes, clash=lambda args: twice if args.json and args.failing else None)
     return parser
@@ -385,10 +385,10 @@ def _step_range(text: str) -> tuple[int, int]:
 
 
 def _clash_of_draw(args: argparse.Namespace) -> str | None:
-    """Return an error line for options of `draw` that cannot be given together, or None."""
+    """Return an error line if options of `draw` cannot be given together; otherwise None."""
     formats = set(args.format or ["svg"])
     if args.site is not None and not formats & PRINTED_FORMATS:
-        return "--site is where a link leads: give it with --format link or embed"
+        return "--site is the address of a link or a frame: give it with --format link or embed"
     if args.site == "":
         return "--site is empty: expected an address such as https://example.org/satviz/, or no --site"
     if "embed" in formats and args.site is None:
@@ -397,9 +397,9 @@ def _clash_of_draw(args: argparse.Namespace) -> str | None:
         return clash
     if args.sheet and (others := formats - {*STILL_FORMATS, *PRINTED_FORMATS}):
         apart = " or ".join(sorted(others))
-        return f"--sheet is one picture, for {', '.join(STILL_FORMATS)}: ask for --format {apart} in another run"
+        return f"--sheet makes one picture ({', '.join(STILL_FORMATS)}): give --format {apart} in another run"
     if args.speed is not None and not formats & {"gif", "html"}:
-        return "--speed is of an animation or a page: give it with --format gif or html"
+        return "--speed is for an animation or a page: give it with --format gif or html"
     files = formats - PRINTED_FORMATS
     of_files = ["out", "force", "caption", "sheet", "steps", "sweep", "difference"] + ["theme"] * (
         "embed" not in formats
@@ -408,18 +408,18 @@ def _clash_of_draw(args: argparse.Namespace) -> str | None:
         printed = "a line" if "link" in formats else "a frame"
         return f"--format {min(formats)} prints {printed}: {given} is for files, so add the format of a file"
     if files == {"html"} and args.theme and "embed" not in formats:
-        return "a page has both themes, and shows its reader's: leave out --theme, or add the format of a picture"
+        return "a page follows its reader's theme: leave out --theme, or add the format of a picture"
     return None
 
 
 def _clash_of_frame(args: argparse.Namespace, formats: set[str]) -> str | None:
-    """Return an error line for an option of pages, links and frames that none of the formats takes, or None."""
+    """Return an error line if an option is only for pages, links or frames and `formats` has none; otherwise None."""
     takes = {"predict": {"html", *PRINTED_FORMATS}, "goal": PRINTED_FORMATS, "play": {"embed"}, "show": {"embed"}}
     for name, forms in takes.items():
         if getattr(args, name) and not formats & forms:
             return f"--{name} is not for these formats: give it with --format {' or '.join(sorted(forms))}"
     if args.goal and (given := _first_given(args, "predict", "play", "step")):
-        return f"a challenge is dragged, and {given} is for steps: leave out one of them"
+        return f"a challenge has no steps, and {given} is for steps: leave out one of them"
     if args.step and formats == {"html"}:
         return "a page has all steps: leave out --step, or add the format of a picture"
     if args.step and args.step[0] != args.step[1] and formats == {"link"}:
@@ -428,26 +428,26 @@ def _clash_of_frame(args: argparse.Namespace, formats: set[str]) -> str | None:
 
 
 def _clash_of_chart(args: argparse.Namespace) -> str | None:
-    """Return the error line for --force where nothing is written, or None."""
+    """Return an error line if --force is given and nothing is written; otherwise None."""
     return "--force overwrites files: give it with --chart" if args.force and not args.chart else None
 
 
 def _clash_of_bench(args: argparse.Namespace) -> str | None:
-    """Return an error line for options of `bench` that cannot be given together, or None."""
+    """Return an error line if options of `bench` cannot be given together; otherwise None."""
     if args.quick and (given := _first_given(args, "pairs", "rounds")):
         return f"--quick sets the pairs and the rounds: give it without {given}"
     return _clash_of_chart(args)
 
 
 def _clash_of_check(args: argparse.Namespace) -> str | None:
-    """Return the error line unless exactly one of a file, --command and --symptom is given, or None."""
+    """Return None if exactly one of a file, --command and --symptom is given; otherwise an error line."""
     if sum(map(bool, (args.target, args.command, args.symptom))) != 1:
         return 'give a file, FILE.py:function, or a program, --command "node mine.js", or --symptom WORDS'
     return None
 
 
 def _clash_of_site(args: argparse.Namespace) -> str | None:
-    """Return an error line for options of `site` that cannot be given together, or None."""
+    """Return an error line if options of `site` cannot be given together; otherwise None."""
     if args.zip and args.open:
         return "--zip writes no folder that could be served: give it without --open"
     return "--still has no Python in the page: give it without --pyodide" if args.still and args.pyodide else None

@@ -1,4 +1,4 @@
-"""What each command does, as calls of the public functions.
+"""The commands, as calls of the public functions.
 
 A command takes the options of its command line, prints its result and returns the exit code.
 """
@@ -31,15 +31,15 @@ MAX_STEM = 80  # letters of a handout's file name
 
 
 class Refused(Exception):
-    """The input is bad: `main` prints one line and returns exit code 2."""
+    """The input is bad: `main` prints its message in one line and returns exit code 2."""
 
 
 class Failed(Exception):
-    """The work itself failed: `main` prints one line and returns exit code 1."""
+    """The work itself failed: `main` prints its message in one line and returns exit code 1."""
 
 
 def _load(args: argparse.Namespace) -> "Scene":
-    """Return the scene of that name, file or link, with --axes and --every-axis; Refused for an unknown name."""
+    """Return the scene that the command line names, with its --axes and --every-axis; Refused for an unknown name."""
     from dataclasses import replace
 
     found = _scene_named(args.scene)
@@ -47,7 +47,7 @@ def _load(args: argparse.Namespace) -> "Scene":
 
 
 def _scene_named(name: str) -> "Scene":
-    """Return the scene of that name, file or link; Refused for an unknown name."""
+    """Return the scene of a built-in name, a file's path or a link; Refused for an unknown name."""
     from .scenes.link import parse_fragment
     from .scenes.named import did_you_mean, names, scene
     from .scenes.scenefile import load
@@ -57,12 +57,12 @@ def _scene_named(name: str) -> "Scene":
     is_file = any(c in name for c in "./\\") or os.path.exists(name)
     known = names()
     if name not in known and not is_file:
-        raise Refused(f"no scene and no file {name!r}{did_you_mean(name, known)}")
+        raise Refused(f"there is no scene and no file {name!r}{did_you_mean(name, known)}")
     return scene(name) if name in known else load(name)
 
 
 def figures(args: argparse.Namespace) -> int:
-    """Write the figures asked for, in one theme."""
+    """Write the figures that --only selects, or all, in one theme."""
     from .pictures.figures import FIGURES, STRIP, Figure
     from .scenes.named import did_you_mean
 
@@ -71,7 +71,7 @@ def figures(args: argparse.Namespace) -> int:
         known = {key: f for f in (*FIGURES, STRIP) for key in (f.name, f.stem, str(f.number), f"{f.number:02}")}
         for name in args.only:
             if name not in known:
-                raise Refused(f"no figure {name!r}{did_you_mean(name, [f.name for f in (*FIGURES, STRIP)])}")
+                raise Refused(f"there is no figure {name!r}{did_you_mean(name, [f.name for f in (*FIGURES, STRIP)])}")
         wanted = [figure for figure in (*FIGURES, STRIP) if figure in [known[name] for name in args.only]]
     forms = dict.fromkeys(args.format)
 
@@ -149,11 +149,11 @@ def _print_link(args: argparse.Namespace, address: str) -> None:
     """Print a link; say what to do with it where it is not a whole address."""
     out(address)
     if not args.site:
-        say("this address begins in a site's folder: --site URL makes it whole, satviz site --open has one")
+        say("this address is relative to a site: add the site with --site URL, or serve one with satviz site --open")
 
 
 def _steps_of(args: argparse.Namespace, count: int) -> tuple[int, int]:
-    """Return the first and the last step asked for, of a run of `count` steps; Refused for a step beyond them."""
+    """Return the first and the last step to draw, from 0, in a run of `count` steps; Refused for one beyond them."""
     first, last = (step % count if step < 0 else step for step in args.step or (0, -1))
     if last >= count:
         raise Refused(f"the run has no step {last}: its steps are 0 to {count - 1}")
@@ -182,7 +182,7 @@ def _drawable_refused(args: argparse.Namespace, case: "FailureCase") -> _Drawabl
 
 
 def _drawable_run(args: argparse.Namespace, scene: "Scene") -> _Drawable:
-    """Return a run's drawings under --sheet, --steps and --caption; Refused if it cannot be drawn."""
+    """Return a run's drawings, as --sheet, --steps and --caption ask for; Refused if it cannot be drawn."""
     from .pictures import picture, steps
     from .pictures.caption import add_captions
     from .pictures.difference_steps import difference_steps
@@ -236,7 +236,7 @@ def _drawable_run(args: argparse.Namespace, scene: "Scene") -> _Drawable:
 
 
 def _captioned(drawn: "Picture", args: argparse.Namespace) -> "Sequence[Picture]":
-    """Return a list of the picture, with its sentence below it under --caption."""
+    """Return a list of the picture, which with --caption has its sentence below it."""
     from .pictures.caption import add_captions
 
     return add_captions([drawn]) if args.caption else [drawn]
@@ -304,7 +304,7 @@ def handout(args: argparse.Namespace) -> int:
     for name in args.what:
         chapter = chapter_named(name)
         if not chapter and name.isdecimal() and not os.path.exists(name):
-            raise Refused(f"no chapter {name}: the chapters are 1 to {len(chapters())}")
+            raise Refused(f"there is no chapter {name}: the chapters are 1 to {len(chapters())}")
         given.append(chapter.title.split()[0] if chapter else _scene_named(name))
     try:
         texts = [handout(*given, paper=args.paper, solutions=solutions) for solutions in (False, True)]
@@ -426,11 +426,11 @@ def _text_of(name: str) -> str:
     try:
         return raw.decode("utf-16" if raw[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig")
     except UnicodeDecodeError:
-        raise Refused(f"{'standard input' if name == '-' else name}: not UTF-8 text: save it as UTF-8") from None
+        raise Refused(f"{'standard input' if name == '-' else name} is not UTF-8 text: save it as UTF-8") from None
 
 
 def advise(args: argparse.Namespace) -> int:
-    """Print the simplest model that is right for a scene or for many shapes; draw the cost of each model if asked."""
+    """Print the simplest model that is right for a scene or for many shapes; with --chart draw each model's cost."""
     import json
 
     from .advice.advising import advise
@@ -472,7 +472,7 @@ def advise(args: argparse.Namespace) -> int:
 
 
 def bench(args: argparse.Namespace) -> int:
-    """Time satviz beside its peers; print the table, and draw the chart if asked."""
+    """Time satviz beside its peers and print the table; with --chart draw the charts."""
     import json
 
     from tqdm import tqdm
@@ -561,7 +561,7 @@ def reference(args: argparse.Namespace) -> int:
 
 
 def site(args: argparse.Namespace) -> int:
-    """Write the site, and serve it if asked."""
+    """Write the site; with --open serve it, with --zip write it as one file."""
     from .site.build import PythonMissing, site
 
     try:
@@ -621,7 +621,7 @@ def _serve(folder: Path) -> int:
 
 
 def scenes(args: argparse.Namespace) -> int:
-    """List the built-in scenes, or those where shortcuts fail."""
+    """Print the built-in scenes, or with --failing those where shortcuts fail."""
     if args.json:
         from .scenes.minimal_test import scenes_json
 
@@ -641,7 +641,7 @@ def scenes(args: argparse.Namespace) -> int:
 
 
 def check(args: argparse.Namespace) -> int:
-    """Check a function or a program; print the report, and write the counterexample if asked; 1 where it is wrong."""
+    """Check a function or a program and print the report; with --out draw the counterexample; return 1 if wrong."""
     import json
 
     from .checking.asking import Asker, CalledInProcess, form_named
@@ -654,7 +654,7 @@ def check(args: argparse.Namespace) -> int:
     if args.symptom:
         found = mistakes_with(args.symptom)
         if not found:
-            raise Refused(f"no known symptom is like {args.symptom!r}: {'; '.join(SYMPTOMS)}")
+            raise Refused(f"no known symptom is like {args.symptom!r}: choose one of {'; '.join(SYMPTOMS)}")
         out("\n".join(str(NAMED[name]) for name in found))
         return 0
     try:

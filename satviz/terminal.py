@@ -1,4 +1,4 @@
-"""What the command line prints, to streams that may be closed or narrow, and interrupts that are never lost."""
+"""Printing to streams that may be closed or lack letters, and interrupts that are never lost."""
 
 import json
 import os
@@ -16,7 +16,7 @@ _interrupted = False
 def open_streams() -> None:
     """Replace streams closed at the start, and write letters that a stream cannot encode as escapes.
 
-    In the order of their numbers: else the next file opened would get the number of a closed stream.
+    They are replaced in the order of their numbers; otherwise the next file would get a closed stream's number.
     """
     for name, mode in ("stdin", "r"), ("stdout", "w"), ("stderr", "w"):
         stream = getattr(sys, name)
@@ -85,7 +85,7 @@ def _on_interrupt(number: int, frame: FrameType | None) -> None:
 def remembering_interrupts(*, to_the_end: bool) -> Iterator[None]:
     """Record each interrupt, since KeyboardInterrupt vanishes when it is raised in a callback.
 
-    `to_the_end`: the process has nothing to do afterwards, so that a later one just ends it.
+    `to_the_end`: the process has nothing to do after the with block, so an interrupt that comes later just ends it.
     """
     global _interrupted
     _interrupted = False

@@ -49,8 +49,8 @@ def assert_same_relation(
 ) -> None:
     """Assert that a function gives the exact relation, or the exact verdict, for each pair of shapes.
 
-    `fn` is called as by `sv.check`, in the same `form`; it returns True or False, or a relation.  `touching` says
-    what a verdict must be for shapes that touch: "hit", "miss" or "either".
+    `fn` is called as by `sv.check`, with shapes in the same `form`; it returns True or False, or a relation.
+    `touching`: the right verdict for shapes that touch: "hit", "miss" or "either".
     """
     make = form_named(form)
     for i, (a, b) in enumerate(pairs):

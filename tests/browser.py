@@ -31,7 +31,7 @@ def missing(what):
 
 @contextmanager
 def chromium():
-    """A headless browser; every page of it fails its test on an error of satviz's."""
+    """Yield a headless browser; an error of satviz on any of its pages fails the test."""
     try:
         from playwright.sync_api import sync_playwright
     except ImportError:
@@ -65,7 +65,7 @@ START;
 
 @contextmanager
 def explored(browser, exploring, errors, *, keys=False, **more):
-    """A page with the explorer alone; with `keys` arrow keys need no focus; `more` is the browser's context."""
+    """Yield a page with the explorer alone; with `keys` arrow keys need no focus; `more`: options of the context."""
     from satviz.render.formats import FORMATS
     from satviz.render.script import javascript, stylesheet
     from satviz.widgets.goals import GOAL_NAMES
@@ -109,7 +109,7 @@ def settled(page):
 
 
 def site_with_python(folder):
-    """The site with Python in its pages, written into the folder."""
+    """Write the site with Python in its pages into the folder and return the folder."""
     from satviz.safe_write import write
     from satviz.site.build import site
 
@@ -123,7 +123,7 @@ def site_with_python(folder):
 
 @contextmanager
 def served(folder):
-    """The address of a server of the site in this folder."""
+    """Yield the address of a server of the site in this folder."""
     from satviz.site.serving import server
 
     with server(folder) as serving:
@@ -135,7 +135,7 @@ def served(folder):
 
 
 def axe():
-    """The source of axe-core, which looks for what shuts people out; packed by npm."""
+    """Return the source of axe-core, which finds accessibility faults; npm packs it."""
     npm = shutil.which("npm")
     if npm is None:
         missing("npm, which has axe-core, is not installed")
@@ -148,8 +148,8 @@ def axe():
             return found.extractfile("package/axe.min.js").read().decode()
 
 
-def shut_out(axe_core, page):
-    """What axe-core finds serious."""
+def accessibility_faults(axe_core, page):
+    """Return the serious and critical faults that axe-core finds on a page."""
     page.evaluate(f"{axe_core};0")
     found = page.evaluate("async () => (await axe.run(document, { resultTypes: ['violations'] })).violations")
     return [(v["id"], v["nodes"][0]["html"]) for v in found if v["impact"] in ("serious", "critical")]
@@ -171,7 +171,7 @@ class Lab:
         (self.folder / name).write_text(json.dumps(data), encoding="utf-8")
 
     def open(self, page, name, app="lab"):
-        """The notebook in JupyterLab or Notebook 7 ("notebooks"), its kernel ready: cells run before that get lost."""
+        """Open the notebook in JupyterLab or Notebook 7 ("notebooks"), with its kernel ready: earlier runs get lost."""
         where = "lab/tree" if app == "lab" else app
         page.goto(f"{self.url}/{where}/{name}?token={self.token}")
         page.locator(".jp-Notebook .jp-CodeCell").first.wait_for(timeout=60_000)

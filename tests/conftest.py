@@ -28,7 +28,7 @@ def pytest_ignore_collect(collection_path, config):
 
 @pytest.hookimpl(optionalhook=True)  # tests/mutants.py does without
 def pytest_xdist_auto_num_workers(config):
-    """For the whole suite one a core; the tests of a file or of a word are done before two workers have started."""
+    """Return one worker per core for the whole suite; the tests of one file or word end before two workers start."""
     some = config.option.keyword or any(".py" in arg for arg in config.args)
     return 0 if some else min(os.cpu_count() or 1, 4)
 
@@ -59,7 +59,7 @@ def axe_core():
 
 @pytest.fixture(scope="session")
 def built(tmp_path_factory):
-    """The site with Python in its pages, made by the process that needs it first; the others read the same folder."""
+    """Return the folder of the site with Python, made by the process that needs it first; the others read it."""
     if "PYTEST_XDIST_WORKER" not in os.environ:
         return site_with_python(tmp_path_factory.mktemp("site"))
     folder = tmp_path_factory.getbasetemp().parent / "site"
@@ -72,7 +72,7 @@ def built(tmp_path_factory):
 
 @pytest.fixture
 def errors():
-    """What the browser complained of; a test ends with none."""
+    """Yield the list of the browser's errors; a test must end with none."""
     found = []
     yield found
     assert not found, found

@@ -12,18 +12,18 @@ SECONDS = 900  # JupyterLab is fetched
 
 
 def run(*command, cwd, **more):
-    """The exit code of a command and what it printed."""
+    """Return the exit code of a command and its output."""
     done = subprocess.run(command, cwd=cwd, env={**CLEAN, **more}, capture_output=True, text=True, timeout=SECONDS)
     return done.returncode, done.stdout + done.stderr
 
 
 def uv(*arguments, cwd):
-    """As `run`, of uv: pip takes ten times as long where most of what is installed was installed before."""
+    """Return the same for a command of uv, which is ten times as fast as pip where most packages are cached."""
     return run(sys.executable, "-m", "uv", *arguments, cwd=cwd)
 
 
 def environment(folder, *packages):
-    """The Python of a new virtual environment with these packages; skipped where uv cannot fetch them."""
+    """Return the Python of a new virtual environment with these packages; skip the test if uv cannot fetch them."""
     python = folder / "env" / "bin" / "python"
     code, said = uv("venv", "-q", "--python", sys.executable, folder / "env", cwd=folder)
     assert code == 0, said
@@ -38,7 +38,7 @@ def environment(folder, *packages):
 
 
 def npm_package(folder, name):
-    """The folder of the programs of an npm package; skipped where npm cannot fetch it."""
+    """Return the folder of the programs of an npm package; skip the test if npm cannot fetch it."""
     npm = shutil.which("npm")
     if npm is None:
         pytest.skip("npm is not installed")

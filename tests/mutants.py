@@ -56,8 +56,13 @@ TESTS = {  # which test files judge a module
         path.relative_to(ROOT).with_suffix("").as_posix(): BATCH_TESTS
         for path in sorted((ROOT / "batch").rglob("[!_]*.py"))
     },
-    "batch/with_numba/few": ["batch_few", "batch_broad", "batch_padded"],
-    "batch/with_numba/outlines": ["batch_few", "batch_outlines", "batch_padded", "batch_validation"],
+    "batch/with_numba/few": ["batch_small", "batch_few", "batch_broad", "batch_padded"],
+    "batch/with_numba/filter": ["batch_small", "batch_narrow", "batch_exact"],
+    "batch/with_numba/grid": ["batch_small", "batch_few", "batch_broad"],
+    "batch/with_numba/indexed": ["batch_small", "batch_narrow", "batch_exact"],
+    "batch/with_numba/outlines": ["batch_small", "batch_few", "batch_outlines", "batch_padded", "batch_validation"],
+    "batch/with_numpy/few": ["batch_few_numpy", "batch_few", "batch_broad", "batch_padded"],
+    "batch/with_numpy/outlines": ["batch_outlines", "batch_few", "batch_padded", "batch_validation"],
     "engine/axes": ["axes", "trace", "failing"],
     "engine/sat": ["trace"],
     "engine/shortcut": ["failing", "trace"],
@@ -70,16 +75,21 @@ TESTS = {  # which test files judge a module
 GRID = "boxes or candidate or cells or collid or grid or stream"
 ABOUT = {  # of those files only these tests, as pytest -k takes them, since each survivor goes through all that judge
     "batch/broad_phase": GRID,
-    "batch/with_numba/grid": GRID,
+    "batch/with_numba/grid": f"{GRID} or small",
     "batch/with_numpy/grid": GRID,
-    "batch/with_numba/few": f"{GRID} or few or giant or odd or order or pairs or sizes or sorted or swept",
+    "batch/with_numba/few": f"({GRID} or small or few or giant or joined or order or pairs or sizes or sorted or swept)"
+    " and not (bad or cells or depends or index or layout or outline or rows or side_by_side)",
     "batch/with_numba/outlines": "bad or circles or layout or number or outline or padded or pose or radi or repeats"
-    " or tile or zero",
+    " or small or tile or zero",
+    "batch/with_numpy/few": "few_numpy or all_colliding or along_one or candidate_pairs or chosen or depends or giant"
+    " or joined or joins or no_comparisons or odd_shape_among or padded or same_broad or swept or unlike",
+    "batch/with_numpy/outlines": "circles or kind_of_array or layout or number or outline or padded or star",
     "engine/axis_count": "axes or axis or enough or touch",
-    "batch/with_numba/filter": "circles or columns or filter or float32 or hard_pairs or ordinary or scalar or upright",
-    "batch/with_numba/indexed": "columns or hard_pairs or index or lanes or many_corners or ordinary or picked"
+    "batch/with_numba/filter": "circles or columns or filter or float32 or hard_pairs or ordinary or scalar or small"
     " or upright",
-    "batch/with_numpy/indexed": "hard_pairs or index or many_corners or ordinary or picked or side_by_side or upright",
+    "batch/with_numba/indexed": "columns or hard_pairs or index or lanes or many_corners or ordinary or small"
+    " or upright",
+    "batch/with_numpy/indexed": "hard_pairs or index or many_corners or ordinary or side_by_side or upright",
     "batch/with_numpy/circle_polygons": "circle or foot or hard_pairs or relations_are_the_scalar or tiny",
 }
 # what kernels run as Python cannot do: number cells beyond 2**63, pass by 1e308 without a warning, and be quick
@@ -112,7 +122,7 @@ ALIAS = m.SimpleStatementLine([m.Assign(value=m.Subscript() | m.BinaryOperation(
 
 
 def ours(node: cst.CSTNode) -> Iterator[cst.CSTNode]:
-    """What a node is replaced with, beside mutmut's own."""
+    """Yield the replacements of a node, in addition to those of mutmut."""
     for other in SWAPS.get(type(node), ()):
         yield other()
     match node:
@@ -269,7 +279,7 @@ class Watch:
 
 
 def judge(path: Path, source: str, tests: list[str], about: str, watch: Watch) -> int:
-    """pytest's exit code in this process, which dies of a signal if a test runs away."""
+    """Return pytest's exit code in this process, which a signal ends if a test runs too long."""
     import hypothesis
     import numba
     import pytest

@@ -5,7 +5,7 @@ from pathlib import Path
 
 
 def ends(pid):
-    """Whether a process is gone, or dead with nobody who has asked for its end, within some seconds."""
+    """Return whether a process ends within some seconds; a zombie counts as ended."""
     state = Path(f"/proc/{pid}/stat")
     for _ in range(100):
         if not state.exists() or state.read_text().split()[2] == "Z":

@@ -38,12 +38,12 @@ def load(path: Path) -> dict:
 
 
 def bench_rows(*stems: str) -> list[TimingRow]:
-    """The stored rows of these charts of the bench."""
+    """Return the stored rows of these charts of the bench."""
     return [TimingRow(**row) for stem in stems for row in load(FIGURES / f"{stem}.json")["rows"]]
 
 
 def charts() -> dict[str, Chart]:
-    """Each chart of the guides by its stem, from what is stored."""
+    """Return each chart of the guides by its stem, made from the stored rows."""
     found = stored_charts()
     drawn = {stem: found[stem] for stem in STUDY_STEMS}
     for stem, draw in BENCH_CHARTS.items():
@@ -64,12 +64,12 @@ def store_study(folder: Path) -> None:
 
 
 def alternative_text(chart: Chart) -> str:
-    """The title of a chart, and for those of the bench what the reading begins with."""
+    """Return the title of a chart; for a chart of the bench also the beginning of its reading."""
     return " ".join([f"{chart.title}.", *re.split(r"(?<=\.) ", chart.reading)[: READ_ALOUD.get(chart.stem, 0)]])
 
 
 def measured_sentences() -> list[str]:
-    """Each part of a sentence in the guides that was measured, with its numbers in braces."""
+    """Return each part of a sentence in the guides that was measured, with its numbers in braces."""
     run, numpy, numba = stored_run(), *ENGINES
     of = {row["method"]: row for row in run["rows"]["speed-against-accuracy"]}
     exact, raw, unit = (of[name] for name in ("satviz", "SAT, raw normals", "SAT, unit normals"))
@@ -117,7 +117,7 @@ def measured_sentences() -> list[str]:
 
 
 def prices_of_few_corners(study: dict[str, list[dict]]) -> list[float]:
-    """How many times as long as plain SAT satviz takes with numba, where few of the pairs nearly touch.
+    """Return satviz's time with numba as a multiple of plain SAT's, where few of the pairs nearly touch.
 
     study: the stored rows by chart.  The pairs have 3 to 8 corners, and are others than those of the main chart.
     """
@@ -132,12 +132,12 @@ def prices_of_few_corners(study: dict[str, list[dict]]) -> list[float]:
 
 
 def fastest(frames: dict[tuple[str, int, str], Spread], scene: tuple[str, int]) -> set[str]:
-    """The methods with the least time for a scene (work, number of shapes), which cannot be told apart."""
+    """Return the fastest methods for a scene (work, number of shapes), whose intervals overlap."""
     return set(least_of({key[2]: time for key, time in frames.items() if key[:2] == scene}))
 
 
 def with_numbers(text: str, drawn: dict[str, Chart]) -> str:
-    """A guide's text with the alternative texts of these charts, and with what was measured."""
+    """Return a guide's text with the alternative texts of these charts and with the measured numbers."""
     for stem, chart in drawn.items():
         alt = re.compile(rf'(<img src="../../figures/{stem}\.svg"[^>]* alt=")[^"]*')
         text = alt.sub(lambda found, chart=chart: found[1] + alternative_text(chart), text)

@@ -7,5 +7,5 @@ import pytest
 
 
 def one_in(n: int, values: Iterable[Any]) -> list[Any]:
-    """For parametrize: every n-th value is quick, the others are slow."""
+    """Return values for parametrize: every n-th is quick, the others are marked slow."""
     return [x if i % n == 0 else pytest.param(x, marks=pytest.mark.slow) for i, x in enumerate(values)]

@@ -370,7 +370,7 @@ def test_one_axis_is_enough_for_circles():
     assert count_axes(coin, sv.Circle((5, 0), 1)) == (1, gap)
 
 
-def test_no_range_is_said_to_touch_where_all_overlap():
+def test_no_sentence_calls_overlapping_ranges_touching():
     corner = sv.Polygon([(0, 0), (4, 0), (0, 4)])
     said = "Four axes are needed here: the ranges leave no gap on any, and only all of them prove a hit."
     assert count_axes(corner, sv.Polygon([(1, 1), (5, 1), (1, 6)])) == (4, said)
@@ -384,7 +384,7 @@ def test_enough_axes_for_a_hit_of_parts_are_those_of_the_parts_that_meet():
         assert count_axes(roof, small) == (NUMBER_WORDS.index(many), said)
 
 
-def test_enough_says_no_more_of_concave_outlines_than_of_where_they_lie_and_names_a_traces_shapes():
+def test_the_axis_count_of_concave_outlines_holds_for_these_coordinates_only_and_names_the_shapes_of_a_trace():
     notch = sv.Polygon([(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)])
     far = sv.Polygon([(9, 9), (10, 9), (10, 10), (9, 10)])
     said = "One axis is enough here: the normal of B's hull edge b3b5 leaves a gap of 8.485."
@@ -401,7 +401,7 @@ def test_enough_says_no_more_of_concave_outlines_than_of_where_they_lie_and_name
         count_axes(far, "B")
 
 
-def test_a_hulls_normal_may_be_enough_where_no_edges_is():
+def test_a_normal_of_the_hull_may_be_enough_where_no_edge_normal_is():
     dart = sv.Polygon([(-3, -3), (4, 0), (1, 1), (0, 4)])
     square = sv.Polygon([(2.2, 2.2), (3.2, 2.2), (3.2, 3.2), (2.2, 3.2)])
     assert count_axes(dart, square)[0] == 1
@@ -639,7 +639,7 @@ def test_a_recommendation_for_the_largest_floats_is_valid_json():
             assert str(recommendation)
 
 
-def test_where_boxes_never_meet_there_is_nothing_left_to_test():
+def test_pairs_whose_boxes_are_apart_need_no_further_test():
     recommendation = sv.advise(boxes_at([(0, 0), (1.2, 0), (9, 0)]))  # the circles around the first two meet
     assert recommendation.model.kind == AABB
     assert recommendation.summary.pairs == 0
@@ -660,12 +660,12 @@ def test_where_boxes_never_meet_there_is_nothing_left_to_test():
         (np.empty((0, 2)), None),
     ],
 )
-def test_where_no_pair_is_meant_nothing_is_recommended(shapes, pairs):
+def test_nothing_is_recommended_for_an_empty_list_of_pairs(shapes, pairs):
     with pytest.raises(ValueError, match=r"nothing to advise on"):
         sv.advise(batch.Circles(shapes, 1.0), pairs=pairs)
 
 
-def test_hits_alone_may_need_less():
+def test_hits_alone_may_need_a_smaller_model_than_relations():
     box = sv.Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
     recommendation = sv.advise(box, sv.Polygon([(1, 0.5), (2, 0), (2, 1)]))  # touching; their circles overlap
     assert recommendation.for_hits.model.kind == BOUNDING_CIRCLES and recommendation.model.kind != BOUNDING_CIRCLES
@@ -682,7 +682,7 @@ def test_a_recommendation_is_json_and_the_same_each_time():
         assert [c["proven"] for c in data["candidates"]].count(True) >= 1
 
 
-def test_concave_shapes_are_advised_on_whole():
+def test_concave_shapes_get_one_recommendation_for_all_their_parts():
     some = list(pairs(51, 24, ["concave", "in the notch"]))
     recommendation = sv.advise(batch_of([a for _, a, _ in some]), batch_of([b for _, _, b in some]))
     assert recommendation.summary.kinds["concave polygons"] >= 20 and recommendation.check()
@@ -716,7 +716,7 @@ def test_costs_are_those_of_all_candidates_and_count_their_wrong_answers():
 
 @pytest.mark.parametrize("theme", THEMES.values(), ids=lambda theme: theme.name)
 @pytest.mark.parametrize("seed", one_in(3, range(6)))
-def test_the_charts_labels_cover_nothing_and_stay_on_the_paper(seed, theme):
+def test_the_labels_of_the_chart_cover_nothing_and_stay_on_it(seed, theme):
     from matplotlib.text import Text
 
     from satviz.advice.cost_chart import cost_chart
@@ -765,7 +765,7 @@ def test_the_command_advises_on_scenes(capsys):
 
 
 @pytest.mark.slow
-def test_the_command_advises_on_a_file_of_many_shapes_and_draws_what_they_cost(tmp_path, capsys):
+def test_the_command_advises_on_a_file_of_many_shapes_and_draws_the_costs_of_the_models(tmp_path, capsys):
     rings = np.array([(0, 0), (1, 0), (1, 1), (0, 1), (0, 0), (1, 0.0), (0, 1)])
     path = shapes_file(tmp_path, coords=rings, offsets=[0, 4, 7], centers=[(2, 0.5), (0, 0)], radii=[1, 0.5])
     assert main(["advise", path, "--chart", str(tmp_path / "new"), "--json"]) == 0
@@ -904,7 +904,7 @@ def test_the_convex_parts_of_a_polygon_are_its_outline_again():
     assert seen > 20
 
 
-def test_no_bytes_of_a_file_are_a_fault_of_satviz(tmp_path):
+def test_no_file_of_random_bytes_makes_satviz_fail(tmp_path):
     whole, rng = tmp_path / "whole.npz", Random(65)
     np.savez_compressed(whole, centers=[(2, 0.5), (0, 0)], radii=[1, 0.5], pairs=[[0, 1]])
     bad, seen = tmp_path / "bad.npz", Counter()
@@ -934,7 +934,7 @@ def test_no_bytes_of_a_file_are_a_fault_of_satviz(tmp_path):
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no named pipes there")
-def test_a_pipe_is_no_file_of_shapes_and_is_not_waited_for(tmp_path, capsys):
+def test_a_pipe_is_refused_as_a_file_of_shapes_without_waiting(tmp_path, capsys):
     pipe = tmp_path / "pipe.npz"
     os.mkfifo(pipe)
     assert main(["advise", str(pipe)]) == 2

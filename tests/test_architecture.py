@@ -17,7 +17,7 @@ DESIGN = (Path(__file__).parent.parent / "DESIGN.md").read_text(encoding="utf-8"
 
 
 def listed(block):
-    """The first words of a list in DESIGN.md, from the bottom up."""
+    """Return the first words of a list in DESIGN.md, from the bottom up."""
     (text,) = re.findall(rf"^```{block}\n(.*?)^```$", DESIGN, re.MULTILINE | re.DOTALL)
     return [line.split()[0] for line in text.splitlines()][::-1]
 
@@ -43,7 +43,7 @@ MODULES = {module_name(path): path for path in ROOT.rglob("*.py")}
 
 @cache
 def imported(path):
-    """The modules of satviz that a file imports, at import time, inside functions and for type checkers."""
+    """Return the modules of satviz that a file imports: at import time, inside functions and for type checkers."""
     package = module_name(path).split(".")[: None if path.name == "__init__.py" else -1]
     found = []
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
@@ -71,7 +71,7 @@ def test_imports_only_go_down():
             assert other == mine or other in LAYERS[: LAYERS.index(mine)], f"{path} imports {name}"
 
 
-def test_no_module_imports_itself_by_a_detour():
+def test_there_is_no_import_cycle():
     below = {name: set(imported(path)) - {name} for name, path in MODULES.items()}
     while below:
         leaves = {name for name, others in below.items() if not others & below.keys()}
@@ -100,7 +100,7 @@ def test_pictures_know_no_pen_and_only_render_and_the_charts_know_artists():
 
 
 @pytest.mark.parametrize("name", ["advice", "drag", "millions", "pictures", "scalar"])
-def test_what_a_benchmark_asks_of_satviz_is_there(name):
+def test_every_name_that_a_benchmark_uses_exists(name):
     text = (Path(__file__).parent / "benchmarks" / f"{name}.py").read_text(encoding="utf-8")
     for node in ast.walk(ast.parse(text)):
         if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("satviz"):
@@ -130,7 +130,7 @@ def test_the_engine_loads_the_standard_library_only():
     assert not [m for m in outside if not m.startswith(("_", "sitecustomize", "usercustomize"))]
 
 
-def test_pictures_and_what_the_widgets_answer_load_the_standard_library_only():
+def test_pictures_and_the_models_of_the_widgets_load_the_standard_library_only():
     """So any front end can ask them, where neither NumPy nor matplotlib nor a kernel is."""
     code = (
         "import sys; import satviz as sv\n"
@@ -162,7 +162,7 @@ def test_a_widget_that_lacks_its_extra_says_how_to_get_it(ask):
     assert "a widget needs the extra 'jupyter'" in " ".join(run(code))
 
 
-def test_importing_satviz_loads_no_room_it_does_not_need():
+def test_importing_satviz_loads_no_package_that_it_does_not_need():
     loaded = set(run("import sys, satviz; print(*sys.modules)"))
     assert not loaded & {"satviz.engine.trace", "satviz.pictures", "json", "dataclasses", "argparse"}
 

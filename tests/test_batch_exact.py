@@ -972,15 +972,13 @@ def test_edges_on_one_line_touch_where_their_ranges_overlap(turn):
 @pytest.mark.parametrize("v", [3, 4, 5, 20])
 def test_ordinary_pairs_need_no_exact_sign_at_any_scale(v, scale, monkeypatch):
     rng = RNG(v)
-    evaluated, undecided, real = [], [], exact_numpy._classify_edges
-    monkeypatch.setattr(exact_numpy, "_classify_edges", lambda *c: evaluated.extend(c[3]) or real(*c))
+    undecided = []
     monkeypatch.setattr(exact_numpy, "_classify_on_line", lambda *c: undecided.append(c))
     rings = ngons(rng, 200, v)
     rings = rings[(rings * turned(np.roll(rings, -1, axis=1))).sum(axis=(1, 2)) > 0.5]
     a, b = (batch.Polygons((rings + far) * scale).uniform for far in (0, [1e-3, 2e-3]))
     index = np.arange(len(rings))
     assert (exact_numpy.relations(a, index, b, index) == 2).all()
-    assert not evaluated or v > exact_numpy.MAX_ALL_EDGES_CORNERS
     a, b = (batch.Polygons(ngons(rng, 200, v) * scale).uniform for _ in "ab")
     exact_numpy.relations(a, np.arange(200), b, np.arange(200))
     assert not undecided

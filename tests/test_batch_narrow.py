@@ -85,7 +85,7 @@ HARD = [
 
 @pytest.mark.parametrize("engine", ENGINES)
 @pytest.mark.parametrize("kind", one_in(2, HARD))
-def test_hard_pairs_have_their_scalar_relation_side_by_side_and_picked(engine, kind):
+def test_hard_pairs_have_their_scalar_relation_side_by_side_and_by_index(engine, kind):
     """The pairs meet at all kinds of features, in both orders, beside different shapes in memory."""
     rng, pairs = Random(kind), []
     while len(pairs) < 40:
@@ -458,7 +458,7 @@ def outlines_of_many_corner_counts(rng, across):
 
 
 @pytest.mark.parametrize("engine", ENGINES)
-def test_picked_outlines_of_many_corner_counts_have_their_scalar_relation(engine):
+def test_outlines_of_many_corner_counts_have_their_scalar_relation_by_index(engine):
     """There are more pairs of few, of up to eight and of more corners than an engine evaluates at a time."""
     rng = RNG(3)
     shapes = batch.concat(outlines_of_many_corner_counts(rng, 5) + outlines_of_many_corner_counts(rng, 8))
@@ -476,7 +476,7 @@ def test_picked_outlines_of_many_corner_counts_have_their_scalar_relation(engine
 
 
 @pytest.mark.parametrize("lanes", [7, 128])
-def test_numba_needs_no_exact_sign_for_ordinary_picked_pairs(lanes, monkeypatch):
+def test_numba_needs_no_exact_sign_for_ordinary_pairs_by_index(lanes, monkeypatch):
     """The same holds for upright boxes, and for many corners if the middle of the common box is inside both shapes."""
     indexed_numba = kernels_of("indexed")
     real, sizes, exact = indexed_numba._evaluate_lanes, [], ("relate_few_corners", "relate_many_corners")
@@ -530,7 +530,7 @@ def test_numba_classifies_columns_of_every_corner_count_by_their_clearances(v, w
 
 
 @pytest.mark.parametrize(("v", "w"), [(16, 3), (3, 16), (17, 3), (3, 17), (16, 16), (17, 17)])
-def test_edges_of_picked_outlines_are_evaluated_only_where_float32_or_gjk_leaves_them_undecided(v, w, monkeypatch):
+def test_edges_of_outlines_by_index_are_evaluated_only_where_float32_or_gjk_leaves_them_undecided(v, w, monkeypatch):
     filters, left, widths = [], [], []
     for module, name in (indexed, "evaluate_f32"), (indexed.gjk, "gjk"):
         real = getattr(module, name)
@@ -589,7 +589,7 @@ def test_numba_evaluates_undecided_columns_exactly_and_leaves_the_others_unchang
 @pytest.mark.parametrize("scale", [1.0, 2.0**-90])
 @pytest.mark.parametrize(("v", "w"), [(3, 3), (4, 4), (3, 8), (8, 8), (8, 5), (9, 5), (12, 12)])
 @pytest.mark.parametrize("engine", ENGINES)
-def test_touching_picked_pairs_are_classified_as_touching(v, w, scale, engine):
+def test_touching_pairs_by_index_are_classified_as_touching(v, w, scale, engine):
     a, touching = beside_mirror(v, w)
     p, q = batch.Polygons(a[:8] * scale), batch.Polygons(touching[:8] * scale)
     for one, other in (p, q), (q, p):
@@ -599,7 +599,7 @@ def test_touching_picked_pairs_are_classified_as_touching(v, w, scale, engine):
 
 @pytest.mark.parametrize("w", [4, 7])  # one by one and in lanes
 @pytest.mark.parametrize("e", [-600, -100, 0, 100, 400, 600])
-def test_error_bounds_of_picked_pairs_in_numba_follow_from_their_widths_and_largest_coordinates(e, w, monkeypatch):
+def test_error_bounds_of_pairs_by_index_in_numba_follow_from_their_widths_and_largest_coordinates(e, w, monkeypatch):
     indexed_numba = kernels_of("indexed")
     as_python(monkeypatch, indexed_numba, "_error_bound")
     real, found = indexed_numba._error_bound, {}

@@ -133,7 +133,7 @@ def test_the_rows_of_selected_columns_are_contiguous(v):
 
 
 @pytest.mark.parametrize(("v", "n"), [(3, 20_000), (300, 5_000)])
-def test_circles_picked_with_polygons_are_evaluated_once_in_blocks_that_bound_the_memory(v, n, monkeypatch):
+def test_circles_indexed_with_polygons_are_evaluated_once_in_blocks_that_bound_the_memory(v, n, monkeypatch):
     rng, evaluated, real = RNG(v), [], narrow_phase._evaluate_block
     monkeypatch.setattr(narrow_phase, "_evaluate_block", lambda *args: evaluated.append(args[-1].size) or real(*args))
     some, polygons = circles(rng, 50), batch.Polygons(regular(rng, 50, v))
@@ -484,7 +484,7 @@ def test_a_stream_refuses_lists_and_arrays_of_other_shapes(thing, words):
         next(batch.stream_colliding_pairs(thing))
 
 
-def test_memory_mapped_arrays_are_taken_and_left_alone(tmp_path):
+def test_memory_mapped_arrays_are_accepted_and_not_changed(tmp_path):
     rings = ngons(RNG(2), 50, 4)[:, ::-1]
     np.save(tmp_path / "rings.npy", rings)
     shapes = batch.Polygons(np.load(tmp_path / "rings.npy", mmap_mode="r"))

@@ -42,15 +42,15 @@ ASK = """async code => {
 }"""
 
 
-class Hand:
-    """A page with the notebook open and run; what a person does with it."""
+class OpenNotebook:
+    """A page with an open notebook after its cells have run, and the actions of a person on it."""
 
     def __init__(self, browser, lab, app="lab", **more):
         self.errors = []
         self.page = browser.new_page(viewport={"width": 1500, "height": 1900}, **more)
         self.page.on("pageerror", self.complained)
-        lab.notebook("hand.ipynb", *NOTEBOOK)
-        lab.open(self.page, "hand.ipynb", app)
+        lab.notebook("explorer.ipynb", *NOTEBOOK)
+        lab.open(self.page, "explorer.ipynb", app)
         lab.run_all(self.page)
         self.widgets = self.page.locator(".satviz")
         self.page.locator(".sv-count").first.wait_for(timeout=60_000)
@@ -76,7 +76,7 @@ class Hand:
         box = self.handle(name, widget).bounding_box()
         return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
 
-    def said(self, words, widget=0):
+    def expect_sentence(self, words, widget=0):
         self.widgets.nth(widget).locator(".sv-sentence").filter(has_text=words).wait_for(timeout=20_000)
 
     def drag(self, name, dx, dy, widget=0, steps=12):
@@ -90,14 +90,14 @@ class Hand:
         self.widgets.nth(widget).get_by_role("button", name=name, exact=True).click()
 
     def file(self, name, widget=0):
-        """The name and the bytes of the file that a button hands over."""
+        """Return the name and the bytes of the file that a button saves."""
         self.widgets.nth(widget).locator(".sv-menu summary:has-text('save')").click()
         with self.page.expect_download() as found:
             self.press(name, widget)
         return found.value.suggested_filename, found.value.path().read_bytes()
 
     def kernel(self, expression):
-        """What an expression is in the kernel."""
+        """Return the value of an expression in the kernel, as text."""
         return self.page.evaluate(ASK, f"print({expression})")
 
     def until(self, expression):
@@ -110,8 +110,8 @@ class Hand:
 
 
 @pytest.fixture(scope="module")
-def hand(browser, lab):
-    found = Hand(browser, lab)
+def notebook(browser, lab):
+    found = OpenNotebook(browser, lab)
     yield found
     found.page.close()
     assert not found.errors, found.errors
@@ -120,19 +120,19 @@ def hand(browser, lab):
 AT_START = "[w.scene.a, w.scene.b] == [sv.scene('triangles').a, sv.scene('triangles').b]"
 
 
-def reset(hand):
-    hand.press("reset")
-    hand.until(AT_START)
+def reset(notebook):
+    notebook.press("reset")
+    notebook.until(AT_START)
 
 
-def test_dragging_a_triangle_changes_the_sentence_and_the_kernel(hand):
-    assert hand.kernel("w.trace.relation") == "apart"
-    hand.drag("B-move", -130, 0)
-    hand.said("A and B overlap")
-    assert hand.kernel("w.trace.relation") == "overlapping"
-    hand.press("undo")
-    hand.said("A and B are apart")
-    assert hand.kernel("w.scene == sv.scene('triangles')") == "True"
+def test_dragging_a_triangle_changes_the_sentence_and_the_kernel(notebook):
+    assert notebook.kernel("w.trace.relation") == "apart"
+    notebook.drag("B-move", -130, 0)
+    notebook.expect_sentence("A and B overlap")
+    assert notebook.kernel("w.trace.relation") == "overlapping"
+    notebook.press("undo")
+    notebook.expect_sentence("A and B are apart")
+    assert notebook.kernel("w.scene == sv.scene('triangles')") == "True"
 
 
 SEEN = """() => {
@@ -143,62 +143,62 @@ SEEN = """() => {
 }"""
 
 
-def test_the_outline_is_under_the_hand_in_the_same_event(hand):
-    reset(hand)
-    x, y = hand.spot("B-move")
-    hand.page.mouse.move(x, y)
-    hand.page.mouse.down()
-    hand.page.evaluate(SEEN)
-    hand.page.mouse.move(x + 40, y)
-    before, after = hand.page.evaluate("() => window.seen")
-    hand.page.mouse.up()
+def test_the_outline_follows_the_pointer_within_the_same_event(notebook):
+    reset(notebook)
+    x, y = notebook.spot("B-move")
+    notebook.page.mouse.move(x, y)
+    notebook.page.mouse.down()
+    notebook.page.evaluate(SEEN)
+    notebook.page.mouse.move(x + 40, y)
+    before, after = notebook.page.evaluate("() => window.seen")
+    notebook.page.mouse.up()
     assert before != after
-    reset(hand)
+    reset(notebook)
 
 
-def test_a_vertex_is_dragged_and_a_crossing_outline_is_refused(hand):
-    reset(hand)
-    hand.drag("A-vertex-1", -200, 130)
-    why = hand.widgets.first.locator(".sv-why")
-    hand.until("w.scene.a != sv.scene('triangles').a")
-    reset(hand)
-    bx, by = hand.spot("A-vertex-1")
-    x, y = hand.spot("A-vertex-2")
-    hand.page.mouse.move(x, y)
-    hand.page.mouse.down()
-    hand.page.mouse.move(bx, by, steps=8)  # two corners on one spot: no area
+def test_a_vertex_is_dragged_and_a_crossing_outline_is_refused(notebook):
+    reset(notebook)
+    notebook.drag("A-vertex-1", -200, 130)
+    why = notebook.widgets.first.locator(".sv-why")
+    notebook.until("w.scene.a != sv.scene('triangles').a")
+    reset(notebook)
+    bx, by = notebook.spot("A-vertex-1")
+    x, y = notebook.spot("A-vertex-2")
+    notebook.page.mouse.move(x, y)
+    notebook.page.mouse.down()
+    notebook.page.mouse.move(bx, by, steps=8)  # two corners on one spot: no area
     why.filter(has_text="Not possible").wait_for(timeout=5000)
-    hand.page.mouse.up()
-    hand.said("A and B")
-    assert hand.kernel("len(set(w.scene.a.vertices))") == "3"
+    notebook.page.mouse.up()
+    notebook.expect_sentence("A and B")
+    assert notebook.kernel("len(set(w.scene.a.vertices))") == "3"
     assert (
-        why.is_visible() and hand.widgets.first.locator(".sv-drawing.sv-wrong path").count() == 1
+        why.is_visible() and notebook.widgets.first.locator(".sv-drawing.sv-wrong path").count() == 1
     )  # until the next change
-    reset(hand)
+    reset(notebook)
     why.wait_for(state="hidden", timeout=5000)
-    assert hand.widgets.first.locator(".sv-drawing path").count() == 0
+    assert notebook.widgets.first.locator(".sv-drawing path").count() == 0
 
 
-def test_the_keyboard_moves_and_turns(hand):
-    reset(hand)
-    handle = hand.handle("B-move")
+def test_the_keyboard_moves_and_turns(notebook):
+    reset(notebook)
+    handle = notebook.handle("B-move")
     handle.focus()
     for _ in range(30):
         handle.press("ArrowLeft")
-    hand.said("A and B overlap")
+    notebook.expect_sentence("A and B overlap")
     handle.press("[")
-    hand.until("w.scene.b.vertices[0].y != 5.0")
-    assert hand.page.evaluate("() => document.activeElement.dataset.handle") == "B-move"
-    reset(hand)
+    notebook.until("w.scene.b.vertices[0].y != 5.0")
+    assert notebook.page.evaluate("() => document.activeElement.dataset.handle") == "B-move"
+    reset(notebook)
 
 
-def test_the_turn_handle_turns_a_shape_about_its_middle(hand):
-    reset(hand)
-    (mx, my), (x, y) = hand.spot("B-move"), hand.spot("B-rotate")
-    hand.drag("B-rotate", mx - (y - my) - x, my + (x - mx) - y)  # a quarter turn, wherever the handle sits
-    hand.until("w.scene.b.vertices[0].x > 6")
+def test_the_turn_handle_turns_a_shape_about_its_middle(notebook):
+    reset(notebook)
+    (mx, my), (x, y) = notebook.spot("B-move"), notebook.spot("B-rotate")
+    notebook.drag("B-rotate", mx - (y - my) - x, my + (x - mx) - y)  # a quarter turn, wherever the handle sits
+    notebook.until("w.scene.b.vertices[0].x > 6")
     before = sv.scene("triangles").b.vertices
-    after = json.loads(hand.kernel("[list(v) for v in w.scene.b.vertices]"))
+    after = json.loads(notebook.kernel("[list(v) for v in w.scene.b.vertices]"))
 
     def sides(corners):
         return [dist(corners[i - 1], corners[i]) for i in range(3)]
@@ -207,107 +207,107 @@ def test_the_turn_handle_turns_a_shape_about_its_middle(hand):
         return [sum(c) / 3 for c in zip(*corners)]
 
     assert sides(after) == pytest.approx(sides(before)) and middle(after) == pytest.approx(middle(before))
-    reset(hand)
+    reset(notebook)
 
 
-def test_undo_goes_back_over_keys_and_presets_one_by_one(hand):
-    reset(hand)
-    handle = hand.handle("A-vertex-0")
+def test_undo_goes_back_over_keys_and_presets_one_by_one(notebook):
+    reset(notebook)
+    handle = notebook.handle("A-vertex-0")
     handle.focus()
     handle.press("ArrowDown")
-    hand.until("w.scene.a != sv.scene('triangles').a")
-    moved = hand.kernel("list(w.scene.a.vertices)")
-    hand.widgets.first.get_by_label("presets").select_option("circles")
-    hand.handle("A-radius").wait_for()
-    hand.press("undo")
-    hand.handle("A-vertex-0").wait_for()
-    assert hand.kernel("list(w.scene.a.vertices)") == moved
-    hand.press("undo")
-    hand.until(AT_START)
-    hand.widgets.first.get_by_label("presets").select_option("triangles")
-    hand.until("w.scene.name == 'triangles'")
+    notebook.until("w.scene.a != sv.scene('triangles').a")
+    moved = notebook.kernel("list(w.scene.a.vertices)")
+    notebook.widgets.first.get_by_label("presets").select_option("circles")
+    notebook.handle("A-radius").wait_for()
+    notebook.press("undo")
+    notebook.handle("A-vertex-0").wait_for()
+    assert notebook.kernel("list(w.scene.a.vertices)") == moved
+    notebook.press("undo")
+    notebook.until(AT_START)
+    notebook.widgets.first.get_by_label("presets").select_option("triangles")
+    notebook.until("w.scene.name == 'triangles'")
 
 
-def test_a_circle_is_made_larger_by_its_handle_without_moving_the_other_widget(hand):
-    first = hand.kernel("w.scene.to_json()")
-    radius = float(hand.kernel("v.scene.b.radius"))
-    hand.drag("B-radius", 40, 0, widget=1)
-    hand.until(f"v.scene.b.radius > {radius}")
-    assert hand.kernel("w.scene.to_json()") == first
+def test_a_circle_is_made_larger_by_its_handle_without_moving_the_other_widget(notebook):
+    first = notebook.kernel("w.scene.to_json()")
+    radius = float(notebook.kernel("v.scene.b.radius"))
+    notebook.drag("B-radius", 40, 0, widget=1)
+    notebook.until(f"v.scene.b.radius > {radius}")
+    assert notebook.kernel("w.scene.to_json()") == first
 
 
-def test_the_free_axis_turns_and_the_curve_follows(hand):
-    reset(hand)
-    widget = hand.widgets.first
+def test_the_free_axis_turns_and_the_curve_follows(notebook):
+    reset(notebook)
+    widget = notebook.widgets.first
     widget.get_by_label("free axis").check()
-    hand.said("The axis at 30 degrees")
+    notebook.expect_sentence("The axis at 30 degrees")
     assert widget.locator(".sv-curve [data-id^='candidate']").count() >= 5
-    handle = hand.handle("axis")
+    handle = notebook.handle("axis")
     handle.focus()
     handle.press("[")
-    hand.said("The axis at 35 degrees")
+    notebook.expect_sentence("The axis at 35 degrees")
     widget.get_by_label("free axis").uncheck()
-    hand.said("A and B are apart")
+    notebook.expect_sentence("A and B are apart")
 
 
-def test_a_failing_scene_has_a_switch_between_the_shortcut_and_the_truth(hand):
-    widget = hand.widgets.first
+def test_a_failing_scene_has_a_switch_between_the_shortcut_and_the_truth(notebook):
+    widget = notebook.widgets.first
     switch = widget.get_by_role("group", name="what is shown")
     assert not switch.is_visible()
     widget.get_by_label("presets").select_option("aabb-turned")
-    hand.said("a false hit")
+    notebook.expect_sentence("a false hit")
     assert switch.is_visible() and "Claim: the bounding boxes" in widget.locator(".sv-heading").inner_text()
     assert widget.locator("[data-id='error-region.0']").count() == 1
-    hand.press("truth")
-    hand.said("A and B are apart: axis")
-    assert hand.kernel("w.trace.shortcut") == "None"
+    notebook.press("truth")
+    notebook.expect_sentence("A and B are apart: axis")
+    assert notebook.kernel("w.trace.shortcut") == "None"
     assert widget.locator("[data-id='error-region.0']").count() == 0
-    hand.press("shortcut")
-    hand.said("a false hit")
-    hand.drag("B-move", -100, 100)
-    hand.said("and so it is")
+    notebook.press("shortcut")
+    notebook.expect_sentence("a false hit")
+    notebook.drag("B-move", -100, 100)
+    notebook.expect_sentence("and so it is")
     assert "Here it happens to be right" in widget.locator(".sv-heading").inner_text()
     widget.get_by_label("presets").select_option("triangles")
-    hand.until(AT_START)
+    notebook.until(AT_START)
     switch.wait_for(state="hidden")
 
 
-def test_the_difference_is_shown_beside_and_follows_the_hand(hand):
-    widget = hand.widgets.first
+def test_the_difference_is_shown_beside_the_scene_and_follows_a_drag(notebook):
+    widget = notebook.widgets.first
     shown = widget.locator(".sv-difference")
     assert not shown.is_visible()
     widget.get_by_role("checkbox", name="B − A").check()
     shown.locator("[data-id='verdict']").filter(has_text="apart").wait_for()
-    hand.drag("B-move", -130, 0)
+    notebook.drag("B-move", -130, 0)
     shown.locator("[data-id='verdict']").filter(has_text="overlapping").wait_for()
-    hand.press("undo")
+    notebook.press("undo")
     widget.get_by_role("checkbox", name="B − A").uncheck()
-    hand.until(AT_START)
+    notebook.until(AT_START)
     shown.wait_for(state="hidden")
 
 
-def test_presets_change_the_scene(hand):
-    widget = hand.widgets.first
+def test_presets_change_the_scene(notebook):
+    widget = notebook.widgets.first
     widget.get_by_label("presets").select_option("circles")
-    hand.handle("A-radius").wait_for()
-    assert hand.kernel("w.scene.name") == "circles"
+    notebook.handle("A-radius").wait_for()
+    assert notebook.kernel("w.scene.name") == "circles"
     widget.get_by_label("presets").select_option("triangles")
-    hand.handle("A-vertex-0").wait_for()
+    notebook.handle("A-vertex-0").wait_for()
 
 
-def test_a_challenge_is_set_judged_and_given_up(hand):
-    reset(hand)
-    widget = hand.widgets.first
+def test_a_challenge_can_be_set_evaluated_and_given_up(notebook):
+    reset(notebook)
+    widget = notebook.widgets.first
     goal = widget.locator(".sv-goal")
     assert not goal.is_visible()
     widget.get_by_label("challenges").select_option("one-axis")
     goal.get_by_text("2 axes separate them").wait_for()
-    hand.drag("B-move", -30, 0)
+    notebook.drag("B-move", -30, 0)
     goal.get_by_text("Exactly one axis separates them").wait_for()
     widget.get_by_label("challenges").select_option("")
     goal.wait_for(state="hidden")
     widget.get_by_label("presets").select_option("triangles")
-    hand.until(AT_START)
+    notebook.until(AT_START)
 
 
 SLOW = """
@@ -321,104 +321,104 @@ w._model.answer = slow
 
 
 @pytest.mark.parametrize("seconds", [0.3, 1.2])  # three answers come within what is waited for, or beyond
-def test_a_slow_python_loses_neither_a_preset_nor_the_end_of_a_drag(hand, seconds):
-    reset(hand)
-    widget = hand.widgets.first
-    hand.page.evaluate(ASK, SLOW.format(seconds=seconds))
-    hand.drag("B-move", -130, 0)
+def test_a_slow_python_loses_neither_a_preset_nor_the_end_of_a_drag(notebook, seconds):
+    reset(notebook)
+    widget = notebook.widgets.first
+    notebook.page.evaluate(ASK, SLOW.format(seconds=seconds))
+    notebook.drag("B-move", -130, 0)
     widget.get_by_label("presets").select_option("circles")
-    hand.drag("B-move", -30, 0)  # of shapes that are leaving
-    hand.until("w.scene == sv.scene('circles')")
-    hand.handle("A-radius").wait_for()
+    notebook.drag("B-move", -30, 0)  # of shapes that are leaving
+    notebook.until("w.scene == sv.scene('circles')")
+    notebook.handle("A-radius").wait_for()
     widget.get_by_label("presets").select_option("triangles")
-    hand.handle("A-vertex-0").wait_for()
-    hand.drag("B-move", -130, 0)
-    hand.said("A and B overlap")
-    hand.page.wait_for_timeout(1000 * 4 * seconds)  # what is on its way has come
-    assert dist(json.loads(hand.kernel("list(w.scene.b.vertices[0])")), (5, 5)) > 1
-    hand.page.wait_for_function(
+    notebook.handle("A-vertex-0").wait_for()
+    notebook.drag("B-move", -130, 0)
+    notebook.expect_sentence("A and B overlap")
+    notebook.page.wait_for_timeout(1000 * 4 * seconds)  # what is on its way has come
+    assert dist(json.loads(notebook.kernel("list(w.scene.b.vertices[0])")), (5, 5)) > 1
+    notebook.page.wait_for_function(
         "words => document.querySelector('.satviz .sv-sentence').innerText === words",
-        arg=hand.kernel("w._model.picture().sentence"),
+        arg=notebook.kernel("w._model.picture().sentence"),
     )
-    hand.page.evaluate(ASK, "del w._model.answer")
-    reset(hand)
+    notebook.page.evaluate(ASK, "del w._model.answer")
+    reset(notebook)
 
 
-def test_files_come_from_the_matplotlib_pen(hand):
+def test_files_come_from_the_matplotlib_pen(notebook):
     """Byte for byte what the same picture gives here."""
     trace = sv.scene("triangles").record()
-    player = hand.widgets.nth(2)
+    player = notebook.widgets.nth(2)
     player.get_by_role("slider", name="step").fill("7")
     drawn = sv.picture(trace, 7)
     for form in "svg", "png":
-        assert hand.file(f"save {form.upper()}", 2) == (f"satviz.{form}", encode(drawn, form, LIGHT))
+        assert notebook.file(f"save {form.upper()}", 2) == (f"satviz.{form}", encode(drawn, form, LIGHT))
     every = add_captions([sv.picture(trace, i) for i in range(len(sv.steps(trace)))], brief=True)
     pictures, times = animation(every)
-    assert hand.file("save GIF", 2) == ("satviz.gif", encode_frames(pictures, "gif", times=times))
-    hand.press("reset", 2)
+    assert notebook.file("save GIF", 2) == ("satviz.gif", encode_frames(pictures, "gif", times=times))
+    notebook.press("reset", 2)
 
 
-def test_why_the_player_gives_no_file_is_said(hand):
-    hand.page.evaluate(ASK, "from satviz.pictures import playback; playback.MAX_STEPS = 1")
-    player = hand.widgets.nth(2)
+def test_the_player_says_why_it_cannot_save_a_file(notebook):
+    notebook.page.evaluate(ASK, "from satviz.pictures import playback; playback.MAX_STEPS = 1")
+    player = notebook.widgets.nth(2)
     player.locator(".sv-menu summary:has-text('save')").click()
-    hand.press("save GIF", 2)
+    notebook.press("save GIF", 2)
     player.locator(".sv-done", has_text="too many to step through").wait_for()
-    hand.page.evaluate(ASK, f"playback.MAX_STEPS = {playback.MAX_STEPS}")
+    notebook.page.evaluate(ASK, f"playback.MAX_STEPS = {playback.MAX_STEPS}")
     player.locator(".sv-menu summary:has-text('save')").click()  # forgotten when the menu opens again
     player.locator(".sv-done", has_text="too many").wait_for(state="detached")
     player.locator(".sv-menu summary:has-text('save')").click()
 
 
-def test_the_explorer_saves_what_it_shows(hand):
-    reset(hand)
-    hand.drag("B-move", -130, 0)
-    hand.said("A and B overlap")
-    name, svg = hand.file("save SVG")
+def test_the_explorer_saves_what_it_shows(notebook):
+    reset(notebook)
+    notebook.drag("B-move", -130, 0)
+    notebook.expect_sentence("A and B overlap")
+    name, svg = notebook.file("save SVG")
     assert name == "satviz.svg" and MADE_BY.encode() in svg and b">overlapping</text>" in svg
     for form, magic in ("png", b"\x89PNG\r\n"), ("gif", b"GIF89a"):
-        name, data = hand.file(f"save {form.upper()}")
+        name, data = notebook.file(f"save {form.upper()}")
         assert name == f"satviz.{form}" and data.startswith(magic)
-    hand.page.context.grant_permissions(["clipboard-read", "clipboard-write"])
-    hand.widgets.first.locator(".sv-menu summary:has-text('save')").click()
-    hand.press("copy JSON")
-    hand.widgets.first.get_by_text("Copied.").wait_for()
-    copied = hand.page.evaluate("() => navigator.clipboard.readText()")
-    assert copied == hand.kernel("w.scene.to_json()")
-    reset(hand)
+    notebook.page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    notebook.widgets.first.locator(".sv-menu summary:has-text('save')").click()
+    notebook.press("copy JSON")
+    notebook.widgets.first.get_by_text("Copied.").wait_for()
+    copied = notebook.page.evaluate("() => navigator.clipboard.readText()")
+    assert copied == notebook.kernel("w.scene.to_json()")
+    reset(notebook)
 
 
 @pytest.mark.parametrize("width", [1500, 390])
-def test_a_paste_in_a_notebook_is_explained_and_sent_on(hand, width):
-    before = hand.page.viewport_size
+def test_a_text_pasted_into_a_notebook_is_explained_and_can_be_exported(notebook, width):
+    before = notebook.page.viewport_size
     sidebar = "jupyterapp.commands.execute('application:toggle-left-area')"  # leaves no room on a phone
     if width < 500:
-        hand.page.evaluate(sidebar)
-    hand.page.set_viewport_size({"width": width, "height": before["height"]})
-    widget = hand.widgets.first
+        notebook.page.evaluate(sidebar)
+    notebook.page.set_viewport_size({"width": width, "height": before["height"]})
+    widget = notebook.widgets.first
     if not widget.locator(".sv-paste[open]").count():
         widget.locator(".sv-paste > summary").click()
     widget.locator(".sv-text").fill("int[] xs = {0, 4, 4, 0};\nint[] ys = {0, 0, 4, 4};\ncircle((5, 2), 1)\nscale = 3")
-    hand.press("explain")
-    hand.press("the shapes as read, without it: touching")
+    notebook.press("explain")
+    notebook.press("the shapes as read, without it: touching")
     widget.locator(".sv-verdict", has_text="A and B touch").wait_for(timeout=20_000)
     assert "scale 3" in widget.locator(".sv-findings").inner_text()
-    hand.until("w.scene.b == sv.Circle((5, 2), 1)")
+    notebook.until("w.scene.b == sv.Circle((5, 2), 1)")
     widget.get_by_text("send it on").click()
-    with hand.page.expect_download() as found:
-        hand.press("save picture as SVG")
+    with notebook.page.expect_download() as found:
+        notebook.press("save picture as SVG")
     assert "A and B touch" in found.value.path().read_text(encoding="utf-8")
     fits = """() => {  // once JupyterLab has laid out its page for this width
       const right = selector => document.querySelector(selector).getBoundingClientRect().right;
       return right('.satviz .sv-text') <= right('.satviz') + 1;
     }"""
-    hand.page.wait_for_function(fits)
-    hand.page.set_viewport_size(before)
+    notebook.page.wait_for_function(fits)
+    notebook.page.set_viewport_size(before)
     if width < 500:
-        hand.page.evaluate(sidebar)
+        notebook.page.evaluate(sidebar)
     widget.locator(".sv-paste > summary").click()
     widget.get_by_label("presets").select_option("triangles")  # what reset goes back to
-    hand.until(AT_START)
+    notebook.until(AT_START)
 
 
 LOOKS = """() => {
@@ -429,24 +429,24 @@ LOOKS = """() => {
 
 
 @pytest.mark.parametrize("theme", [DARK, LIGHT], ids=["dark", "light"])
-def test_the_picture_follows_jupyterlabs_theme(hand, theme):
+def test_the_picture_follows_jupyterlabs_theme(notebook, theme):
     name = f"JupyterLab {theme.name.title()}"
-    hand.page.evaluate("theme => jupyterapp.commands.execute('apputils:change-theme', {theme})", name)
+    notebook.page.evaluate("theme => jupyterapp.commands.execute('apputils:change-theme', {theme})", name)
     light = str(theme is LIGHT).lower()
-    hand.page.locator(f"body[data-jp-theme-light='{light}']").wait_for(state="attached")
+    notebook.page.locator(f"body[data-jp-theme-light='{light}']").wait_for(state="attached")
     wanted = [css(theme.paper), css(theme.roles["A"]), css(theme.roles["B"])]
-    hand.page.wait_for_function(f"wanted => String(({LOOKS})()) === String(wanted)", arg=wanted)
+    notebook.page.wait_for_function(f"wanted => String(({LOOKS})()) === String(wanted)", arg=wanted)
 
 
 def css(colour):
-    """ "#0072B2" as "rgb(0, 114, 178)"."""
+    """Return a colour such as "#0072B2" as "rgb(0, 114, 178)"."""
     return f"rgb({', '.join(str(c) for c in bytes.fromhex(colour[1:]))})"
 
 
-def test_touch_drags_too(hand):
-    reset(hand)
-    x, y = hand.spot("B-move")
-    session = hand.page.context.new_cdp_session(hand.page)
+def test_a_shape_can_be_dragged_by_touch(notebook):
+    reset(notebook)
+    x, y = notebook.spot("B-move")
+    session = notebook.page.context.new_cdp_session(notebook.page)
 
     def touch(kind, *points):
         session.send(
@@ -457,8 +457,8 @@ def test_touch_drags_too(hand):
     for i in range(1, 11):
         touch("touchMove", (x - 13 * i, y))
     touch("touchEnd")
-    hand.said("A and B overlap")
-    reset(hand)
+    notebook.expect_sentence("A and B overlap")
+    reset(notebook)
 
 
 RUN_FIRST_CELL = """async () => {
@@ -468,25 +468,26 @@ RUN_FIRST_CELL = """async () => {
 }"""
 
 
-def test_running_a_cell_again_leaks_no_listener(hand):
+def test_running_a_cell_again_leaks_no_listener(notebook):
     """The old output's widget is taken down with its listeners: only the new one hears."""
-    hand.page.evaluate("() => { window.old = document.querySelector('.satviz'); }")
-    hand.page.evaluate(RUN_FIRST_CELL)
-    hand.page.wait_for_function("() => !window.old.isConnected && document.querySelectorAll('.satviz').length === 3")
-    hand.page.wait_for_function("() => window.old.childElementCount === 0")
-    hand.rest()
-    hand.drag("B-move", -130, 0)
-    hand.said("A and B overlap")
-    reset(hand)
+    notebook.page.evaluate("() => { window.old = document.querySelector('.satviz'); }")
+    notebook.page.evaluate(RUN_FIRST_CELL)
+    replaced = "() => !window.old.isConnected && document.querySelectorAll('.satviz').length === 3"
+    notebook.page.wait_for_function(replaced)
+    notebook.page.wait_for_function("() => window.old.childElementCount === 0")
+    notebook.rest()
+    notebook.drag("B-move", -130, 0)
+    notebook.expect_sentence("A and B overlap")
+    reset(notebook)
 
 
-def test_the_player_in_a_notebook_keeps_its_keys_to_itself(hand):
-    player = hand.widgets.nth(2)
+def test_the_player_in_a_notebook_keeps_its_keys_to_itself(notebook):
+    player = notebook.widgets.nth(2)
     player.locator(".sv-picture").press("ArrowRight")
     player.locator(".sv-count").filter(has_text="2 / 16").wait_for()
     player.locator(".sv-picture").press("End")
     player.locator(".sv-sentence").filter(has_text="are apart").wait_for()
-    assert hand.page.locator(".jp-CodeCell").count() == 3
+    assert notebook.page.locator(".jp-CodeCell").count() == 3
 
 
 # -- in Notebook 7
@@ -494,13 +495,13 @@ def test_the_player_in_a_notebook_keeps_its_keys_to_itself(hand):
 
 def test_in_notebook_7_the_widgets_show_and_can_be_dragged(browser, lab):
     pytest.importorskip("notebook", minversion="7", reason="Notebook 7 is not installed")
-    found = Hand(browser, lab, "notebooks")
+    found = OpenNotebook(browser, lab, "notebooks")
     assert found.widgets.count() == 3 and found.page.locator(".jp-NotebookPanel").count() == 1
     found.drag("B-move", -130, 0)
-    found.said("A and B overlap")
+    found.expect_sentence("A and B overlap")
     assert found.kernel("w.trace.relation") == "overlapping"
     found.widgets.nth(2).locator(".sv-picture").press("End")
-    found.said("A and B are apart", 2)
+    found.expect_sentence("A and B are apart", 2)
     found.page.close()
     assert not found.errors, found.errors
 

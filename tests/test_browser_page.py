@@ -7,7 +7,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from browser import explored, settled, shut_out
+from browser import accessibility_faults, explored, settled
 from matplotlib.colors import to_hex
 from matplotlib.path import Path
 
@@ -66,12 +66,12 @@ READ = """() => [...document.querySelectorAll('[data-id]')].map(e => {
 
 
 def colour(css):
-    """ "rgb(0, 114, 178)" as "#0072b2"."""
+    """Return a colour such as "rgb(0, 114, 178)" as "#0072b2"."""
     return to_hex([int(c) / 255 for c in css.removeprefix("rgb(").removesuffix(")").split(",")])
 
 
 def svg_look(part):
-    """How a line, a filled shape or a text looks, and its corners in points; of a circle its leftmost and rightmost."""
+    """Return the style and the corners (points) of a line, a filled shape or a text; of a circle both sides."""
     if part["text"] is not None:
         look = colour(part["fill"]), part["text"], part["fontSize"], part["bold"]
         return look, np.array([part["at"].split()], dtype=float)
@@ -85,7 +85,7 @@ def svg_look(part):
 
 
 def matplotlib_looks(pen, drawn):
-    """The same of all that the matplotlib pen drew, what lies on top last."""
+    """Yield the same for everything that the matplotlib pen drew, in drawing order."""
 
     def on_canvas(points):
         return (np.asarray(points) - [drawn.limits[0], drawn.limits[3]]) * [drawn.scale, -drawn.scale]
@@ -175,7 +175,7 @@ def test_the_page_steps_by_keys_buttons_and_slider(browser, errors, pages):
     page.close()
 
 
-def test_the_page_plays_only_when_asked_and_stops_at_the_end(browser, errors, pages):
+def test_the_page_plays_only_on_request_and_stops_at_the_end(browser, errors, pages):
     page = opened(browser, errors, pages / "triangles.html", reduced_motion="reduce")
     page.wait_for_timeout(600)
     assert page.locator(".sv-count").inner_text() == "1 / 16"
@@ -187,7 +187,7 @@ def test_the_page_plays_only_when_asked_and_stops_at_the_end(browser, errors, pa
 
 
 def pressed_on(page, key, *, on="body"):
-    """How many steps on the player is after a key."""
+    """Return by how many steps a key moves the player."""
     before = page.locator(".sv-count").inner_text()
     if on == "body":
         page.evaluate("document.activeElement.blur()")
@@ -206,7 +206,7 @@ def test_arrow_keys_step_as_soon_as_the_page_is_open(browser, errors, pages):
     page.close()
 
 
-def test_arrow_keys_are_nobodys_but_the_players_where_nothing_has_the_focus(browser, errors, pages):
+def test_arrow_keys_step_the_player_where_nothing_has_the_focus(browser, errors, pages):
     page = opened(browser, errors, pages / "triangles.html")
     for key in "Control+ArrowRight", "Alt+ArrowRight", "Meta+ArrowRight", "Shift+ArrowRight", "End", " ", "ArrowDown":
         assert pressed_on(page, key) == 0, key
@@ -226,7 +226,7 @@ for (const root of document.querySelectorAll(".here")) arrowKeys(new Player(root
 """
 
 
-def test_of_several_players_arrow_keys_go_to_the_one_last_used_or_in_view(browser, errors):
+def test_with_several_players_arrow_keys_step_the_one_last_used_or_in_view(browser, errors):
     """None of those that are folded away."""
     data = json.dumps({"shows": playbacks(sv.scene("triangles").record())}).replace("<", "\\u003c")
     page = browser.new_page(viewport={"width": 1280, "height": 900})
@@ -280,14 +280,14 @@ def test_a_row_that_is_not_tested_yet_does_not_say_whether_it_will_be(browser, e
     page.close()
 
 
-def test_predict_asks_before_it_shows_and_keeps_count(browser, errors, pages):
+def test_predict_asks_for_each_result_first_and_counts_right_answers(browser, errors, pages):
     page = opened(browser, errors, pages / "triangles.html", reduced_motion="reduce")
     page.get_by_label("predict").check()
     page.get_by_role("button", name="last step").click()
     question = page.locator(".sv-question")
     assert "separate them?" in question.inner_text() and "1.664" not in page.locator("tbody").inner_text()
     question.get_by_role("button", name="yes").click()
-    assert page.locator(".sv-sentence").inner_text().startswith("Not so.")
+    assert page.locator(".sv-sentence").inner_text().startswith("Not right.")
     page.get_by_role("button", name="last step").click()
     question.get_by_role("button", name="yes").click()
     assert page.locator(".sv-sentence").inner_text().startswith("Right.")
@@ -304,7 +304,7 @@ def test_without_javascript_the_page_shows_pictures_table_and_sentences(browser,
     context.close()
 
 
-def test_a_page_may_ask_and_tells_nothing_before(browser, errors, tmp_path):
+def test_a_page_with_predict_shows_no_result_before_the_answer(browser, errors, tmp_path):
     """Neither numbers nor which axes are tested at all, nor how many steps there are."""
     file = tmp_path / "asks.html"
     file.write_text(sv.page("triangles", predict=True), encoding="utf-8")
@@ -327,7 +327,7 @@ def test_a_page_may_ask_and_tells_nothing_before(browser, errors, tmp_path):
     page.close()
 
 
-def test_what_a_shortcut_saw_is_not_asked_about(browser, errors, pages, tmp_path):
+def test_predict_asks_about_the_true_run_and_not_about_that_of_the_shortcut(browser, errors, pages, tmp_path):
     file = tmp_path / "asks.html"
     file.write_text(sv.page("far-centers", predict=True), encoding="utf-8")
     page = opened(browser, errors, file)
@@ -365,7 +365,7 @@ def answered(page, words):
 
 
 @pytest.mark.parametrize(("theme", "screen"), [("light", PHONE), ("dark", WIDE)], ids=["light phone", "dark desk"])
-def test_nothing_shuts_anyone_out(browser, errors, pages, axe_core, theme, screen):
+def test_the_page_has_no_accessibility_fault(browser, errors, pages, axe_core, theme, screen):
     for name in "triangles", "aabb-turned":
         with explored(browser, ExplorerModel(sv.scene(name)), errors, color_scheme=theme, **screen) as page:
             if theme == "dark":
@@ -375,7 +375,7 @@ def test_nothing_shuts_anyone_out(browser, errors, pages, axe_core, theme, scree
             page.get_by_role("checkbox", name="B − A").check()
             page.locator(".sv-difference").wait_for()
             page.locator(".sv-menu summary:has-text('save')").click()
-            assert [f for f in shut_out(axe_core, page) if "<h1" not in f[1]] == []
+            assert [f for f in accessibility_faults(axe_core, page) if "<h1" not in f[1]] == []
     for name in "triangles", "tile-seam":
         context = browser.new_context(color_scheme=theme, **screen)
         page = context.new_page()
@@ -383,7 +383,7 @@ def test_nothing_shuts_anyone_out(browser, errors, pages, axe_core, theme, scree
         settled(page)
         for step in "0", "2":
             page.get_by_role("slider", name="step").fill(step)
-            assert shut_out(axe_core, page) == []
+            assert accessibility_faults(axe_core, page) == []
         context.close()
 
 
@@ -407,7 +407,7 @@ SMALL = """() => {
 
 @pytest.mark.parametrize("screens", [[PHONE], [ZOOMED, WIDE]], ids=["phone", "desk"])
 @pytest.mark.parametrize("name", ["triangles", "circle-polygon", "concave", "unit-normals"])
-def test_as_shown_letters_can_be_read_targets_be_hit_and_nothing_is_cut(browser, errors, tmp_path, name, screens):
+def test_letters_are_readable_targets_are_large_enough_and_nothing_is_cut(browser, errors, tmp_path, name, screens):
     def fits(page):
         for screen in screens:
             page.set_viewport_size(screen["viewport"])
@@ -441,8 +441,9 @@ def test_two_panels_need_no_scrolling_aside_on_a_telephone(browser, tmp_path, na
     if name != "pentagram":  # which has no steps
         page.get_by_role("button", name="last step").click()
         assert page.evaluate(fits)
-        saw, truth = (page.get_by_text(words).first.bounding_box() for words in ("what the shortcut saw", "what is"))
-        assert truth["y"] > saw["y"] + 150
+        headings = "what the shortcut saw", "what is true"
+        claimed, actual = (page.get_by_text(words).first.bounding_box() for words in headings)
+        assert actual["y"] > claimed["y"] + 150
     context.close()
 
 
@@ -519,7 +520,7 @@ def test_a_shape_is_one_stop_of_tab_and_its_corners_are_reached_from_it(browser,
         assert hand.scene.b.vertices[0] == (5, 4.9) and hand.scene.b.vertices[1] == (8, 3)
 
 
-def test_a_voice_is_told_what_each_handle_is_and_where(browser, errors):
+def test_a_screen_reader_gets_the_name_and_the_place_of_each_handle(browser, errors):
     with explored(browser, ExplorerModel(sv.scene("circle-polygon")), errors) as page:
         page.get_by_label("free axis").check()
         page.locator("[data-handle='axis']").wait_for()
@@ -541,12 +542,12 @@ ANSWERED = "() => !window.unanswered"
 
 
 def stop_the_clock(page):
-    """From now on time passes for the page only where the test says so."""
+    """Stop the page's clock, so that only the test lets its time pass."""
     page.clock.install(time=0)
     page.clock.pause_at(1000)
 
 
-def test_the_sentence_is_said_when_the_hand_lets_go_and_once(browser, errors):
+def test_the_sentence_is_announced_once_when_a_drag_ends(browser, errors):
     with explored(browser, ExplorerModel(sv.scene("triangles")), errors) as page:
         assert page.locator(".sv-sentence").get_attribute("aria-live") is None
         page.evaluate(
@@ -612,7 +613,7 @@ def test_the_challenge_status_is_announced_once_when_a_drag_pauses(browser, erro
 
 
 @pytest.mark.parametrize("clipboard", ["undefined", "{ writeText: () => Promise.reject(new Error('forbidden')) }"])
-def test_what_is_copied_is_copied_without_a_clipboard_too_and_either_way_a_line_says_so(browser, errors, clipboard):
+def test_copying_works_with_and_without_a_clipboard_and_a_line_confirms_it(browser, errors, clipboard):
     """A page from http, such as a JupyterLab of another machine, has no clipboard; a browser may forbid one."""
     hand = ExplorerModel(sv.scene("circles"))
     with explored(browser, hand, errors) as page:
@@ -634,7 +635,7 @@ def test_what_is_copied_is_copied_without_a_clipboard_too_and_either_way_a_line_
         assert "does not let" in copy("copy link")
 
 
-def test_the_hint_goes_with_the_first_use(browser, errors):
+def test_the_hint_disappears_at_the_first_use(browser, errors):
     with explored(browser, ExplorerModel(sv.scene("triangles")), errors) as page:
         hint = page.locator(".sv-hint")
         assert "Drag a shape, a corner or the turn handle" in hint.inner_text() and "Tab" in hint.inner_text()
@@ -753,7 +754,7 @@ def test_a_page_to_share_saves_the_step_that_it_shows(browser, errors, pages):
     page.close()
 
 
-def test_a_picture_that_the_browser_cannot_draw_is_no_file_and_the_page_says_so(browser, errors, pages):
+def test_a_picture_that_the_browser_cannot_draw_is_not_saved_and_the_page_says_so(browser, errors, pages):
     page = opened(browser, errors, pages / "triangles.html")
     files = []
     page.on("download", lambda file: files.append(file))
@@ -765,7 +766,7 @@ def test_a_picture_that_the_browser_cannot_draw_is_no_file_and_the_page_says_so(
     page.close()
 
 
-def test_what_is_saved_while_it_moves_is_what_it_comes_to(browser, errors, pages):
+def test_a_picture_saved_during_a_move_is_the_one_at_its_end(browser, errors, pages):
     page = opened(browser, errors, pages / "triangles.html")
     save = "document.querySelector('[aria-label=\"save SVG\"]').click();"
     for i in range(1, 16):
@@ -846,7 +847,7 @@ HELD = """() => {
 
 
 @pytest.mark.parametrize("i", range(len(ALL_SCENES)), ids=[scene.name for scene in ALL_SCENES])
-def test_a_dot_that_is_no_handle_is_under_none(browser, errors, i):
+def test_a_dot_that_is_no_handle_has_no_handle_over_it(browser, errors, i):
     """What is pressed in the middle of a dot: the handle that sits there, else the shape or nothing; of a map B.
 
     Every second scene is shown on a telephone.
@@ -871,7 +872,7 @@ def test_a_dot_that_is_no_handle_is_under_none(browser, errors, i):
                         assert np.hypot(*np.subtract(at, (x, y))) > 14, (view, dot, handle)
 
 
-def test_the_dot_of_a_map_moves_b_and_leaves_its_form(browser, errors):
+def test_dragging_the_dot_of_the_error_region_moves_b_without_reshaping_it(browser, errors):
     scene = sv.scene("far-centers")
     hand = ExplorerModel(scene)
     with explored(browser, hand, errors, **WIDE) as page:
@@ -908,7 +909,7 @@ SEEN = """() => [
 
 @pytest.mark.parametrize("name, keys", [("concave", ["ArrowDown"] * 40), ("triangles", ["]"]), ("aabb", ["["] * 3)])
 @pytest.mark.parametrize("back", ["reset", "undo"])
-def test_back_where_it_began_all_is_where_it_was(browser, errors, name, keys, back):
+def test_a_shape_dragged_back_to_its_start_has_the_picture_of_the_start(browser, errors, name, keys, back):
     """The labels and the turn handles too, by reset and by undo."""
     with explored(browser, ExplorerModel(sv.scene(name)), errors, **WIDE) as page:
         before = page.evaluate(SEEN)
@@ -922,7 +923,7 @@ def test_back_where_it_began_all_is_where_it_was(browser, errors, name, keys, ba
         assert page.evaluate(SEEN) == before
 
 
-def test_arrow_keys_move_a_shape_without_focus_and_are_never_taken_from_a_text(browser, errors):
+def test_arrow_keys_move_a_shape_without_focus_except_in_a_text_field(browser, errors):
     hand = ExplorerModel(sv.scene("triangles"))
     with explored(browser, hand, errors, keys=True, viewport={"width": 1280, "height": 600}) as page:
 
@@ -995,7 +996,7 @@ def test_the_toolbar_is_one_row_and_each_tool_has_an_icon_and_a_word(browser, er
             assert part.evaluate("e => e.clientHeight < 40")
 
 
-def test_what_was_said_of_snapping_goes_with_the_next_change(browser, errors):
+def test_the_message_about_snapping_disappears_at_the_next_change(browser, errors):
     corner = sv.Polygon([(3.07, 1), (5, 0.5), (5, 2)])
     hand = ExplorerModel(sv.Scene("snap", sv.Polygon([(0, 0), (3, 0), (3, 3), (0, 3)]), corner))
     with explored(browser, hand, errors) as page:
@@ -1010,7 +1011,7 @@ def test_what_was_said_of_snapping_goes_with_the_next_change(browser, errors):
             page.keyboard.press("Shift+ArrowRight")
 
 
-def test_the_axis_turns_by_itself_on_request_and_never_under_reduced_motion(browser, errors):
+def test_the_axis_turns_by_itself_on_request_but_not_with_reduced_motion(browser, errors):
     hand = ExplorerModel(sv.scene("triangles"))
     with explored(browser, hand, errors) as page:
         page.get_by_label("free axis").check()
@@ -1031,7 +1032,7 @@ def test_the_axis_turns_by_itself_on_request_and_never_under_reduced_motion(brow
         assert not page.get_by_role("button", name="turn the axis").is_visible()
 
 
-def test_for_a_finger_every_handle_and_button_is_44_pixels_large_and_tools_are_under_the_thumb(browser, errors):
+def test_on_a_touch_screen_handles_and_buttons_have_44_pixels_and_tools_are_at_the_bottom(browser, errors):
     with explored(browser, ExplorerModel(sv.scene("far-centers")), errors, **PHONE) as page:
         page.get_by_label("free axis").check()
         page.locator(".sv-dial").wait_for()

@@ -1,7 +1,7 @@
 """The paste box and shapes by hand, in a real browser, at the width of a desk and of a phone."""
 
 import pytest
-from browser import axe, explored, settled, shut_out
+from browser import accessibility_faults, axe, explored, settled
 from reports import REPORTS
 
 import satviz as sv
@@ -72,7 +72,7 @@ def test_a_report_is_explained(desk, width, thread):
 
 
 @WIDTHS
-def test_what_is_not_understood_is_named_and_left_out_by_a_button(desk, width):
+def test_an_unknown_part_is_named_and_a_button_leaves_it_out(desk, width):
     desk.paste("a = np.array([[0, 0], [4, 0], [0, 3]]).T\ncircle((1, 1), 2)")
     assert ".T" in desk.text(".sv-verdict") and desk.page.locator(".sv-findings").count() == 0
     desk.press("the shapes as read, without it: overlapping")
@@ -80,7 +80,7 @@ def test_what_is_not_understood_is_named_and_left_out_by_a_button(desk, width):
 
 
 @WIDTHS
-def test_the_bundle_holds_a_picture_of_the_pair(desk, width):
+def test_the_exported_files_hold_a_picture_of_the_pair(desk, width):
     desk.paste("circle((0, 0), 2) circle((9, 9), 1) [0,0, 4,0, 0,4]")
     desk.page.get_by_text("send it on").click()
     for form, begins in ("SVG", b"<svg"), ("PNG", b"\x89PNG"):
@@ -142,7 +142,7 @@ def test_a_polygon_is_drawn_by_clicking_and_undone(desk, width):
 
 
 @WIDTHS
-def test_a_refused_outline_stays_with_the_reason_and_can_be_mended(desk, width):
+def test_a_refused_outline_stays_visible_with_the_reason_and_can_be_corrected(desk, width):
     first = desk.model.scene
     desk.press("draw polygon")
     desk.click((0.2, 0.2), (0.5, 0.5), (0.5, 0.2), (0.2, 0.5))
@@ -157,7 +157,7 @@ def test_a_refused_outline_stays_with_the_reason_and_can_be_mended(desk, width):
 
 
 @WIDTHS
-def test_an_outline_that_keys_make_cross_stays_with_the_reason(desk, width):
+def test_an_outline_that_crosses_after_a_key_stays_visible_with_the_reason(desk, width):
     handle = desk.page.locator('[data-handle="A-vertex-0"]')
     desk.page.locator('[data-handle="A-move"]').focus()
     desk.page.keyboard.press("PageDown")
@@ -177,7 +177,7 @@ def test_an_outline_that_keys_make_cross_stays_with_the_reason(desk, width):
 
 
 @WIDTHS
-def test_the_scene_above_can_be_taken_after_a_drag(desk, width):
+def test_the_dragged_scene_can_be_copied_into_the_box(desk, width):
     desk.page.locator(".sv-paste > summary").click()
     desk.page.locator('[data-handle="B-move"]').focus()
     desk.page.keyboard.press("ArrowLeft")
@@ -189,7 +189,7 @@ def test_the_scene_above_can_be_taken_after_a_drag(desk, width):
 
 
 @WIDTHS
-def test_a_circle_is_made_and_corners_come_and_go(desk, width):
+def test_a_circle_is_drawn_and_corners_are_added_and_removed(desk, width):
     desk.page.get_by_text("draw", exact=True).click()
     desk.page.get_by_label("which shape").select_option("b")
     desk.page.get_by_role("button", name="draw circle").click()
@@ -208,7 +208,7 @@ def test_a_circle_is_made_and_corners_come_and_go(desk, width):
     assert "Not possible" in desk.page.locator(".sv-board > .sv-why").first.inner_text()
 
 
-def test_everything_by_hand_can_be_done_with_keys(browser):
+def test_everything_that_the_mouse_can_do_works_with_keys(browser):
     errors = []
     model = ExplorerModel(sv.scene("triangles"))
     with explored(browser, model, errors, viewport={"width": 1300, "height": 1000}) as page:
@@ -243,7 +243,7 @@ def test_everything_by_hand_can_be_done_with_keys(browser):
     assert errors == []
 
 
-def test_the_box_shuts_nobody_out(browser):
+def test_the_paste_box_has_no_accessibility_fault(browser):
     source = axe()
     errors = []
     with explored(
@@ -252,7 +252,7 @@ def test_the_box_shuts_nobody_out(browser):
         desk = Desk(page, None)
         desk.paste(BY_THREAD["libgdx/libgdx#1635"].text)
         desk.press("draw polygon")
-        assert shut_out(source, page) == []
+        assert accessibility_faults(source, page) == []
     assert errors == []
 
 

@@ -11,7 +11,7 @@ from itertools import cycle
 from xml.etree import ElementTree
 
 import pytest
-from browser import served, settled, shut_out
+from browser import accessibility_faults, served, settled
 from PIL import Image
 
 import satviz as sv
@@ -37,7 +37,7 @@ def url(built):
 
 
 def watched(context, at, errors):
-    """A page of which each error, and each request to anywhere but this address, is kept."""
+    """Return a page that records each error, and each request to another address."""
     page = context.new_page()
     page.on("pageerror", lambda error: errors.append(str(error)))
     page.on("console", lambda message: errors.append(message.text) if message.type == "error" else None)
@@ -78,7 +78,7 @@ OPEN_ALL = "for (const rest of document.querySelectorAll('.rest')) rest.open = t
 
 
 def whole(page):
-    """Show all of a chapter, which waits for answers, and its players, which are made when they are near."""
+    """Open all folds of a chapter, and scroll to its players, which are made when they are near."""
     page.get_by_role("button", name="Show the whole chapter").click()
     for player in page.locator(".player:visible").all():
         player.evaluate("player => player.scrollIntoView()")
@@ -92,24 +92,24 @@ def middle(page, part):
     return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
 
 
-def said(page):
+def sentence_of(page):
     return page.locator(".live .sv-sentence").inner_text()
 
 
-def says(page, word):
+def wait_for_sentence(page, word):
     page.wait_for_function(f"() => document.querySelector('.live .sv-sentence').textContent.includes({word!r})")
 
 
 def test_a_triangle_is_dragged_with_the_mouse(visit):
     page = visit("")
-    assert said(page) == sv.scene("triangles").record().sentence
+    assert sentence_of(page) == sv.scene("triangles").record().sentence
     (ax, ay), (bx, by) = middle(page, "A.outline"), middle(page, "B.outline")
     page.mouse.move(bx, by)
     page.mouse.down()
     for i in range(1, 21):
         page.mouse.move(bx + (ax - bx) * i / 20, by + (ay - by) * i / 20)
     page.mouse.up()
-    says(page, "overlap")
+    wait_for_sentence(page, "overlap")
     assert page.locator(".live").get_by_text("overlapping").count()
 
 
@@ -126,7 +126,7 @@ def test_a_triangle_is_dragged_with_a_finger_on_a_phone(visit):
     for i in range(1, 11):
         finger("touchMove", (bx + (ax - bx) * i / 10, by + (ay - by) * i / 10))
     finger("touchEnd")
-    says(page, "overlap")
+    wait_for_sentence(page, "overlap")
 
 
 def test_a_triangle_is_moved_with_the_keyboard(visit):
@@ -134,10 +134,10 @@ def test_a_triangle_is_moved_with_the_keyboard(visit):
     page.locator('[data-handle="B-move"]').focus()
     for _ in range(24):
         page.keyboard.press("ArrowLeft")
-    says(page, "overlap")
+    wait_for_sentence(page, "overlap")
 
 
-def test_no_page_is_wider_than_its_window_or_shuts_anyone_out(visit, url, built, axe_core):
+def test_no_page_is_wider_than_its_window_or_has_an_accessibility_fault(visit, url, built, axe_core):
     """With the whole chapter, and the front page while it moves; in turn dark on a telephone and light at a desk."""
     page = visit("", live=False, service_workers="block")
     without_python(page)  # on a busy machine Chromium itself crashes now and then where a page is left while it starts
@@ -154,10 +154,10 @@ def test_no_page_is_wider_than_its_window_or_shuts_anyone_out(visit, url, built,
             page.set_viewport_size({"width": width, "height": 844})
             settled(page)
             assert page.evaluate("document.documentElement.scrollWidth") <= width, path
-        assert shut_out(axe_core, page) == [], path
+        assert accessibility_faults(axe_core, page) == [], path
 
 
-def test_a_site_comes_to_life_where_a_browser_has_no_room_to_keep_its_files(visit, url):
+def test_a_site_works_where_a_browser_has_no_space_to_store_its_files(visit, url):
     page = visit("")
     page.evaluate("navigator.serviceWorker.ready.then((it) => it.active.state)")
     page.evaluate("caches.keys().then((names) => Promise.all(names.map((name) => caches.delete(name))))")
@@ -174,25 +174,25 @@ LIVE_PAGES += ("scene.html?embed&challenge=touch&show=tools#aabb",)
 
 
 @pytest.mark.parametrize("path", LIVE_PAGES)
-def test_no_live_page_and_no_frame_shuts_anyone_out(visit, axe_core, path):
+def test_no_live_page_and_no_frame_has_an_accessibility_fault(visit, axe_core, path):
     """Neither dark at a desk nor light on a telephone."""
     page = visit(path, color_scheme="dark")
     if path[:1].isdigit():
-        assert shut_out(axe_core, page) == []
+        assert accessibility_faults(axe_core, page) == []
         whole(page)
-    assert shut_out(axe_core, page) == []
+    assert accessibility_faults(axe_core, page) == []
     page.emulate_media(color_scheme="light")
     page.set_viewport_size({"width": 390, "height": 844})
     page.wait_for_function(LIGHT_NOW)
-    assert shut_out(axe_core, page) == []
+    assert accessibility_faults(axe_core, page) == []
 
 
-def test_python_starts_from_the_memory_that_was_kept(visit):
+def test_python_starts_from_the_stored_memory(visit):
     assert visit("").locator(".live").get_attribute("data-from") == "memory"
 
 
 @pytest.mark.parametrize("width", [390, 1280])
-def test_the_live_scene_takes_the_room_of_the_still_one(visit, width):
+def test_the_live_scene_has_the_size_of_the_still_one(visit, width):
     """So that nothing jumps under the reader's eyes when Python is ready."""
     more = {"viewport": {"width": width, "height": 844}}
     still_page = visit("", live=False, java_script_enabled=False, **more)
@@ -285,7 +285,7 @@ def test_a_link_that_opens_nothing_says_why_and_offers_the_scenes(visit, link):
     offer.get_by_role("link", name="Two circles").click()
     page.locator(".live.ready").wait_for(timeout=LIVE)
     assert not offer.is_visible() and why.inner_text() == "" and page.url.endswith("#circles")
-    assert said(page) == sv.scene("circles").record().sentence
+    assert sentence_of(page) == sv.scene("circles").record().sentence
 
 
 def test_a_failing_scenes_link_opens_it(visit):
@@ -295,18 +295,18 @@ def test_a_failing_scenes_link_opens_it(visit):
     page.wait_for_function("() => document.querySelector('.sv-heading')?.textContent.includes('bounding boxes')")
 
 
-def test_a_link_opens_the_same_state_and_the_address_follows_the_hand(visit):
+def test_a_link_opens_the_same_state_and_the_address_follows_each_drag(visit):
     mine = sv.Scene("mine", sv.Polygon([(0, 0), (4, 0), (0, 4)]), sv.Circle((5, 5), 1))
-    page = visit(f"scene.html#{fragment(mine, ViewOptions(free=40.0, way_out=True))}")
-    assert "at 40 degrees" in said(page) and page.get_by_label("free axis").is_checked()
+    page = visit(f"scene.html#{fragment(mine, ViewOptions(free=40.0, mtv=True))}")
+    assert "at 40 degrees" in sentence_of(page) and page.get_by_label("free axis").is_checked()
     assert page.get_by_label("way out").is_checked() and not page.get_by_role("checkbox", name="B − A").is_checked()
     page.locator('[data-handle="axis"]').focus()
     page.keyboard.press("[")
-    says(page, "at 45 degrees")
+    wait_for_sentence(page, "at 45 degrees")
     page.wait_for_function("() => location.hash.includes('free=45')")
     page.reload()
     page.locator(".live.ready").wait_for(timeout=LIVE)
-    assert "at 45 degrees" in said(page)
+    assert "at 45 degrees" in sentence_of(page)
 
 
 def test_a_link_to_a_step_opens_the_player(visit):
@@ -334,22 +334,22 @@ def test_the_link_that_is_copied_opens_the_same(visit):
     assert page.get_by_label("predict").is_checked() and page.locator(".sv-count").inner_text().startswith("1")
 
 
-def test_the_link_to_a_step_of_the_rest_opens_that_step(visit):
+def test_the_link_to_a_step_of_the_run_on_every_axis_opens_that_step(visit):
     page = visit("scene.html#triangles&step=2")
     page.context.grant_permissions(["clipboard-read", "clipboard-write"])
     page.get_by_role("button", name="test the rest").click()
     page.get_by_role("slider", name="step").fill("30")
-    before = said(page), page.locator(".sv-count").inner_text()
+    before = sentence_of(page), page.locator(".sv-count").inner_text()
     page.locator(".sv-menu summary:has-text('save')").click()
     page.get_by_role("button", name="copy link").click()
     page.get_by_text("Copied.").wait_for()
     page = visit(page.evaluate("navigator.clipboard.readText()").rpartition("/")[2])
-    assert (said(page), page.locator(".sv-count").inner_text()) == before
+    assert (sentence_of(page), page.locator(".sv-count").inner_text()) == before
     assert page.get_by_role("button", name="test the rest").get_attribute("aria-pressed") == "true"
 
 
-def test_what_a_link_shows_stays_where_the_first_drag_is_refused(visit):
-    page = visit("scene.html#circles&free=40&way-out=1&against=1")
+def test_the_scene_of_a_link_stays_if_the_first_drag_is_refused(visit):
+    page = visit("scene.html#circles&free=40&mtv=1&difference=1")
     radius, center = (page.locator(f'[data-handle="B-{part}"]').bounding_box() for part in ("radius", "move"))
     page.mouse.move(radius["x"] + radius["width"] / 2, radius["y"] + radius["height"] / 2)
     page.mouse.down()
@@ -363,40 +363,40 @@ def test_what_a_link_shows_stays_where_the_first_drag_is_refused(visit):
         assert page.get_by_role("checkbox", name=box).is_checked(), box
 
 
-def test_the_way_to_the_text_is_no_link_to_a_scene(visit):
+def test_the_skip_link_does_not_open_a_scene(visit):
     page = visit("scene.html#circles")
     page.locator(".skip").focus()
     page.keyboard.press("Enter")
     page.wait_for_function("() => location.hash === '#main'")
     page.locator('[data-handle="B-move"]').press("ArrowLeft")
-    says(page, "1.700")
+    wait_for_sentence(page, "1.700")
     assert page.locator(".status").inner_text() == ""
     page = visit("scene.html#main")
-    assert said(page) == sv.scene("triangles").record().sentence
+    assert sentence_of(page) == sv.scene("triangles").record().sentence
 
 
 def test_a_drag_just_before_another_scene_is_opened_does_not_change_its_address(visit):
     page = visit("scene.html#circles")
     page.locator('[data-handle="B-move"]').press("ArrowLeft")
-    says(page, "1.700")  # the address follows a little later
+    wait_for_sentence(page, "1.700")  # the address follows a little later
     page.evaluate("() => { location.hash = 'far-centers'; }")
     page.locator(".sv-heading", has_text="centers").wait_for()
     page.wait_for_timeout(600)
     assert page.url.endswith("#far-centers")
 
 
-def test_what_was_wrong_with_a_link_is_forgotten_when_the_scene_changes(visit):
+def test_the_error_of_a_link_disappears_when_the_scene_changes(visit):
     page = visit("scene.html#circles")
     page.evaluate("() => { location.hash = 'no-such-scene'; }")
     page.get_by_text("This link cannot be opened").wait_for()
     assert page.locator(".offer").is_visible()
     page.locator('[data-handle="B-move"]').press("ArrowLeft")
-    says(page, "1.700")
+    wait_for_sentence(page, "1.700")
     assert page.locator(".status").inner_text() == "" and not page.locator(".offer").is_visible()
 
 
 @pytest.mark.parametrize("screen", [{}, {"viewport": {"width": 390, "height": 844}}], ids=["wide", "phone"])
-def test_a_bad_link_in_a_running_page_is_told_once_and_the_scenes_are_in_view(visit, screen):
+def test_a_bad_link_in_a_running_page_is_reported_once_and_the_scenes_are_in_view(visit, screen):
     page = visit("scene.html#circles", **screen)
     offered = page.locator(".offer")
     told = """() => {
@@ -453,7 +453,7 @@ def test_opened_as_files_the_pages_are_whole_their_players_play_and_a_line_says_
 
 
 @pytest.mark.parametrize("scripts", [True, False])
-def test_a_printed_chapter_asks_and_does_not_answer(visit, scripts):
+def test_a_printed_chapter_has_its_questions_without_the_answers(visit, scripts):
     """What is folded stays folded on paper, and with it what follows a question; what is open is printed."""
     page = visit("2-sat.html", live=False, java_script_enabled=scripts)
     page.emulate_media(media="print")
@@ -478,13 +478,14 @@ def test_no_page_of_a_handout_has_only_lines_to_write_on(browser):
     page.close()
 
 
-def test_a_question_is_answered_by_choosing_and_the_answer_is_judged(visit):
+def test_a_question_is_answered_by_a_choice_and_the_page_says_whether_it_is_right(visit):
     page = whole(visit("2-sat.html", live=False))
     question = page.locator("ul.judges", has_text="v2v3")
     fold, said = question.locator("~ details.later").first, question.locator("+ .judged")
     assert fold.get_attribute("open") is None and said.inner_text() == ""
     question.get_by_role("button", name="v2v3").click()
-    assert said.inner_text().startswith("Not so. This edge faces away from A.") and fold.get_attribute("open") is None
+    assert said.inner_text().startswith("Not right. This edge faces away from A.")
+    assert fold.get_attribute("open") is None
     question.get_by_role("button", name="v1v3").press("Enter")
     assert said.inner_text() == "Right. It is the edge of B that faces A."
     assert fold.get_attribute("open") is not None and fold.locator("figure").is_visible()
@@ -503,8 +504,8 @@ def one_spaced(texts):
     return {" ".join(line.split()) for text in texts for line in text.split("\n")}
 
 
-def heard(page):
-    """The lines of all names and texts that the browser hands to a screen reader."""
+def announced(page):
+    """Return the lines of all names and texts that the browser gives to a screen reader."""
     nodes = page.context.new_cdp_session(page).send("Accessibility.getFullAXTree")["nodes"]
     return one_spaced(node.get("name", {}).get("value", "") for node in nodes if not node["ignored"])
 
@@ -512,7 +513,7 @@ def heard(page):
 @pytest.mark.parametrize("more", [{}, PHONE], ids=["desktop", "phone"])
 @pytest.mark.parametrize("chapter", chapters(), ids=lambda chapter: chapter.path)
 def test_nothing_gives_a_question_away_until_it_is_answered(visit, chapter, more):
-    """Neither seen nor heard: the answer, and all that comes after it."""
+    """No reader and no screen reader gets the answer, or anything that comes after it."""
     page = visit("gallery.html", live=False, service_workers="block", **more)
     without_python(page)
     page.goto(page.url.replace("gallery.html", chapter.path))
@@ -522,11 +523,11 @@ def test_nothing_gives_a_question_away_until_it_is_answered(visit, chapter, more
         assert asked.nth(i).is_visible() and page.locator("ul.choices:visible").count() == i + 1
         waiting = page.locator("article > .later:not([open]) > :not(summary), .rest > :not(summary)")
         assert waiting.evaluate_all(unseen)
-        told, there = heard(page), page.locator("article > :is(:not(.rest, .later), .later[open])")
-        given_away = told & one_spaced(waiting.all_text_contents()) - one_spaced(there.all_text_contents())
+        lines, there = announced(page), page.locator("article > :is(:not(.rest, .later), .later[open])")
+        given_away = lines & one_spaced(waiting.all_text_contents()) - one_spaced(there.all_text_contents())
         assert not {line for line in given_away if len(line) > 30}
         words = GIVES_AWAY.get((chapter.path, i))
-        assert not words or not re.search(words, "\n".join([page.locator("article").inner_text(), *told]))
+        assert not words or not re.search(words, "\n".join([page.locator("article").inner_text(), *lines]))
         choose = asked.nth(i).locator("li[data-right] button")
         choose.tap() if more else choose.click()
         page.wait_for_function(
@@ -535,7 +536,7 @@ def test_nothing_gives_a_question_away_until_it_is_answered(visit, chapter, more
     page.wait_for_function("() => !document.querySelector('.rest, .waits')")  # the last answer opens what follows it
 
 
-def test_a_chapter_goes_on_where_its_reader_has_stopped(visit):
+def test_a_chapter_opens_where_its_reader_stopped(visit):
     page = visit("2-sat.html", live=False)
     page.locator("article > .later > summary").first.press("Enter")  # the answer alone, without a choice
     page.locator("h2", has_text="One axis, by hand").wait_for()
@@ -566,7 +567,7 @@ def test_no_label_of_a_link_makes_the_page_wider(visit):
 
 
 def saved(page, form, inside=".live"):
-    """The file that the save menu hands over."""
+    """Return the file that the save menu saves."""
     page.locator(f"{inside} .sv-menu summary:has-text('save')").click()
     with page.expect_download() as found:
         page.locator(inside).get_by_role("button", name=f"save {form.upper()}").click()
@@ -578,11 +579,11 @@ def saved(page, form, inside=".live"):
 def test_the_picture_is_saved_as_it_is_shown(visit, theme):
     page = visit("scene.html#triangles", color_scheme=theme.name)
     page.locator('[data-handle="B-move"]').press("ArrowLeft")
-    says(page, "1.11")
+    wait_for_sentence(page, "1.11")
     svg = saved(page, "svg").decode()
     root = ElementTree.fromstring(svg)
     line = page.locator(".live .sv-line").get_attribute("aria-label")
-    assert root.find("{*}title").text == f"{said(page)} {line}" and "var(" not in svg and "style=" not in svg
+    assert root.find("{*}title").text == f"{sentence_of(page)} {line}" and "var(" not in svg and "style=" not in svg
     assert root.find("{*}rect").get("fill") == theme.paper
     blue = f"rgb({', '.join(str(c) for c in bytes.fromhex(theme.roles['A'][1:]))})"
     assert blue in {path.get("stroke") for path in root.findall(".//{*}path")}
@@ -600,7 +601,7 @@ def test_the_picture_is_saved_as_it_is_shown(visit, theme):
 
 @pytest.mark.parametrize("screen", [{}, {"viewport": {"width": 390, "height": 844}}], ids=["wide", "phone"])
 def test_what_is_shown_beside_the_picture_is_saved_with_it(visit, screen):
-    page = visit("scene.html#triangles&free=40&against=1", **screen)
+    page = visit("scene.html#triangles&free=40&difference=1", **screen)
     pictures = page.locator(".live svg.sv-picture:not(.sv-dial svg)")  # the dial is a control
     assert pictures.count() == 4 and all(each.is_visible() for each in pictures.all())
     root = ElementTree.fromstring(saved(page, "svg"))
@@ -619,7 +620,7 @@ def test_what_is_shown_beside_the_picture_is_saved_with_it(visit, screen):
             assert len(drawn.crop((0, int(2 * y), drawn.width, int(2 * (y + high)))).getcolors(1 << 20)) > 50
 
 
-def test_what_the_page_cannot_make_is_not_offered(visit):
+def test_the_page_offers_no_format_that_it_cannot_make(visit):
     page = whole(visit("2-sat.html"))
     for inside in ".live", ".player":
         menu = page.locator(f"{inside} .sv-menu:has-text('save')").first
@@ -649,7 +650,7 @@ def test_the_player_and_the_explorer_of_a_chapter_work(visit):
 
 
 @pytest.mark.parametrize("harm", ["gone", "not gzip", "of another build", "unknown to Pyodide"])
-def test_where_the_kept_memory_does_not_load_python_starts_anew(built, visit, tmp_path, harm, errors):
+def test_python_starts_without_the_stored_memory_if_that_does_not_load(built, visit, tmp_path, harm, errors):
     folder = tmp_path / "site"
     shutil.copytree(built, folder)
     memory = folder / "python" / "memory.bin"
@@ -670,7 +671,7 @@ def test_where_the_kept_memory_does_not_load_python_starts_anew(built, visit, tm
         page.locator('[data-handle="B-move"]').focus()
         for _ in range(24):
             page.keyboard.press("ArrowLeft")
-        says(page, "overlap")
+        wait_for_sentence(page, "overlap")
         page.context.close()
     if harm == "unknown to Pyodide":  # Python itself says why its first start failed
         assert errors[0].startswith("Fatal Python error")
@@ -679,7 +680,7 @@ def test_where_the_kept_memory_does_not_load_python_starts_anew(built, visit, tm
 
 @pytest.fixture
 def slim(monkeypatch):
-    """A site built now has neither chapters nor reference, which take long to make."""
+    """Let a site that is built now have neither chapters nor reference, which take long to make."""
     monkeypatch.setattr(build, "chapters", list)
     monkeypatch.setattr(build, "reference", lambda in_site: ())
 
@@ -738,7 +739,7 @@ def kept(page):
     return page.wait_for_function(KEPT).json_value()
 
 
-def test_what_was_read_once_is_there_without_a_server(built, visit):
+def test_a_page_read_once_opens_without_a_server(built, visit):
     with served(built) as at:
         page = visit("", at=at)
         page.evaluate("navigator.serviceWorker.ready")
@@ -752,7 +753,7 @@ def test_what_was_read_once_is_there_without_a_server(built, visit):
 def left_until_met(page):
     """Press the arrow key, each time with its answer, until the challenge is met."""
     for _ in range(60):
-        before = said(page)
+        before = sentence_of(page)
         page.keyboard.press("ArrowLeft")
         page.wait_for_function(
             "before => document.querySelector('.live .sv-sentence').textContent !== before", arg=before
@@ -762,7 +763,7 @@ def left_until_met(page):
     pytest.fail("the challenge is not met")
 
 
-def test_a_challenge_is_met_by_hand_and_judged_by_the_engine(visit):
+def test_a_challenge_is_solved_by_dragging_and_evaluated_by_the_engine(visit):
     page = visit("scene.html#aabb&goal=touch")
     goal = page.locator(".sv-goal")
     assert "They are apart." in goal.inner_text()
@@ -796,7 +797,7 @@ def test_a_challenge_is_chosen_undone_and_kept_in_the_address(visit):
 # -- in a folder of any server
 
 
-def test_in_a_folder_of_a_plain_server_all_is_as_it_is_at_its_root(built, visit, tmp_path):
+def test_the_site_works_in_a_subfolder_of_a_server_as_at_its_root(built, visit, tmp_path):
     """No setting, no header of satviz's: what Python's own server sends is enough."""
     (tmp_path / "courses").mkdir()
     (tmp_path / "courses" / "sat").symlink_to(built)
@@ -915,7 +916,7 @@ def test_a_frame_of_some_steps_plays_these_alone(framed):
     assert not frame.get_by_role("button", name="test the rest").is_visible()
 
 
-def test_a_frame_asks_and_a_frame_challenges(framed):
+def test_a_frame_can_have_predict_or_a_challenge(framed):
     _, frame = framed("triangles", predict=True)
     frame.get_by_role("button", name="last step").click()
     assert frame.locator(".sv-question").is_visible()
@@ -938,7 +939,7 @@ def test_without_scripts_a_frame_is_its_picture_and_its_sentence(browser, url):
     context.close()
 
 
-def test_a_frames_file_is_kept_once_and_is_there_without_a_server(built, visit):
+def test_the_file_of_a_frame_is_cached_once_and_opens_without_a_server(built, visit):
     with served(built) as at:
         page = visit("scene.html?embed#triangles", at=at)
         page.evaluate("navigator.serviceWorker.ready")
@@ -977,7 +978,7 @@ def test_a_copy_without_python_shows_no_other_scene_than_that_of_the_link(visit)
     assert "so the picture stays still" in page.locator("main").inner_text()
 
 
-def test_what_was_solved_is_kept_in_this_browser_until_it_is_forgotten(visit):
+def test_solved_challenges_are_stored_in_this_browser_until_they_are_deleted(visit):
     page = visit("challenges.html", live=False)
     progress, forget = page.locator(".progress"), page.get_by_role("button", name="Forget")
     assert "None of" in progress.inner_text() and not forget.is_visible()
@@ -1021,7 +1022,7 @@ def test_nothing_moves_by_itself_where_a_reader_wants_less_motion(visit):
     assert not page.locator(".turning, .again").count() and page.locator(".told li").count() == 3
 
 
-def test_who_reaches_for_a_scene_while_it_shows_itself_drags_it(visit):
+def test_a_key_on_a_handle_ends_the_first_minute_and_moves_the_shape(visit):
     page = visit("")
     page.get_by_role("button", name="Show it again").or_(page.get_by_role("button", name="Stop")).wait_for()
     if not page.locator(".turning").count():
@@ -1029,14 +1030,14 @@ def test_who_reaches_for_a_scene_while_it_shows_itself_drags_it(visit):
     page.locator('[data-handle="B-move"]').focus()
     page.locator(".turning").wait_for(state="detached")
     page.keyboard.press("ArrowLeft")
-    says(page, "1.")
+    wait_for_sentence(page, "1.")
 
 
 # -- the page "Is yours right?"
 
 
 def run_code(page, language=None, code=None):
-    """Run what stands in the editor, and return what the page says of it."""
+    """Run the code in the editor, and return the page's report."""
     if language:
         page.locator(f'[value="{language}"]').check()
     if code is not None:
@@ -1050,7 +1051,7 @@ def run_code(page, language=None, code=None):
 
 @pytest.fixture(scope="module")
 def one_check_page(browser, url):
-    """The page, which is opened once since Python takes long to start, and what it complains of."""
+    """Yield the page, opened once since Python takes long to start, and the list of its errors."""
     errors = []
     context = browser.new_context(viewport={"width": 1280, "height": 800})
     yield watched(context, url, errors), errors
@@ -1059,7 +1060,7 @@ def one_check_page(browser, url):
 
 @pytest.fixture
 def check_page(one_check_page, url):
-    """The page with no code kept, in Python; a test before may have left it, or left code and an answer there."""
+    """Yield the page in Python without stored code; an earlier test may have left code and an answer there."""
     page, errors = one_check_page
     if page.url != f"{url}yours.html":
         page.goto(f"{url}yours.html")
@@ -1072,7 +1073,7 @@ def check_page(one_check_page, url):
 
 
 @pytest.mark.parametrize("language", ["python", "javascript"])
-def test_a_wrong_function_is_caught_and_asked_while_its_counterexample_is_moved(check_page, language):
+def test_a_wrong_function_is_caught_and_called_again_while_its_counterexample_is_dragged(check_page, language):
     said = run_code(check_page, language)
     assert said.startswith("Wrong. Your function says hit. The right answer: apart. It behaves like aabb-not-upright")
     assert "It behaves like aabb-not-upright" in check_page.locator(".report").inner_text()
@@ -1143,7 +1144,7 @@ def collide(a, b):
 
 @contextmanager
 def served_without_headers(folder):
-    """As a plain server of files does, which sends no policy: only the page's own meta tag holds."""
+    """Serve the site without a security policy in the headers, so that only the page's own meta tag counts."""
     plain = partial(Plain, directory=str(folder))
     with ThreadingHTTPServer(("127.0.0.1", 0), plain) as serving:
         threading.Thread(target=serving.serve_forever, daemon=True).start()
@@ -1183,7 +1184,7 @@ def test_a_hostile_function_reaches_neither_the_page_nor_another_server(browser,
 
 @contextmanager
 def served_spy():
-    """A server of another origin that remembers what it is asked, and answers anybody."""
+    """Yield a server of another origin that records its requests and answers all."""
     asked = []
 
     class Spy(BaseHTTPRequestHandler):
@@ -1205,7 +1206,7 @@ def served_spy():
         spy.shutdown()
 
 
-def test_the_policy_stands_in_the_page_before_any_script_and_is_the_servers(browser, built):
+def test_the_security_policy_stands_before_any_script_and_equals_that_of_the_server(browser, built):
     """A meta tag holds for what comes after it."""
     text = (built / "yours.html").read_text(encoding="utf-8")
     tags = re.findall(r'<meta http-equiv="Content-Security-Policy" content="([^"]+)">', text)
@@ -1267,7 +1268,7 @@ def test_code_is_written_and_run_with_mouse_touch_and_keyboard(visit, screen, by
     "screen", [WIDE, PHONE, {"viewport": {"width": 900, "height": 700}}], ids=["wide", "phone", "tablet"]
 )
 @pytest.mark.parametrize("code", ["def collide(a, b):\n    return 1 > 0\n", "def collide(a, b:\n", "return"])
-def test_what_was_found_is_seen_after_run_without_scrolling(visit, screen, code):
+def test_the_result_is_visible_after_run_without_scrolling(visit, screen, code):
     """On a wide screen it stands beside the editor, which stays in sight; else the page scrolls to it."""
     page = visit("yours.html", live=False, **screen)
     page.wait_for_function("() => !document.querySelector('.run').disabled", timeout=LIVE)
@@ -1299,13 +1300,13 @@ def drag(page, by, start, end):
         finger.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
 
 
-def test_the_check_page_shuts_nobody_out(check_page, axe_core):
+def test_the_check_page_has_no_accessibility_fault(check_page, axe_core):
     run_code(check_page)
     check_page.locator(".yours").wait_for()
-    assert shut_out(axe_core, check_page) == []
+    assert accessibility_faults(axe_core, check_page) == []
 
 
-def test_a_program_of_a_chapter_is_opened_mended_and_does_not_replace_the_readers_own(check_page):
+def test_a_program_of_a_chapter_is_opened_and_corrected_without_replacing_the_readers_own(check_page):
     editor, program = check_page.get_by_role("textbox", name="Your function"), check_page.get_by_label("Program")
     editor.fill("# mine")
     check_page.evaluate("() => { location.hash = '#collide_2'; }")
@@ -1349,13 +1350,13 @@ def test_a_program_of_a_chapter_has_the_same_mistake_in_both_languages(check_pag
         ),
     ],
 )
-def test_what_the_code_prints_about_the_scene_stands_beside_it(check_page, language, code, printed):
+def test_the_output_of_the_code_for_the_scene_stands_beside_it(check_page, language, code, printed):
     run_code(check_page, language, code)
     check_page.locator(".yours").wait_for()
     assert check_page.locator(".printed").text_content() == printed
 
 
-def test_an_error_in_javascript_is_said_with_its_line(check_page):
+def test_an_error_in_javascript_is_reported_with_its_line(check_page):
     said = run_code(check_page, "javascript", "function collide(a, b) {\n  return true;\n}".replace("true", "c.x"))
     assert said == "Your function raises ReferenceError in line 2: c is not defined. The line: return c.x;"
 
@@ -1398,12 +1399,12 @@ OUT = "answers with something that cannot be sent"
         ("javascript", CALLS % "for (;;) console.error(a);", "an endless loop?"),
     ],
 )
-def test_an_answer_that_is_none_is_said_and_the_page_goes_on(check_page, language, code, line):
+def test_an_answer_of_a_wrong_type_is_reported_and_the_page_goes_on(check_page, language, code, line):
     assert line in run_code(check_page, language, code)
     assert run_code(check_page, "javascript", "function collide(a, b) { return 1; }").startswith("Wrong.")
 
 
-def test_a_symptom_leads_to_the_mistakes_that_look_so(check_page):
+def test_a_symptom_links_to_the_mistakes_that_cause_it(check_page):
     check_page.get_by_text("It falls through", exact=False).click()
     check_page.get_by_role("link", name="the centers are far apart, so the shapes are").click()
     check_page.wait_for_url("**/scene.html#far-centers")

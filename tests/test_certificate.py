@@ -24,7 +24,7 @@ def frac(*values: float) -> tuple[Fraction, ...]:
 
 
 @pytest.mark.parametrize("large", [3, 999, 1001, 4000, 1e300])
-@pytest.mark.parametrize("offset", [0, -7 / 3, 4e307, 1.75e308])
+@pytest.mark.parametrize("offset", [0, -7 / 3, 4e307, 1.75e308, -1.75e308])
 def test_the_equation_of_a_line_read_back_is_that_line(large, offset):
     """Half of the offset is in lengths of the normal; as the sum of two coordinates it can be beyond float64."""
     shape, offset = box(0, 0, 1, 1), Fraction(offset) * 2
@@ -34,6 +34,7 @@ def test_the_equation_of_a_line_read_back_is_that_line(large, offset):
         words = re.fullmatch(r"(-?)([\d.e-]*)x([+-])([\d.e-]*)y=(-?[\d.e-]+)", text)
         x, y = (Fraction(words[k] + (words[k + 1] or "1")) for k in (1, 3))
         assert max(abs(x), abs(y)) <= 1000 and Fraction(words[5]) < 10**308
+        assert not {"1", "1.000"} & {words[2], words[4]}  # the factor 1 is not written
         unit = Fraction(nx) / x
         for read, true in ((x, nx), (y, ny), (Fraction(words[5]), line.offset)):
             assert abs(read * unit - Fraction(true)) <= abs(Fraction(true)) / 200
@@ -66,6 +67,39 @@ def test_a_line_that_cuts_a_shape_separates_nothing_wherever_it_cuts(a, b):
     for offset in (0.25, 0.5, 0.75, 3.25, 3.5, 3.75):
         assert not SeparatingLine(a, b, frac(1, 0), Fraction(offset)).check()
         assert not SeparatingLine(b, a, frac(1, 0), Fraction(offset)).check()
+
+
+@pytest.mark.parametrize(
+    ("normal", "offset", "text"),
+    [
+        ((3, 4), 25, "3x + 4y = 25"),
+        ((-3, -1), 2.5, "-3x - y = 2.5"),
+        ((1000, 999), 1000, "1000x + 999y = 1000"),
+        ((-1, 1000), 0, "-x + 1000y = 0"),
+        ((1001, -2002), 2002, "0.5x - y = 1"),  # of large numbers the largest becomes 1
+        ((3, 4), 10**308, "3x + 4y = 1.000e308"),  # where the right side would be larger, too, and then 1/4
+        ((3, 4), 10**308 + 1, "0.75x + y = 2.500e307"),
+        ((3, 4), 4 * 10**308, "0.75x + y = 1.000e308"),
+        ((3, -4), -4 * 10**308 - 1, "0.188x - 0.25y = -2.500e307"),
+        ((2002, 2002), 2002 * 2 * 10**308, "0.25x + 0.25y = 5.000e307"),
+    ],
+    ids=range(10),
+)
+def test_whole_factors_up_to_1000_are_written_as_they_are_where_the_right_side_fits_into_a_float(normal, offset, text):
+    shape = box(0, 0, 1, 1)
+    assert str(SeparatingLine(shape, shape, frac(*normal), Fraction(offset))) == f"separating line {text}"
+
+
+@pytest.mark.parametrize(
+    ("size", "offset", "at"), [(4, 3, "3"), (4e9, 3e9, "3e9"), (4e-9, 3e-9, "3e-9"), (4, 3e-9, "3.000e-9")]
+)
+@pytest.mark.parametrize("length", [1, -1, 2, -0.5])
+def test_the_number_of_an_upright_line_has_the_unit_that_fits_both_shapes(size, offset, at, length):
+    small, large = box(-size / 1e6, -size / 1e6, 0, 0), box(size, size, 2 * size, 2 * size)
+    for a, b in (small, large), (large, small):
+        for normal, text in ((length, 0), f"x = {at} (parallel to y)"), ((0, length), f"y = {at} (parallel to x)"):
+            line = SeparatingLine(a, b, frac(*normal), Fraction(offset) * Fraction(length))
+            assert line.check() and str(line) == f"separating line {text}"
 
 
 def test_a_lines_point_is_the_nearest_to_the_origin():

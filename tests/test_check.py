@@ -46,7 +46,7 @@ def test_a_correct_function_gives_no_false_alarm(row):
 
 
 @pytest.mark.parametrize("fn", [bounding_boxes, touching_is_apart], ids=["hit", "touching"])
-def test_the_counterexample_shows_what_was_said_and_what_is_true(fn):
+def test_the_counterexample_shows_the_answer_of_the_function_and_the_right_one(fn):
     found = sv.check(fn)
     a, b = found.counterexample.a, found.counterexample.b
     assert found.said == fn(a.vertices, b.vertices) and found.truth is sv.relate(a, b)
@@ -77,7 +77,7 @@ def test_the_report_names_the_mistake_and_can_be_pasted():
     assert sv.relate(names["a"], names["b"]) is sv.Relation.APART
 
 
-def test_a_function_without_fault_hears_what_it_passed_and_where_its_floats_fail():
+def test_a_right_function_passes_every_pair_and_the_report_says_where_its_floats_fail():
     found = sv.check(sat)
     assert sum(found.passed.values()) == len(found.results) > 300
     assert found.near.asked > 50 and 0 < found.near.wrong < found.near.asked / 5
@@ -95,13 +95,13 @@ def test_a_function_without_fault_hears_what_it_passed_and_where_its_floats_fail
         (lambda a, b: int(bool(sv.relate(sv.Polygon(a), sv.Polygon(b)))), "hit"),
     ],
 )
-def test_what_a_function_returns_is_found_out(fn, kind):
+def test_the_kind_of_answer_of_a_function_is_inferred(fn, kind):
     found = sv.check(fn)
     assert found.right and found.rules.returns == kind, str(found)
 
 
 @pytest.mark.parametrize("form", ["points", "dicts", "xy", "shapes", lambda shape: shape])
-def test_shapes_come_in_the_form_that_is_asked_for(form):
+def test_shapes_are_passed_in_the_form_that_the_option_names(form):
     seen = []
 
     def fn(a, b):
@@ -185,13 +185,13 @@ def raises_without_words(a, b):
         (lambda a: True, "error", "raises TypeError"),
     ],
 )
-def test_a_misbehaviour_is_one_line(fn, finding, line):
+def test_a_misbehaviour_is_reported_in_one_line(fn, finding, line):
     found = sv.check(fn)
     assert not found.right and found.finding == finding and found.line.startswith(line), found.line
     assert "\n" not in found.line and "Traceback" not in str(found) and found.counterexample is not None
 
 
-def test_an_endless_loop_is_ended_where_that_is_asked_for():
+def test_an_endless_loop_is_ended_with_the_option_call_seconds():
     def loops(a, b):
         while len(a) == 3:
             pass
@@ -234,7 +234,7 @@ def deep():
     ],
 )
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="a function must be sent to a process that is no copy")
-def test_what_a_function_does_to_its_process_is_one_line_and_nothing_else(act, line, capfd):
+def test_the_end_of_a_functions_process_is_reported_in_one_line_and_does_no_harm(act, line, capfd):
     found = sv.check(lambda a, b: bool(act()), call_seconds=5)
     assert found.line.startswith(line), found.line
     assert capfd.readouterr() == ("", "") and sv.check(sat, call_seconds=5, kinds="boxes").right
@@ -270,7 +270,7 @@ def test_child_processes_of_a_checked_function_end_with_it(tmp_path):
     ],
 )
 @pytest.mark.parametrize("more", [{}, {"call_seconds": 5}], ids=["here", "in a process"])
-def test_an_answer_that_is_none_is_said_in_one_short_line(make, line, more):
+def test_an_answer_of_a_wrong_type_is_reported_in_one_short_line(make, line, more):
     found = sv.check(lambda a, b: make(), **more)
     assert found.finding == "unreadable" and found.line.startswith(line) and len(found.line) < 300, found.line
 
@@ -303,7 +303,7 @@ def test_arguments_of_any_kind_raise_no_false_alarm(form):
     assert found.right, str(found)
 
 
-def test_an_array_that_is_written_to_is_said():
+def test_a_function_that_writes_to_its_arrays_is_reported():
     found = sv.check(lambda a, b: bool(a.sort()), form=lambda shape: np.array(shape.vertices)[::-1])
     assert found.finding == "wrote" and "changes its argument A" in found.line
 
@@ -315,7 +315,7 @@ def test_what_counts_as_right_for_touching_shapes_is_an_option():
     assert 'touching="miss"' in str(sv.check(touching_is_apart))
 
 
-def test_a_tolerance_says_what_it_costs():
+def test_the_report_says_what_a_tolerance_costs():
     found = sv.check(touching_is_apart, tolerance=1e-9)
     touching = sum(r.truth.relation is sv.Relation.TOUCHING for r in found.results)
     assert found.right and f"leaves {touching} of {len(found.results)} pairs unjudged" in str(found)
@@ -353,13 +353,13 @@ def test_a_check_ends_in_time():
     "more",
     [{"returns": "colour"}, {"kinds": "cubes"}, {"kinds": ()}, {"touching": "no"}, {"tolerance": -1}, {"form": "x"}],
 )
-def test_an_option_that_is_none_is_refused(more):
+def test_an_invalid_option_is_refused(more):
     with pytest.raises(ValueError, match=r"choose|must be"):
         sv.check(sat, **more)
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_the_pairs_hold_all_that_they_promise(kind):
+def test_pairs_in_whole_numbers_have_every_relation_and_their_kind(kind):
     pairs = whole_number_pairs((kind,), 1)
     relations = [sv.relate(p.a, p.b) for p in pairs]
     for relation in sv.Relation:
@@ -382,7 +382,7 @@ def test_pairs_in_rounded_numbers_are_near():
     assert sum(margin < 2.0**34 for margin in margins) > 50 and sum(0 < margin < 20 for margin in margins) > 3
 
 
-def test_what_users_see_leads_to_mistakes():
+def test_a_symptom_leads_to_known_mistakes():
     assert "far-centers" in mistakes_with("it falls through the floor")
     assert "push-from-center" in mistakes_with("my box is pushed the wrong way")
     assert "unit-normals" in mistakes_with("jitters") and mistakes_with("xyzzy") == []
@@ -461,7 +461,7 @@ def test_a_check_in_a_page_goes_on_by_messages():
     assert judged["kind"] == "judged" and judged["said"] in ("hit", "no hit")
 
 
-def test_of_what_code_prints_the_beginning_is_kept_also_where_it_closes_the_output():
+def test_the_beginning_of_printed_output_is_kept_even_if_the_code_closes_it():
     from satviz.checking.reading import MAX_PRINTED, ReaderPython
 
     code = "import sys\ndef f(a, b):\n    for c in 'xy': print(c * 10**6)\n    sys.stdout.close()\n    return True\n"
@@ -482,7 +482,7 @@ def test_of_what_code_prints_the_beginning_is_kept_also_where_it_closes_the_outp
         ("x = 1\0", "This is not Python: the code has a null character."),
     ],
 )
-def test_code_without_a_function_is_said_in_one_line(code, why):
+def test_code_without_a_function_is_refused_in_one_line(code, why):
     from satviz.checking.reading import ReaderPython
 
     said = ReaderPython().answer({"kind": "define", "code": code})["why"]
@@ -531,7 +531,7 @@ def test_a_wrong_function_unlike_all_known_mistakes_is_not_given_one_of_their_na
     assert "behaves like" not in str(found)
 
 
-def test_a_smaller_scene_is_of_a_kind_that_the_function_was_asked_about():
+def test_a_smaller_scene_is_of_a_kind_that_was_tested():
     def on_x(a, b):
         return max(p[0] for p in a) >= min(p[0] for p in b)
 

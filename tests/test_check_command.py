@@ -107,7 +107,7 @@ def test_a_program_answers_line_by_line(tmp_path):
         ),
     ],
 )
-def test_what_is_wrong_with_a_program_is_one_line(tmp_path, body, line, monkeypatch):
+def test_a_fault_of_a_program_is_reported_in_one_line(tmp_path, body, line, monkeypatch):
     monkeypatch.setattr("satviz.checking.programs.START_SECONDS", 0.0 if "endless" in line else 10.0)
     found = program(tmp_path, body, seconds=0.2)
     assert found.line.startswith(line), found.line
@@ -132,7 +132,7 @@ def test_nothing_but_the_report_is_printed(tmp_path, capfd):
     assert json.loads(said)["finding"] == "wrong" and error == ""
 
 
-def test_a_program_that_is_not_there_is_said():
+def test_a_missing_program_is_reported():
     found = check_asker(Program("there-is-no-such-program x", 1), Options())
     assert found.line == "cannot be started: there is no 'there-is-no-such-program'"
 

@@ -100,7 +100,7 @@ def test_draw_writes_one_step_or_some(tmp_path, capsys):
     assert sorted(path.name for path in (tmp_path / "end").iterdir()) == ["triangles-14.svg", "triangles-15.svg"]
 
 
-def test_a_page_a_link_and_a_frame_ask_the_question_that_was_chosen(tmp_path, capsys):
+def test_predict_reaches_a_page_a_link_and_a_frame(tmp_path, capsys):
     made = ["draw", "far-centers", "--predict", "--format", "html", "--out", str(tmp_path), "--format", "link"]
     assert main([*made, "--format", "embed", "--site", "https://example.org/s", "--theme", "dark"]) == 0
     page, captured = (tmp_path / "far-centers.html").read_text(), capsys.readouterr().out
@@ -112,7 +112,7 @@ def test_a_page_a_link_and_a_frame_ask_the_question_that_was_chosen(tmp_path, ca
     )
 
 
-def test_a_link_stands_for_its_scene(tmp_path, capsys):
+def test_a_link_can_be_given_instead_of_a_scene(tmp_path, capsys):
     """Of a scene dragged in the explorer there is only its address."""
     mine = sv.Scene("mine", sv.Polygon([(0, 0), (4, 0), (0, 3)]), sv.Circle((5, 3), 1))
     for scene in mine, sv.scene("triangles"):
@@ -150,7 +150,7 @@ def test_version(capsys):
 
 NESTED = '{"satviz": "scene 1", "a": ' + "[" * 100_000
 BAD = {
-    "no json": ("{", "not JSON"),
+    "no json": ("{", "this is not JSON"),
     "unknown key": ({**GOOD, "colour": 1}, '"colour"'),
     "missing key": ({"satviz": "scene 1", "a": GOOD["a"]}, 'lacks "b"'),
     "no format": ({"a": GOOD["a"], "b": GOOD["a"]}, 'write "satviz": "scene 1" into it'),
@@ -186,11 +186,11 @@ def test_a_bad_scene_file_gives_one_clear_line_and_exit_code_2(what, tmp_path, c
 
 def test_other_bad_input_gives_one_clear_line_too(tmp_path, capsys):
     for args, words in (
-        (["trace", "nosuch"], "no scene and no file 'nosuch': choose one of aabb"),
-        (["trace", "triangle"], "no scene and no file 'triangle': did you mean triangles?\n"),
+        (["trace", "nosuch"], "there is no scene and no file 'nosuch': choose one of aabb"),
+        (["trace", "triangle"], "there is no scene and no file 'triangle': did you mean triangles?\n"),
         (["trace", "nosuch.json"], "cannot read nosuch.json"),
         (["trace", str(tmp_path)], "cannot read"),
-        (["figures", "--only", "nosuch"], "no figure 'nosuch': choose one of aabb-apart, aabb-project-y, "),
+        (["figures", "--only", "nosuch"], "there is no figure 'nosuch': choose one of aabb-apart, aabb-project-y, "),
     ):
         assert main(args) == 2
         err = capsys.readouterr().err
@@ -200,7 +200,7 @@ def test_other_bad_input_gives_one_clear_line_too(tmp_path, capsys):
     assert main(["trace", str(binary)]) == 2 and "UTF-8" in capsys.readouterr().err
 
 
-def test_an_option_nobody_knows_shows_usage_and_no_traceback():
+def test_an_unknown_option_shows_usage_and_no_traceback():
     done = run("figures", "--format", "bmp")
     assert done.returncode == 2 and done.stderr.count("\n") == 1 and "Traceback" not in done.stderr
 
@@ -341,19 +341,19 @@ def test_too_little_memory_gives_a_one_line_error(capsys, monkeypatch):
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no named pipes there")
-def test_what_is_no_regular_file_is_no_scene(tmp_path, capsys):
+def test_a_path_that_is_no_regular_file_is_refused(tmp_path, capsys):
     os.mkfifo(tmp_path / "fifo")
     (tmp_path / "link").symlink_to(tmp_path / "fifo")
     for path in (tmp_path / "fifo", tmp_path / "link", tmp_path, Path("/dev/zero"), Path("/dev/null")):
         for command in ("trace", "draw"):
             assert main([command, str(path)]) == 2
-            assert capsys.readouterr().err == f"satviz: cannot read {path}: not a regular file\n"
+            assert capsys.readouterr().err == f"satviz: cannot read {path}: it is not a regular file\n"
 
 
 ESCAPES = "a\x1b[31m\x07\r\x9b\u202e\nb"
 
 
-def test_no_name_steers_the_terminal(tmp_path, capsys):
+def test_no_name_can_control_the_terminal(tmp_path, capsys):
     held = tmp_path / f"{ESCAPES}.json"
     held.write_text("{")
     out = tmp_path / ESCAPES
@@ -442,7 +442,7 @@ def test_a_fault_of_our_own_is_one_line_too_and_development_mode_shows_where(err
 
 @pytest.fixture
 def listening():
-    """A test run in the background has interrupts ignored."""
+    """Let this process take interrupts, which a test run in the background ignores."""
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
     yield
     signal.signal(signal.SIGINT, before)
@@ -454,7 +454,7 @@ class Finalized:
 
 
 def vanishing(work):
-    """The work with an interrupt in it that comes inside a callback, where its exception is lost."""
+    """Do the work with an interrupt inside a callback, where its exception is lost."""
 
     def worked(*args, **more):
         Finalized()
@@ -514,7 +514,7 @@ def test_an_earlier_interrupt_does_not_stop_the_next_command(capsys, monkeypatch
     assert main(["trace", "aabb"]) == 0
 
 
-def test_jupyterlab_gets_the_interrupts_for_itself(tmp_path):
+def test_interrupts_are_left_to_jupyterlab(tmp_path):
     for name in ("jupyterlab", "anywidget"):
         (tmp_path / f"{name}.py").write_text(
             "import os, signal, sys\nos.kill(os.getppid(), signal.SIGINT)\nprint(sys.argv[1:], flush=True)\nsys.exit(5)"
@@ -577,7 +577,7 @@ def test_the_sums_are_of_the_table_and_keep_to_its_width(capsys):
     assert "leave out --json" in capsys.readouterr().err
 
 
-def test_the_terminals_width_is_asked_for(monkeypatch, capsys):
+def test_the_table_is_as_wide_as_the_terminal(monkeypatch, capsys):
     monkeypatch.setenv("COLUMNS", "40")
     monkeypatch.setattr("sys.stdout.isatty", lambda: True, raising=False)
     assert main(["trace", "triangles"]) == 0
@@ -607,9 +607,9 @@ def test_small_hostile_files_are_refused_at_once(tmp_path, capsys):
 # -- options together
 
 CLASHES = {
-    "draw triangles --sheet --format gif": "--sheet is one picture",
-    "draw triangles --sheet --format html": "--sheet is one picture",
-    "draw triangles --sheet --format svg --format html": "--sheet is one picture",
+    "draw triangles --sheet --format gif": "--sheet makes one picture",
+    "draw triangles --sheet --format html": "--sheet makes one picture",
+    "draw triangles --sheet --format svg --format html": "--sheet makes one picture",
     "draw triangles --sheet --format link": "--format link prints a line: --sheet is for files",
     "draw triangles --steps --format link": "--format link prints a line: --steps is for files",
     "draw triangles --format link --out somewhere": "--format link prints a line: --out is for files",
@@ -622,16 +622,16 @@ CLASHES = {
     "draw triangles --goal touch --format html": "--goal is not for these formats: give it with --format embed or link",
     "draw triangles --play --format link": "--play is not for these formats: give it with --format embed",
     "draw triangles --show table": "--show is not for these formats: give it with --format embed",
-    "draw triangles --format link --goal touch --predict": "a challenge is dragged, and --predict is for steps",
+    "draw triangles --format link --goal touch --predict": "a challenge has no steps, and --predict is for steps",
     "draw triangles --format link --goal break": "are not a shortcut",
     "draw triangles --format link --step 3-8": "a link opens one step",
     "draw triangles --format html --step 3": "a page has all steps",
     "draw triangles --step 16": "the run has no step 16: its steps are 0 to 15",
     "draw triangles --step 99 --format link": "the run has no step 99: its steps are 0 to 15",
-    "handout 9": "no chapter 9: the chapters are 1 to 8",
+    "handout 9": "there is no chapter 9: the chapters are 1 to 8",
     "draw no-area --step 0": "no-area has no run",
     "draw no-area --predict --format html": "no-area has no run",
-    "draw triangles --theme dark --format html": "a page has both themes",
+    "draw triangles --theme dark --format html": "a page follows its reader's theme",
     "draw no-area --sheet": "no-area has no run",
     "draw no-area --steps --format gif": "no-area has no run",
     "draw no-area --axes world": "no-area has no run",
@@ -657,8 +657,8 @@ def test_options_that_cannot_be_together_get_one_line(line, capsys, tmp_path, mo
 
 @pytest.mark.parametrize("scene", ["circles", "no-area"])
 @pytest.mark.parametrize("form", one_in(3, DRAW_FORMATS))
-def test_no_option_of_draw_is_taken_in_silence(form, scene, capsys, tmp_path, monkeypatch):
-    """What is given changes what is made, or is refused; or it is so in any case, as the help says."""
+def test_no_option_of_draw_is_ignored_silently(form, scene, capsys, tmp_path, monkeypatch):
+    """Each option changes the files, or is refused, or has an effect in any case, as the help says."""
 
     def files(pictures, form, theme, stem, times=()):
         return f"{form} {len(pictures)} {theme.name} {pictures[-1].to_json()} {times}".encode()

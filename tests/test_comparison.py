@@ -127,7 +127,7 @@ def test_the_shortcuts_number_stands_on_the_left_struck_out_and_the_right_one_on
 
 
 @each_case
-def test_an_axis_is_called_after_something_that_is_seen(case):
+def test_an_axis_is_named_after_something_visible(case):
     drawn = sv.picture(case.record(), largest=(338, 680))
     for side in "claimed", "actual":
         vertices = {m.text for m in drawn.labels if m.part == f"{side}-vertex-name"}
@@ -145,7 +145,7 @@ def test_a_line_that_another_label_bars_ends_at_the_nearest_point_of_its_label(n
     assert boxes_hit in ([], [drawn.mark(leader.id.removesuffix("-leader")).text])
 
 
-def test_a_push_shows_what_its_direction_came_from_and_who_stands_still():
+def test_a_push_shows_where_its_direction_comes_from_and_which_shape_does_not_move():
     case = NAMED["push-from-center"]
     shown = sv.picture(case.record())
     a, b, push = (shown.mark(name).points for name in ("A.claimed-mean", "B.claimed-mean", "claimed-push"))
@@ -155,7 +155,7 @@ def test_a_push_shows_what_its_direction_came_from_and_who_stands_still():
 
 
 @each_case
-def test_either_side_shows_both_shapes(case):
+def test_each_panel_shows_both_shapes(case):
     if case.name in ("many-pairs", "gjk-looks-less"):  # a crowd, and the difference of both
         return
     drawn = sv.picture(case.record())
@@ -232,7 +232,7 @@ def test_a_shortcut_is_called_wrong_only_where_it_is(name, move, right):
     assert sv.picture(case.record()).mark("wrong").text.startswith("Wrong: ")
 
 
-def test_a_shortcut_of_ones_own_is_drawn_beside_the_truth():
+def test_a_users_shortcut_is_drawn_beside_the_truth():
     mine = sv.Shortcut("mine", "y is enough", sv.axes.directions((0, 1)))
     drawn = sv.picture(sv.record(box(0, 0, 2, 2), box(3, 0.5, 5, 2.5), axes=mine))
     assert drawn.mark("heading").text == "Claim: y is enough."
@@ -262,7 +262,7 @@ def refusal(case):
 
 
 @each_refused
-def test_what_is_refused_shows_its_outline_and_the_reason(case, tmp_path):
+def test_a_refused_case_shows_its_outlines_and_the_reason(case, tmp_path):
     drawn = comparison.refused_picture(case)
     assert [mark.owner for mark in drawn.marks if mark.part == "outline"] == ["A", "B"]
     assert " ".join(drawn.mark("wrong").text.split()) == refusal(case)
@@ -312,7 +312,7 @@ def test_both_pens_and_the_player_take_both_panels():
     assert len(show["steps"]) == len(sv.steps(trace)) and show["size"] == list(sv.picture(trace).size)
 
 
-def test_a_shortcuts_axes_can_be_asked_of_any_scene_by_name(capsys):
+def test_the_axes_of_a_shortcut_can_be_used_for_any_scene_by_name(capsys):
     assert main(["trace", "triangles", "--axes", "one-overlap"]) == 0
     assert "By the shortcut “the ranges overlap on one axis, so the shapes collide”" in capsys.readouterr().out
 
@@ -354,7 +354,7 @@ def pushed(move):
 
 
 @pytest.mark.parametrize("move, right", [((1.5, 0), True), ((0.5, 0), False), ((-7.5, 0), False), ((1e9, 0), False)])
-def test_the_push_of_a_shortcut_of_ones_own_is_held_against_the_way_out(move, right):
+def test_the_push_of_a_users_shortcut_is_compared_with_the_mtv(move, right):
     trace = sv.record(box(0, 0, 4, 4), box(2.5, 1, 6, 3), axes=pushed(move))
     drawn = sv.picture(trace)
     assert drawn.mark("claimed-push-name").text.startswith("push (")
@@ -364,14 +364,14 @@ def test_the_push_of_a_shortcut_of_ones_own_is_held_against_the_way_out(move, ri
     assert max(p.x for p in outline) - min(p.x for p in outline) > 20
 
 
-def test_the_pieces_of_a_shortcut_of_ones_own_are_drawn_with_their_pushes():
+def test_the_pieces_of_a_users_shortcut_are_drawn_with_their_pushes():
     mine = sv.Shortcut("mine", "each half pushes", split=halves)
     drawn = sv.picture(sv.record(box(0, 0, 4, 4), box(1.5, 1.5, 2.5, 2.5), axes=mine))
     assert {"A1", "A2"} <= {m.owner for m in drawn.marks if m.part == "claimed-outline"}
     assert drawn.mark("wrong").text.startswith("Wrong: push (0, 0). Right: overlapping, way out (")
 
 
-def test_there_is_room_for_a_push_only_where_one_is_drawn():
+def test_there_is_space_for_a_push_only_where_one_is_drawn():
     drawn = sv.picture(NAMED["one-overlap"].record())
     outline = drawn.mark("A.claimed-outline").points
     assert max(p.x for p in outline) - min(p.x for p in outline) > 50
@@ -385,7 +385,7 @@ def test_a_gap_that_is_right_is_not_struck_out_with_the_wrong_answer():
     assert struck(ExplorerModel(sv.scene("tunnelling")).picture()) == ["apart"]
 
 
-def test_the_question_that_a_one_sided_gap_forgets_is_shown_and_only_where_its_answer_is_yes():
+def test_the_comparison_that_a_one_sided_gap_forgets_is_shown_only_where_it_finds_a_gap():
     drawn, case = sv.picture("one-sided-gap"), NAMED["one-sided-gap"]
     asked, forgotten = drawn.mark("claimed-said").text.split("\n")
     assert asked == "asked: does A end (5) before B begins (0)? no"
@@ -444,7 +444,7 @@ def test_the_line_of_a_distance_is_as_long_as_the_distance():
             assert math.dist(p, q) == pytest.approx(true_value.distance(a, b))
 
 
-def test_a_fan_of_directions_stays_on_its_panel():
+def test_the_arrows_of_separating_directions_stay_on_their_panel():
     for b in box(2.01, 0, 4, 1), box(2.01, -1, 2.2, 3), box(-0.1, 1.01, 30, 4), sv.Polygon([(1, 1.1), (3, 2), (2, 9)]):
         trace = sv.record(box(0, 0, 2, 1), b, axes=SHORTCUTS["only-one-axis"])
         sketch = comparison_panels.draw_separating_directions(trace, arrange([PanelContents([trace.a, b])])[0])
@@ -453,7 +453,7 @@ def test_a_fan_of_directions_stays_on_its_panel():
 
 
 @each_case
-def test_a_step_shows_no_more_than_it_says_and_its_labels_stay_as_it_moves_on(case):
+def test_a_step_shows_no_more_than_its_sentence_and_its_labels_stay_in_the_next_step(case):
     trace = case.record()
     spots, before = {}, None
     for i, step in enumerate(sv.steps(trace)):
@@ -471,7 +471,7 @@ def test_a_step_shows_no_more_than_it_says_and_its_labels_stay_as_it_moves_on(ca
 
 
 def pushes_on(size, count, text="push (-1234567890123, 9876543210987)"):
-    """A picture of labels alone, all of which must be said, asked for round the middle of a canvas of that size."""
+    """Return a picture of required labels alone, requested around the middle of a canvas of that size."""
     layout = Layout((0.0, 0.0, *size), size)
     spots = [sv.Vec(size[0] * (0.4 + 0.02 * i), size[1] / 2) for i in range(count)]
     requests = [LabelRequest("push", text, "move", spot, number=i) for i, spot in enumerate(spots)]
@@ -619,16 +619,16 @@ def test_an_overlap_is_struck_out_only_where_the_ranges_do_not_overlap_so_far():
 
 
 @pytest.mark.parametrize("b", [box(1, 1, 4, 3), box(2, 0, 4, 2), box(5, 0, 7, 2), sv.Polygon([(1, 1), (4, 1), (3, 3)])])
-def test_what_gjk_and_sat_look_at_is_written_beside_each_corner_and_adds_up(b):
+def test_evaluation_counts_of_gjk_and_sat_stand_beside_each_corner_and_add_up(b):
     case = NAMED["gjk-looks-less"]
     trace = sv.record(box(0, 0, 2, 2), b, axes=case.shortcut)
     drawn = sv.picture(trace)
     totals = case.claimed_value(trace), case.true_value(trace.a, trace.b)
     for panel, total in zip(("claimed", "actual"), totals, strict=True):
-        times = {int(m.text[:-1]) for m in drawn.labels if m.part == f"{panel}-looks"}
-        dots = sum(m.part == f"{panel}-looked" for m in drawn.marks)
+        times = {int(m.text[:-1]) for m in drawn.labels if m.part == f"{panel}-evaluations"}
+        dots = sum(m.part == f"{panel}-evaluated" for m in drawn.marks)
         assert {k * dots for k in times} == {total} or (panel == "actual" and not dots)  # of many axes it shows one
-    assert any(m.part == "claimed-looked" for m in drawn.marks)
+    assert any(m.part == "claimed-evaluated" for m in drawn.marks)
 
 
 def test_a_single_crossing_is_counted_in_the_singular():
@@ -636,12 +636,12 @@ def test_a_single_crossing_is_counted_in_the_singular():
     assert drawn.mark("claimed-crossings").text == "4 edges and 4 edges: 1 crossing"
 
 
-def test_a_raw_normal_makes_a_way_out_as_many_times_as_long_as_the_normal_is():
+def test_a_raw_normal_lengthens_a_push_by_the_length_of_the_normal():
     drawn = sv.picture("raw-depth")
     arrows = {mark.part: mark.points for mark in drawn.marks if mark.kind == "arrow"}
     lengths = {part: math.dist(p, q) for part, (p, q) in arrows.items()}
-    assert lengths["claimed-way-out"] == pytest.approx(2 * lengths["actual-mtv"])
-    assert lengths["claimed-push"] == pytest.approx(lengths["actual-way-out"])
+    assert lengths["claimed-axis-push"] == pytest.approx(2 * lengths["actual-mtv"])
+    assert lengths["claimed-push"] == pytest.approx(lengths["actual-axis-push"])
     assert {"read as 1.5", "read as 1", "normal 2 long:", "normal 1 long:"} <= set(drawn.texts)
 
 

@@ -550,7 +550,7 @@ def test_of_a_repeated_vertex_the_first_label_counts():
 
 
 def concave_pairs(count: int) -> Iterator[tuple[Polygon, Polygon]]:
-    """Return pairs near each other, on grids where vertices and edges often coincide."""
+    """Yield pairs near each other, on grids where vertices and edges often coincide."""
     kinds = ["small grid", "quarters", "star of integers", "star of quarters", "right angles"]
     pools = [list(concave_polygons(kind, 40, most=10, seed=3)) for kind in kinds]
     rng = Random(4)

@@ -21,7 +21,7 @@ def address(html):
 
 
 def opened(html):
-    """What the page of a frame's address opens."""
+    """Return what the page of a frame's address opens."""
     asked, _, fragment = address(html).partition("?")[2].partition("#")
     return json.loads(live.answer("frame", json.dumps({"kind": "open", "hash": fragment, "query": asked})))
 
@@ -46,7 +46,7 @@ def test_a_query_is_read_as_it_was_written(options):
      "steps=1e3-2000", "play&challenge", "play=no", "predict=0", "embed&embed", "theme=dark&theme=light",
      "steps=1-2&steps=3-8", f"steps=1-{'9' * 1900}"],
 )  # fmt: skip
-def test_a_query_of_a_stranger_is_refused_and_the_page_says_why(text):
+def test_an_invalid_query_is_refused_and_the_page_says_why(text):
     with pytest.raises(InvalidScene, match="the link"):
         parse_query(text)
     reply = json.loads(live.answer("frame", json.dumps({"kind": "open", "hash": "triangles", "query": text})))
@@ -59,12 +59,12 @@ def test_options_that_would_be_read_as_others_are_refused(options):
         query(options)
 
 
-def test_what_other_programs_add_to_an_address_changes_nothing():
+def test_keys_that_other_programs_add_to_an_address_change_nothing():
     assert parse_query("embed&utm_source=x&fbclid=%3Cb%3E&utm_source=y&") == EmbedOptions()
     assert parse_query("embed=1&play=1") == EmbedOptions(play=True)
 
 
-def test_a_frame_opens_what_was_asked_for():
+def test_a_frame_opens_with_the_options_that_were_passed():
     assert "first" in opened(embed("triangles", site=SITE))
     assert opened(embed("triangles", site=SITE, play=True))["step"] == 0
     assert opened(embed("triangles", site=SITE, play=True, step=5))["step"] == 5
@@ -88,7 +88,7 @@ def test_a_frame_whose_challenge_the_scene_cannot_have_is_not_made():
     assert opened(embed("far-centers", site=SITE, challenge="break"))["first"]["goal"]["goal"] == "break"
 
 
-def test_who_reads_without_scripts_gets_the_picture_and_its_sentence():
+def test_without_scripts_a_frame_has_the_picture_and_its_sentence():
     html = embed("triangles", site=SITE)
     (still,) = re.findall(r"<noscript>(.*)</noscript>", html)
     svg = b64decode(re.search(r"base64,([^\"]+)", still)[1]).decode()
@@ -97,7 +97,7 @@ def test_who_reads_without_scripts_gets_the_picture_and_its_sentence():
     assert "\n\n" not in html  # Markdown ends a block of HTML at an empty line
 
 
-def test_a_frame_that_asks_does_not_give_the_answer_away():
+def test_a_frame_with_predict_does_not_give_the_answer_away():
     html = unescape(embed("triangles", site=SITE, predict=True))
     svg = b64decode(re.search(r"base64,([^\"]+)", html)[1]).decode()
     for word in "apart", "gap":

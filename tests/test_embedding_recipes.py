@@ -34,7 +34,7 @@ def site(built):
 
 
 def recipe(heading, language, site=EXAMPLE):
-    """The first block of this language below the heading of the guide, for the site at this address."""
+    """Return the first block of this language below the guide's heading, for the site at this address."""
     section = re.split(r"^## ", GUIDE.partition(f"## {heading}")[2], maxsplit=1, flags=re.MULTILINE)[0]
     block = re.search(rf"^(`{{3,4}}){language}\n(.*?)^\1$", section, re.MULTILINE | re.DOTALL)
     return block[2].replace(EXAMPLE, site)
@@ -42,7 +42,7 @@ def recipe(heading, language, site=EXAMPLE):
 
 @contextmanager
 def folder_served(folder):
-    """A plain server of another origin than the site."""
+    """Yield the address of a plain server with another origin than the site."""
     handler = partial(SimpleHTTPRequestHandler, directory=str(folder))
     with ThreadingHTTPServer(("127.0.0.1", 0), handler) as serving:
         thread = Thread(target=serving.serve_forever, daemon=True)
@@ -73,7 +73,7 @@ def is_dragged(browser, folder, page_name, *, grows):
 
 
 def saved(folder, site):
-    """The file of the guide that a document includes."""
+    """Write the file of the guide that a document includes, and return its path."""
     (folder / "scene-to-embed.html").write_text(sv.embed("triangles", site=site), encoding="utf-8")
 
 
@@ -132,7 +132,7 @@ def test_myst_and_jupyter_book_2(browser, site, tmp_path, program):
 
 
 def nodes(node):
-    """A node of a document and all below it."""
+    """Yield a node of a document and all nodes below it."""
     yield node
     for child in node.get("children", []):
         yield from nodes(child)

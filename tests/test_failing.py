@@ -243,7 +243,7 @@ def test_a_user_defined_shortcut_is_recorded_but_not_saved():
     mine = sv.Shortcut("mine", "y is enough", sv.axes.directions((0, 1)))
     trace = sv.record(box(0, 0, 2, 2), box(3, 0.5, 5, 2.5), axes=mine)
     assert trace.false_hit and "“y is enough”" in trace.sentence
-    with pytest.raises(sv.InvalidScene, match="'mine' is not one of satviz's"):
+    with pytest.raises(sv.InvalidScene, match="'mine' is not one of satviz"):
         trace.to_json()
 
     class Otherwise(sv.Shortcut):
@@ -444,7 +444,7 @@ def test_turned_boxes_are_still_cleared_where_their_bounding_boxes_are_apart():
     assert exact(a, b) is sv.Relation.APART
 
 
-def test_the_line_of_one_overlap_stands_at_x_2_5_and_the_fan_is_as_wide_as_known():
+def test_the_separating_line_of_one_overlap_is_at_x_2_5_and_its_directions_have_the_known_width():
     case = NAMED["line-for-axis"]
     line = case.record().truth.certificate
     assert line.check() and line.point.x == 2.5 and line.normal[1] == 0
@@ -453,13 +453,13 @@ def test_the_line_of_one_overlap_stands_at_x_2_5_and_the_fan_is_as_wide_as_known
     assert touching == pytest.approx((0, 0), abs=1e-9)  # at a shared edge one direction is left
 
 
-def test_rods_a_unit_apart_touch_on_all_their_edge_normals():
+def test_outlines_without_area_a_unit_apart_touch_on_all_their_edge_normals():
     case = NAMED["no-area"]
-    assert bad_outlines.largest_gap_of_rods(case.a, case.b) == 0
+    assert bad_outlines.largest_gap_unchecked(case.a, case.b) == 0
     assert min(x for x, _ in case.b) - max(x for x, _ in case.a) == 1
 
 
-def test_the_zero_edge_of_a_repeated_vertex_is_an_axis_on_which_all_lands_on_0():
+def test_the_zero_edge_of_a_repeated_vertex_gives_an_axis_on_which_every_landing_is_0():
     case = NAMED["repeated-vertex"]
     trace = case.record()
     assert case.a.notes == ("vertex 2 repeats vertex 1: merged",)
@@ -467,7 +467,7 @@ def test_the_zero_edge_of_a_repeated_vertex_is_an_axis_on_which_all_lands_on_0()
     assert {*zero.a.landings, *zero.b.landings} == {0} and trace.shallowest is zero and trace.push == (0, 0)
 
 
-def test_a_pentagram_turns_left_five_times_by_the_same():
+def test_a_pentagram_turns_left_five_times_by_the_same_angle():
     around = bad_outlines.edge_vectors(NAMED["pentagram"].a)
     turns = [p.x * q.y - p.y * q.x for p, q in zip(around, around[1:] + around[:1])]
     assert turns == pytest.approx([2.127] * 5, abs=5e-4)
@@ -585,7 +585,7 @@ def test_of_fifteen_axes_in_space_only_edge_crosses_separate():
 
 
 def corners_in_space(box):
-    """Return the eight corners of a box in space."""
+    """Yield the eight corners of a box in space."""
     for signs in product((-1, 1), repeat=3):
         yield tuple(
             c + sum(s * h * u[i] for s, h, u in zip(signs, box.half, box.axes, strict=True))

@@ -31,13 +31,13 @@ RIGHT = """def collide(a, b):
 
 
 def recipe(of):
-    """The first code block of the guide behind these words."""
+    """Return the first code block of the guide after these words."""
     return re.search(r"^```py(?:thon)?\n(.*?)^```$", GUIDE.partition(f"In **{of}**")[2], re.MULTILINE | re.DOTALL)[1]
 
 
 @pytest.fixture(scope="module")
 def python(tmp_path_factory):
-    """A Python of its own with both graders, from PyPI; satviz is found on its path."""
+    """Return the Python of an environment with both graders from PyPI; satviz is on its path."""
     return environment(tmp_path_factory.mktemp("graders"), *GRADERS)
 
 

@@ -33,7 +33,7 @@ def words(html):
 
 
 @pytest.mark.parametrize("number", one_in(4, CHAPTERS))
-def test_a_chapters_handout_asks_and_its_solutions_answer(number):
+def test_the_handout_of_a_chapter_has_questions_and_its_solutions_have_answers(number):
     (chapter,) = (each for each in chapters() if each.title.startswith(number))
     asked, solved = words(sv.handout(number)), words(sv.handout(number, solutions=True))
     found, exercises = questions(chapter)
@@ -47,7 +47,7 @@ def test_a_chapters_handout_asks_and_its_solutions_answer(number):
     assert "✓" not in asked and "Drag" not in words("".join(q.words for q in found))
 
 
-def test_a_chapter_asks_on_paper_what_it_asks_of_the_reader():
+def test_the_handout_has_the_questions_of_the_chapter():
     counts = {chapter.title[0]: len(questions(chapter)[0]) for chapter in chapters()}
     assert counts["1"] == 3 and counts["2"] == 4 and all(counts.values())
 
@@ -56,7 +56,7 @@ ONE_OF_TEN = [pytest.param(s.name, marks=[pytest.mark.slow] if i % 10 else []) f
 
 
 @pytest.mark.parametrize("name", ONE_OF_TEN)
-def test_a_scene_is_asked_without_its_results(name):
+def test_the_handout_of_a_scene_has_no_results(name):
     trace = sv.scene(name).record()
     whole = (trace.truth if trace.shortcut else trace).without_early_exit()
     rows = [row for row in table_rows(whole) if "reason" not in row][:12]
@@ -68,7 +68,7 @@ def test_a_scene_is_asked_without_its_results(name):
     assert whole.sentence not in words(asked) and 'class="solved"' not in asked
 
 
-def test_the_solution_of_a_shortcut_of_ones_own_is_its_true_run():
+def test_the_solution_of_a_users_shortcut_is_its_true_run():
     known = sv.scene("no-nearest-vertex")
     mine = sv.Scene("mine", known.a, known.b, axes="no-nearest-vertex")
     solved = words(sv.handout(mine, solutions=True))
@@ -76,14 +76,14 @@ def test_the_solution_of_a_shortcut_of_ones_own_is_its_true_run():
 
 
 @pytest.mark.parametrize("name", ["aabb-rotated", "concave-outline"])
-def test_no_title_tells_that_the_axes_cannot_show_the_gap(name):
+def test_no_title_gives_away_that_the_axes_cannot_show_the_gap(name):
     assert sv.scene(name).record().false_hit
     asked = words(sv.handout(name))
     assert sv.scene(name).title not in asked and "Do they collide?" in asked
 
 
 @pytest.mark.parametrize("what", ["1", "3"])
-def test_no_title_in_a_chapters_handout_tells_it_either(what):
+def test_no_title_in_a_chapters_handout_gives_this_away_either(what):
     assert "cannot tell apart" not in sv.handout(what)
 
 
@@ -158,7 +158,7 @@ def test_the_vertices_of_the_table_are_named_beside_their_coordinates():
     assert "a1 (0, 1), a2 (3, 2), a3 (1, 5)" in asked and "v1 (5, 5), v2 (8, 3), v3 (4, 1)" in asked
 
 
-def test_of_many_axes_the_first_twelve_are_asked():
+def test_the_handout_of_many_axes_has_the_first_twelve():
     from math import cos, pi, sin
 
     ring = [(cos(pi * k / 20), sin(pi * k / 20)) for k in range(40)]
@@ -184,7 +184,7 @@ def test_a_handout_is_black_and_white_and_a_file_of_its_own():
     assert html.count('<article class="sheet">') == 2
 
 
-def test_a_shortcut_is_asked_by_its_claim():
+def test_the_handout_of_a_shortcut_asks_whether_its_claim_is_right():
     case = next(row for row in FAILURE_CASES if row.how != REFUSED)
     asked, solved = words(sv.handout(case.name)), words(sv.handout(case.name, solutions=True))
     assert f"“{case.claim}”" in asked and case.how not in asked and case.how in solved
@@ -195,7 +195,7 @@ def test_a_trace_and_two_shapes_have_handouts_too():
     assert sv.handout(sv.record(a, b)) and "Do they collide?" in sv.handout(sv.Scene("mine", a, b))
 
 
-def test_what_cannot_be_printed_is_refused():
+def test_a_handout_that_cannot_be_made_is_refused():
     with pytest.raises(ValueError, match=r"paper is 'A3': expected one of A4, letter"):
         sv.handout("triangles", paper="A3")
     with pytest.raises(ValueError, match="nothing to print"):

@@ -38,7 +38,7 @@ def pages(files):
 
 @pytest.fixture(scope="module")
 def unknown():
-    """What all pages share of a site whose address is not known."""
+    """Return the SiteInfo of a site whose address is not known."""
     return pages_of_site.SiteInfo(chapters.chapters(), guides.guides(), "v1", False, False)
 
 
@@ -80,7 +80,7 @@ def test_a_chapters_picture_is_of_its_own_scene():
 
 
 @pytest.mark.parametrize("name", ["triangles", "far-centers", "aabb-turned", "no-nearest-vertex"])
-def test_what_a_social_network_shows_is_whole(name):
+def test_the_picture_for_social_networks_has_its_size_and_is_not_cut(name):
     card = hosting.social_card(name)
     assert card.size == hosting.CARD_PT and all_marks_fit(card)
 

@@ -33,7 +33,7 @@ def test_the_tables_stay_small():
 
 @pytest.mark.parametrize("weight", ["plain", "title"])
 @pytest.mark.parametrize("words", WORDS)
-def test_a_label_takes_the_room_that_the_pen_fills(words, weight):
+def test_a_label_has_the_size_that_the_pen_draws(words, weight):
     with styled():
         figure = Figure(figsize=(6, 1), dpi=720)  # fine enough that no letter snaps to the dots
         FigureCanvasAgg(figure)

@@ -25,7 +25,7 @@ def side_of_rim(ring, p):
     [(TRIANGLE, 1), (sv.Polygon([(4, 0), (6, 0), (6, 2)]), 0), (sv.Polygon([(5, 0), (7, 0), (7, 2)]), -1)],
     ids=["overlapping", "touching", "apart"],
 )
-def test_the_origin_lies_in_b_minus_a_as_the_shapes_lie_to_each_other(b, where):
+def test_the_place_of_the_origin_in_b_minus_a_follows_the_relation(b, where):
     trace = sv.record(box(0, 0, 4, 2), b)
     drawn = sv.difference(trace)
     assert side_of_rim(drawn.mark("difference.0").points, sv.Vec(0, 0)) == where
@@ -70,7 +70,7 @@ def test_the_explorer_shows_the_difference_beside_the_pair_on_request():
     explorer = ExplorerModel(sv.scene("triangles"))
     state = explorer.state()
     assert "difference" not in state
-    pose = {"kind": "pose", "n": 1, "a": state["a"], "b": state["b"], "against": True}
+    pose = {"kind": "pose", "n": 1, "a": state["a"], "b": state["b"], "difference": True}
     assert explorer.answer(pose)["difference"]["sentence"].startswith("The origin lies outside B \u2212 A")
 
 

@@ -61,7 +61,7 @@ def refute(form: Form, known: Known, name: str = "") -> None:
 
 @functools.cache
 def known(kind: str) -> Known:
-    """Pairs of a kind with what they are; of all kinds, some of each."""
+    """Return pairs of a kind with their relations; for all kinds, some of each."""
     if kind == ALL:
         return [pair for name in KINDS for pair in judged(name, 0, 30)]
     return judged(kind, 1, ORDINARY // len(KINDS))
@@ -99,7 +99,7 @@ def test_no_rare_form_is_wrong(form):
     refute(RARE[form], known(ALL))
 
 
-def test_the_rationals_agree_with_the_most_simple_minded_way():
+def test_the_rationals_agree_with_the_simplest_method():
     for kind, a, b in pairs(1, 12 * len(KINDS)):
         if kind not in ("concave", "in the notch"):
             assert truth.relation(a, b) is truth.relation(b, a) is naive(a, b), (a, b)
@@ -119,7 +119,7 @@ def test_the_pairs_are_of_all_relations():
 
 @contextmanager
 def flushed() -> Iterator[None]:
-    """As code compiled with -ffast-math leaves a thread."""
+    """Flush subnormal numbers to zero, as code compiled with -ffast-math leaves a thread."""
     if (platform.machine(), platform.libc_ver()[0]) != ("x86_64", "glibc"):
         pytest.skip("this machine's word for flush-to-zero is not known here")
     math, kept = ctypes.CDLL("libm.so.6"), (ctypes.c_uint32 * 8)()
@@ -155,7 +155,7 @@ def numbers(shape: Shape) -> list[float]:
 
 
 @pytest.mark.slow
-def test_no_form_is_wrong_where_the_least_numbers_are_taken_for_0_and_none_is_given():
+def test_no_form_is_wrong_where_subnormal_numbers_are_flushed_to_zero_and_none_is_given():
     some = [row for row in known(ALL)[::4] if all(c == 0 or abs(c) > 1e-290 for s in row[:2] for c in numbers(s))]
     assert len(some) > 200
     with warnings.catch_warnings():
@@ -169,7 +169,7 @@ def test_no_form_is_wrong_where_the_least_numbers_are_taken_for_0_and_none_is_gi
 
 
 def mapped(shape: Shape, move: Callable[[float, float], tuple[float, float]], grow: float = 1.0) -> Shape:
-    """The shape with its points moved; ValueError where the radius is rounded."""
+    """Return the shape with its points mapped; ValueError if the radius is rounded."""
     if isinstance(shape, Circle):
         return Circle(move(*shape.center), exactly(Fraction(shape.radius) * Fraction(grow)))
     return Polygon([move(x, y) for x, y in shape.vertices])
@@ -189,7 +189,7 @@ def scaled(rng: Random, a: Shape, b: Shape) -> tuple[Shape, Shape]:
 
 
 def translated(rng: Random, a: Shape, b: Shape) -> tuple[Shape, Shape]:
-    """By a coordinate of its own, which is often as fine as the others, or by a whole number."""
+    """Return the pair moved by one of its own coordinates, often as fine as the others, or by a whole number."""
     v = a.center if isinstance(a, Circle) else rng.choice(a.vertices)
     by = [Fraction(-c) for c in v] if rng.random() < 0.7 else [Fraction(rng.randint(-99, 99)) for _ in "xy"]
     return tuple(mapped(s, lambda *v: tuple(exactly(Fraction(c) + d) for c, d in zip(v, by))) for s in (a, b))
@@ -220,7 +220,7 @@ def started_elsewhere(rng: Random, ring: list) -> list:
 
 
 def with_a_straight_vertex(rng: Random, ring: list) -> list:
-    """One more vertex in the middle of an edge, or a quarter along it."""
+    """Return the pair with one more vertex, in the middle of an edge or a quarter along it."""
     i = rng.randrange(len(ring))
     part = rng.choice((Fraction(1, 2), Fraction(1, 4)))
     middle = [exactly(Fraction(p) + (Fraction(q) - Fraction(p)) * part) for p, q in zip(ring[i - 1], ring[i])]
@@ -241,7 +241,7 @@ CHANGES: dict[str, Callable[[Random, Shape, Shape], tuple[Shape, Shape]]] = {
 
 @functools.cache
 def changed(kind: str, count: int) -> list[tuple[str, Shape, Shape, int]]:
-    """(change, a, b, which of the `count` pairs it comes of); first the pairs themselves."""
+    """Return (change, a, b, index among the `count` pairs); first the pairs themselves."""
     rng = Random(f"{kind} 2")
     originals = [drawn(rng, kind if kind != ALL else rng.choice(list(KINDS))) for _ in range(count)]
     found = [("nothing", a, b, i) for i, (a, b) in enumerate(originals)]
@@ -312,7 +312,7 @@ def test_no_pair_bred_towards_contact_is_found_that_a_form_is_wrong_about():
 
 
 def tiled(rng: Random) -> list[Shape]:
-    """A floor of tiles beside 0, each side worked out in one of the ways that programs do."""
+    """Return a floor of tiles beside 0, each side computed in one of the ways that programs use."""
     size, rows, start = rng.choice((0.1, 0.3, 1.0, 7.0)), rng.randint(2, 9), rng.randint(-6, 0)
     tiny = rng.choice((0.0, 0.0, -1e-17, 1e-17, -5e-324, -1e-300, 2.0**-60))
     way = rng.randrange(3)
@@ -412,7 +412,7 @@ FINDS: dict[str, tuple[Shape, Shape]] = {
 
 @functools.cache
 def dressed(find: str) -> Known:
-    """The pair from every first vertex, either way round, and either first."""
+    """Return the pair with every first vertex, both windings and both orders."""
     a, b = FINDS[find]
     right = relation(a, b)
     found = [(p, q) for p in started(a) for q in started(b)]
@@ -427,7 +427,7 @@ def test_no_form_is_wrong_about_a_find(form):
 
 
 def started(shape: Shape) -> list[Shape]:
-    """The same shape from every first vertex, either way round."""
+    """Return the same shape with every first vertex and both windings."""
     if isinstance(shape, Circle):
         return [shape]
     ring = shape.vertices

@@ -42,7 +42,7 @@ def prose(notebook):
 
 
 def cells_that_differ(notebook, folder):
-    """Run a copy of the notebook; what nbval says of the code cells that failed or showed something else, by id."""
+    """Run a copy of the notebook; return nbval's messages about cells that failed or differ, by cell id."""
     import nbformat
 
     nbformat.write(notebook, folder / "copy.ipynb")
@@ -63,7 +63,7 @@ def cells_that_differ(notebook, folder):
 
 
 def with_numbers_changed(notebook):
-    """The ids of the cells in which the first digit shown was made another one."""
+    """Change the first shown digit of each cell and return the ids of these cells."""
     changed = set()
     for cell in code_cells(notebook):
         if "nbval-ignore-output" in cell.metadata.get("tags", ()):
@@ -89,7 +89,7 @@ def run(notebook):
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS)
-def test_a_chapter_shows_again_what_it_shows(chapter):
+def test_running_a_chapter_again_gives_its_stored_outputs(chapter):
     differ = run(read(chapter))
     assert differ == {}, "\n".join(differ.values())
 
@@ -105,7 +105,7 @@ def test_a_changed_number_is_noticed_in_every_cell_that_shows_one(chapter):
     assert len(changed) >= 5 and set(run(altered)) == changed
 
 
-def test_only_what_is_timed_is_not_compared():
+def test_every_output_but_measured_times_is_compared():
     """By tags; anything else of nbval's would leave a cell out."""
     tags = {
         chapter: [tag for cell in code_cells(read(chapter)) for tag in cell.metadata.get("tags", ())]

@@ -84,7 +84,7 @@ def test_all_numbers_of_a_scene_have_one_unit_that_fits_it(scale, unit):
     assert describe.digits(trace).ranges(trace.separating) == (f"[0, {two}]{unit}", f"[{three}, {seven}]{unit}")
 
 
-def test_a_minus_sign_is_one_in_words_and_ascii_in_files_and_tables():
+def test_minus_signs_are_true_ones_in_sentences_and_ascii_in_files_and_tables():
     trace = sv.record(box(0, 0, 2, 2), box(1, -1, 3, 1))
     assert MINUS in trace.sentence and MINUS not in trace.to_json() and MINUS not in str(trace)
     assert sv.Trace.from_json(trace.to_json()) == trace

@@ -26,7 +26,7 @@ MISSING = "jupyter", "fast", "docs", "site"
 
 @pytest.fixture(scope="module")
 def wheels(tmp_path_factory):
-    """The wheel of the sdist, and the wheel of the checkout."""
+    """Return the wheel of the sdist and the wheel of the checkout."""
     folder = tmp_path_factory.mktemp("build")
     for name, options in ("through", []), ("straight", ["--wheel"]):
         code, said = uv("build", "-q", *options, "--out-dir", folder / name, ROOT, cwd=folder)
@@ -36,7 +36,7 @@ def wheels(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def alone(tmp_path_factory, wheels):
-    """The Python of an environment with the wheel and what it needs, and with nothing else."""
+    """Return the Python of an environment with only the wheel and its dependencies."""
     return environment(tmp_path_factory.mktemp("alone"), wheels[0])
 
 
@@ -65,7 +65,7 @@ def does(python, use, folder):
     assert code == 0, said
 
 
-def test_the_wheel_alone_is_enough_for_pictures_and_what_needs_an_extra_names_it(alone, tmp_path):
+def test_the_wheel_alone_is_enough_for_pictures_and_other_features_name_their_extra(alone, tmp_path):
     draw = "main(['draw', 'triangles', '--step', '3', '--format', 'png'])"
     does(alone, f"from satviz.cli import main; raise SystemExit({draw})", tmp_path)
     for name in MISSING:
@@ -90,5 +90,5 @@ def test_the_wheel_alone_makes_the_figures_of_the_checkout_and_copies_its_notebo
 
 
 @pytest.mark.parametrize("extra", USES)
-def test_an_extra_alone_is_enough_for_what_it_is_for(extra, wheels, tmp_path):
+def test_an_extra_alone_is_enough_for_its_purpose(extra, wheels, tmp_path):
     does(environment(tmp_path, f"{wheels[0]}[{extra}]"), USES[extra], tmp_path)

@@ -23,8 +23,8 @@ def data_of(page):
     return json.loads(re.search(r'id="satviz-show">(.*?)</script>', page, re.DOTALL)[1])["shows"]
 
 
-def with_looks(data, marks):
-    return [mark | {"look": data["looks"][mark["look"]]} for mark in marks]
+def with_styles(data, marks):
+    return [mark | {"style": data["styles"][mark["style"]]} for mark in marks]
 
 
 @pytest.fixture(scope="module")
@@ -78,7 +78,7 @@ def test_a_show_holds_every_step_as_it_is_drawn(scene):
     for i, step in enumerate(found["steps"]):
         drawn = sv.picture(trace, i)
         marks = [found["marks"][m] for m in step["marks"]]
-        assert with_looks(found, marks) == with_looks(drawn.data(), drawn.data()["marks"])
+        assert with_styles(found, marks) == with_styles(drawn.data(), drawn.data()["marks"])
         assert (step["sentence"], step["limits"]) == (drawn.sentence, list(drawn.limits))
 
 
@@ -98,7 +98,7 @@ def test_labels_are_text_wherever_they_stand():
     assert any(evil[:8] in mark.get("text", "") for mark in data_of(page)[0]["marks"])
 
 
-def test_what_the_early_exit_left_out_is_on_the_page_too():
+def test_axes_that_the_early_exit_left_out_are_on_the_page_too():
     early, whole = playbacks(TRIANGLES)
     assert [row.get("number") for row in early["rows"]] == [1, 2, None, None, None, None]
     assert [row["number"] for row in whole["rows"]] == [1, 2, 3, 4, 5, 6]
@@ -107,7 +107,7 @@ def test_what_the_early_exit_left_out_is_on_the_page_too():
     assert len(playbacks(hit)) == 1
 
 
-def test_the_lit_line_of_the_algorithm_is_what_happens():
+def test_the_marked_line_of_the_algorithm_fits_the_step():
     found = playback(TRIANGLES)
     last_gap = [s for s in found["steps"] if s["stage"] == "gap"][-1]
     assert [found["code"][i].strip() for i in last_gap["code"]] == [
@@ -163,7 +163,7 @@ def test_too_many_steps_are_thinned_then_refused(monkeypatch):
         playback(TRIANGLES)
 
 
-def test_a_page_that_asks_folds_the_answer_where_no_script_runs_and_on_paper(triangles):
+def test_a_page_with_predict_folds_the_answer_on_paper_and_without_scripts(triangles):
     asks = sv.page("triangles", predict=True)
     section = asks[asks.index('<section class="sv-static">') : asks.index("</section>")]
     open_part, folded, rest = section.partition("<details><summary>The answer</summary>")

@@ -35,7 +35,7 @@ def found(pasted):
 
 
 def points(text, as_=""):
-    """The corners that were read, shape by shape."""
+    """Return the corners that were read, shape by shape."""
     return [[tuple(v) for v in each.vertices] for each in sv.paste(text, as_).readings]
 
 
@@ -116,7 +116,7 @@ def test_a_number_that_float64_cannot_hold_has_a_reason(text):
         ("', 3'000", "not a number"),
     ],
 )
-def test_what_is_no_number_is_never_taken_for_one(bad, why):
+def test_a_text_that_is_not_a_number_is_never_read_as_one(bad, why):
     with pytest.raises(sv.InvalidScene, match=why):
         sv.paste(f"[(0, 0), ({bad}, 1), (2, 2)]")
 
@@ -152,7 +152,7 @@ def test_a_corner_without_numbers_is_refused_but_a_position_may_be_empty():
 
 
 @pytest.mark.parametrize("text", ["LINESTRING (0 0, 4 0, 0 3)", "Point(0, 0).buffer(1)"])
-def test_what_is_no_polygon_is_refused(text):
+def test_an_outline_that_is_not_a_polygon_is_refused(text):
     with pytest.raises(sv.InvalidScene, match=r"not a polygon|not evaluated"):
         sv.paste(text)
 
@@ -339,7 +339,7 @@ def test_python_objects_are_read():
 # -- questions
 
 
-def test_two_readings_with_different_answers_are_asked_and_none_is_taken():
+def test_two_readings_with_different_answers_give_a_question_and_none_is_chosen():
     text = "new Box({ x: 115, y: 152 }, 100, 100); new Circle({ x: 100, y: 100 }, 50)"
     pasted = sv.paste(text)
     (question,) = pasted.questions
@@ -351,18 +351,18 @@ def test_two_readings_with_different_answers_are_asked_and_none_is_taken():
     assert "--as center-size" in str(pasted)
 
 
-def test_two_readings_with_one_answer_are_said():
+def test_two_readings_with_one_answer_are_both_named():
     pasted = sv.paste("[0, 0, 10, 10]\n[1, 1, 11, 11]")
     (question,) = pasted.questions
     assert not question.matters and len(pasted.shapes) == 2 and "corner-size was taken" in str(pasted)
 
 
-def test_degrees_or_radians_is_asked():
+def test_the_unit_of_an_unclear_angle_gives_a_question():
     pasted = sv.paste("((0, 0), (10, 1), 1.5)\ncircle((0, 5), 1)")
     assert [q.what for q in pasted.questions if q.matters] == ["angle"]
 
 
-def test_an_angle_of_more_than_a_turn_is_in_degrees_and_said():
+def test_an_angle_of_more_than_a_turn_is_in_degrees_and_the_reading_says_so():
     pasted = sv.paste("((0, 0), (10, 1), -177.8)\ncircle((0, 5), 1)")
     assert not pasted.questions and pasted.readings[0].said.endswith("turned by -177.8 degrees")
     assert sv.paste("((0, 0), (10, 1), -177.8)", "radians").readings[0].said.endswith("radians")
@@ -447,7 +447,7 @@ def test_a_finding_is_there_exactly_where_it_holds(kind, has, has_not):
     assert kind not in found(sv.paste(has_not))
 
 
-def test_decimals_that_float64_rounds_are_said_only_where_the_verdict_differs():
+def test_rounded_decimals_are_reported_only_where_the_verdict_differs():
     """0.1 + 0.2 is 0.3 in decimals, and larger than 0.3 in float64."""
     for scale in range(1, 60):
         a, b, c = (Decimal(scale) * Decimal(v) / 10 for v in ("1", "2", "3"))
@@ -625,13 +625,13 @@ def test_bad_input_gets_one_clear_line_within_a_second(text):
     assert line and "\n" not in line and len(line) < 400
 
 
-def test_one_shape_is_read_and_asked_for_a_second():
+def test_one_shape_is_read_and_the_answer_asks_for_a_second():
     pasted = sv.paste("[0,0, 4,4, 4,0, 0,4]")
     assert "paste a second one" in pasted.sentence and found(pasted) == ["crossing-outline"]
     assert pasted.traces == () and pasted.pairs == ()
 
 
-def test_what_comes_in_is_shown_as_text():
+def test_pasted_markup_is_shown_as_text():
     pasted = sv.paste('<b onclick="x()">a</b> = [(0,0),(1,0),(0,1)]\n<i>b</i> = circle((5,5),1)')
     scene = pasted.scene()
     assert "<b" not in scene.name and json.loads(scene.to_json())["name"] == "pasted"
@@ -653,7 +653,7 @@ TEXTS = (*REPORTS, *PASTES)
 
 
 def mutated(text, rng):
-    """The text with some letters taken out, put in or doubled."""
+    """Return the text with some letters removed, inserted or doubled."""
     letters = list(text)
     for _ in range(rng.choice((1, 1, 2, 3, 8))):
         i, j = sorted((rng.randrange(len(letters) + 1), rng.randrange(len(letters) + 1)))
@@ -672,7 +672,7 @@ def mutated(text, rng):
 
 
 def numerals(text):
-    """The sizes of all numbers in a text, in their order, found by other means than the tokenizer."""
+    """Return the absolute values of all numbers in a text, in order, found without the tokenizer."""
     values = []
     for match in NUMERAL.finditer(text.replace("\u2212", "-")):
         try:
@@ -684,7 +684,7 @@ def numerals(text):
 
 
 def stands_in_order(sizes, numbers):
-    """Whether the sizes stand in the numbers in this order, with others between them."""
+    """Return whether the sizes occur in the numbers in this order, perhaps with others between them."""
     rest = iter(numbers)
     return all(size in rest for size in sizes)
 
@@ -876,7 +876,7 @@ def test_a_text_without_an_answer_leaves_the_scene_alone():
     assert model.state() == before
 
 
-def test_the_box_asks_and_takes_the_answer():
+def test_the_paste_box_asks_a_question_and_uses_the_answer():
     model = ExplorerModel(sv.scene("triangles"))
     text = "new Box({x: 115, y: 152}, 100, 100); circle((100, 100), 50)"
     (question,) = model.answer({"kind": "paste", "text": text})["pasted"]["questions"]

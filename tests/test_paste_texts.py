@@ -13,14 +13,14 @@ import satviz as sv
 
 
 def bounds(read):
-    """The bounding box of a shape as it was read."""
+    """Return the bounding box of a shape as it was read."""
     reach = read.radius or 0
     xs, ys = zip(*read.points, strict=True)
     return tuple(float(v) for v in (min(xs) - reach, min(ys) - reach, max(xs) + reach, max(ys) + reach))
 
 
 @pytest.mark.parametrize("paste", PASTES, ids=lambda paste: re.sub(r"\W+", "-", paste.name))
-def test_a_text_is_read_rightly_or_what_cannot_be_read_is_named(paste):
+def test_a_text_is_read_correctly_or_its_unread_part_is_named(paste):
     try:
         pasted = sv.paste(paste.text, paste.as_)
     except sv.InvalidScene as error:
@@ -35,7 +35,7 @@ def test_a_text_is_read_rightly_or_what_cannot_be_read_is_named(paste):
 
 
 @pytest.mark.parametrize("text", TEXTS, ids=lambda text: re.sub(r"\W+", "-", text.name))
-def test_a_text_of_a_stranger_is_answered_at_once_unless_a_question_is_right(text):
+def test_an_outside_text_is_answered_at_once_unless_a_question_is_necessary(text):
     if not text.bounds:
         with pytest.raises(sv.InvalidScene):
             sv.paste(text.text)
@@ -61,7 +61,7 @@ LINES_BEHIND = (
 
 
 def places_of_data(pasted):
-    """The places behind the numbers and around the brackets of the shapes, each with what can be put there."""
+    """Yield the places after the numbers and around the brackets of the shapes, each with texts to insert there."""
     text = pasted.text
     for each in pasted.readings:
         yield from ((place, AFTER_A_NUMBER) for place in sorted(each.read.used))
@@ -76,7 +76,7 @@ def places_of_data(pasted):
 
 
 def attack(count, seed):
-    """Put a sign or a call beside the data of texts that are answered, or a line behind them: none stays answered."""
+    """Insert a sign or a call beside the data of answered texts, or a line after them; return those still answered."""
     rng = random.Random(seed)
     answered = [sv.paste(each.text, each.as_) for each in (*PASTES, *REPORTS, *TEXTS) if getattr(each, "bounds", True)]
     answered = [p for p in answered if not p.open and p.traces and "leave-out" not in p.chosen and "_" not in p.chosen]
@@ -119,7 +119,7 @@ PLAIN = (
 
 @pytest.mark.parametrize("change", CHANGES)
 @pytest.mark.parametrize("plain", PLAIN)
-def test_what_stands_around_a_shape_is_never_dropped_without_a_question(plain, change):
+def test_words_around_a_shape_are_never_dropped_without_a_question(plain, change):
     text = "pts = [(0, 0), (4, 0), (0, 3)]\na = {}\ncircle((9, 9), 1)"
     assert len(sv.paste(text.format(plain)).shapes) == 2 + (plain[0] == "(" or "array" in plain or "[(" in plain)
     try:
@@ -186,13 +186,13 @@ def test_what_stands_around_a_shape_is_never_dropped_without_a_question(plain, c
         "\\draw[rotate=30] (0,0) -- (3,0) -- (3,2) -- cycle;\n\\draw (2,1) circle (1);",
     ],
 )
-def test_what_is_not_understood_is_asked_about(text):
+def test_an_unknown_part_gives_a_question(text):
     pasted = sv.paste(text, "corner-size")
     assert pasted.open and not pasted.shapes and not pasted.traces
     assert "\n" not in pasted.sentence and len(pasted.sentence) < 500
 
 
-def test_what_is_not_understood_is_named_with_its_line_where_it_is_short():
+def test_a_short_unknown_part_is_named_with_its_line():
     asked = sv.paste("verts[0] = (0,0)\nverts[1] << 1 = (4,0)\nverts[2] = (0,3)").questions[0].asks
     assert asked == "Not understood: << (in verts[1] << 1 = (4,0))."
 
@@ -243,12 +243,12 @@ def test_commas_between_numbers_are_no_decimal_commas(text):
         ("shapes {\n  shape_type: TYPE_BOX\n  position {\n    x: 0.0\n  }\n}\ndata: 16.0", "Defold"),
     ],
 )
-def test_texts_whose_shapes_cannot_be_told_say_what_helps(text, said):
+def test_an_unclear_text_gives_a_hint_how_to_write_it(text, said):
     with pytest.raises(sv.InvalidScene, match=f"{said}: write each shape on a line of its own"):
         sv.paste(text)
 
 
-def test_nothing_is_said_to_be_taken_while_a_question_is_open():
+def test_no_reading_is_called_chosen_while_a_question_is_open():
     text = "THREE.Box2((0, 0), (4, 4)).flip()\n[0, 0, 10, 10]\n[1, 1, 11, 11]"
     pasted = sv.paste(text)
     assert pasted.open and [question.matters for question in pasted.questions] == [True, False]
@@ -265,7 +265,7 @@ def test_nothing_is_said_to_be_taken_while_a_question_is_open():
         "/* circle((9, 9), 1) */",
     ],
 )
-def test_a_shape_in_a_comment_is_none(comment):
+def test_a_shape_in_a_comment_is_not_read(comment):
     circles = "circle((1, 1), 1)\n", "circle((2, 1), 1)\n"
     for text in (f"{circles[0]}{comment}\n{circles[1]}", f"{circles[0]}{circles[1]}{comment}"):
         assert [each.read.points for each in sv.paste(text).readings] == [((1, 1),), ((2, 1),)]
@@ -380,7 +380,7 @@ def test_a_variable_has_the_value_last_assigned_above_its_use():
     assert [each.read.points[0][0] for each in pasted.readings] == [2, 5]
 
 
-def test_what_is_not_read_is_said_once():
+def test_an_unread_part_is_named_once():
     pasted = sv.paste("this.add.circle(9, 9, 4)\nthis.add.rectangle(15, 10, 4, 2).setOrigin(0, 0)")
     assert "setOrigin" in pasted.questions[0].asks and pasted.findings == ()
 

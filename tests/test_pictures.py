@@ -45,7 +45,7 @@ TRACES = {scene.name: scene.record() for scene in SCENES} | {
 
 
 def every_picture():
-    """How to make each; made at collection, they would cost every run of one test two seconds."""
+    """Yield functions that make the pictures: made at collection, they would cost each run two seconds."""
     for name, trace in TRACES.items():
         for i in range(len(sv.steps(trace))):
             yield f"{name} {i}", partial(sv.picture, trace, i)
@@ -76,7 +76,7 @@ def pictured(name):
 
 
 def boxes(picture):
-    """Each label's box in points from the lower left."""
+    """Yield each label's box in points from the lower left."""
     x0, y0 = picture.limits[:2]
     for mark in picture.marks:
         if mark.kind == "label":
@@ -90,7 +90,7 @@ def meet(p, q):
 
 
 def strokes(picture):
-    """What a label must not cover: each mark's segments in points, without the dotted guides."""
+    """Yield the segments that a label must not cover, in points, without the dotted guides."""
     x0, y0 = picture.limits[:2]
     for mark in picture.marks:
         if mark.kind in ("outline", "segment", "arrow", "interval", "bracket"):
@@ -211,12 +211,12 @@ def test_a_ranges_label_stands_on_its_bars_own_side(number):
 
 
 def of_one_text(m, n):
-    """Are both labels pieces of one text, which has several colours?"""
+    """Return whether both labels are pieces of one text with several colours."""
     return m.part == n.part and m.part in ("landing-sum", "turn-name")
 
 
 def beyond(p, q, r):
-    """On which side of the line from p to q does r lie?"""
+    """Return a number whose sign says on which side of the line from p to q the point r lies."""
     return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x)
 
 
@@ -228,7 +228,7 @@ def test_an_axis_shows_where_0_lies_on_it():
 
 
 @pytest.mark.parametrize("name", TRACES)
-def test_bars_brackets_and_numbers_are_the_traces(name):
+def test_bars_brackets_and_numbers_are_those_of_the_trace(name):
     trace = TRACES[name]
     for run, pair in [(t, i) for i, t in enumerate(trace.pairs)] or [(trace, None)]:
         for i, test in enumerate(run.tests):
@@ -265,7 +265,7 @@ def test_the_axis_is_clear_of_both_shapes(name):
 
 
 def apart(points, shape):
-    """Is a drawn line apart from the shape?  A sliver of a triangle stands in for the line."""
+    """Return whether a drawn line is apart from the shape, with a thin triangle in place of the line."""
     p, q = points[0], points[-1]
     if p == q:
         return True
@@ -289,7 +289,7 @@ VECTOR = r"\((\S+), (\S+)\)"
 
 
 def vectors(text):
-    """Every (x, y) in a text."""
+    """Return every (x, y) in a text."""
     return [tuple(float(c.replace("−", "-")) for c in found) for found in re.findall(VECTOR, text)]
 
 
@@ -334,7 +334,7 @@ def test_an_axis_has_one_direction_in_table_sentence_and_arrow_and_its_normal_th
 
 
 def describes_outward(trace, test):
-    """By the middle of an edge: a small step along the axis leaves the shape, as an oracle sees it."""
+    """Return whether a small step along the axis from the middle of its edge leaves the shape, by the oracle."""
     kind, role, ids = test.source
     if kind not in (axes.EDGE, axes.HULL):
         return True
@@ -386,7 +386,7 @@ def test_a_mark_that_moves_starts_where_it_comes_from():
     assert len(drops) == 4 and [(m.points[0], m.points[-1]) for m in drops] == [(*m.start, *m.points) for m in landings]
 
 
-def test_nothing_is_read_from_an_id(monkeypatch):
+def test_no_picture_depends_on_the_text_of_an_id(monkeypatch):
     named, plain = Mark.id.fget, [pictured(figure.stem) for figure in FIGURES]
     monkeypatch.setattr(Mark, "id", property(lambda mark: md5(named(mark).encode()).hexdigest()))
     assert [figure.picture() for figure in FIGURES] == plain
@@ -407,7 +407,7 @@ def test_a_step_the_trace_does_not_have_is_an_index_error():
         sv.picture(TRACES["triangles"], Step(Stage.GAP, 5))
 
 
-def test_a_picture_goes_to_json_whole():
+def test_every_field_of_a_picture_is_in_its_json():
     picture = pictured("14-sat-ranges-gap")
     data = json.loads(picture.to_json())
     assert data == picture.data()
@@ -463,7 +463,7 @@ EYES = {
 
 
 def lab(colour, eye):
-    """CIELAB coordinates of a colour as an eye sees it."""
+    """Return the CIELAB coordinates of a colour as an eye sees it."""
     r, g, b = (min(1, max(0, sum(m * c for m, c in zip(row, linear(colour))))) for row in EYES[eye])
     sums = (
         (0.412 * r + 0.358 * g + 0.180 * b) / 0.950,
@@ -542,7 +542,7 @@ def test_any_scene_is_drawn_at_every_step_with_its_labels_apart(a, b):
             assert inside, (a, b, i, mark)
 
 
-def test_where_one_range_holds_the_other_the_overlap_and_the_depth_are_both_said():
+def test_where_one_range_contains_the_other_overlap_and_depth_are_both_named():
     trace = sv.record(box(0, 0, 10, 1), box(4, 0, 5, 1))
     assert "overlap 1, way out 5" in describe.test_sentence(trace, 1)
     picture = sv.picture(trace, Step(Stage.GAP, 1))
@@ -625,7 +625,7 @@ def test_a_curve_needs_two_shapes_and_an_angle():
             sv.gap_curve(SQUARE, SQUARE, degree)
 
 
-def test_a_picture_by_itself_has_no_room_for_what_other_steps_show():
+def test_a_picture_by_itself_has_no_space_for_the_contents_of_other_steps():
     trace = sv.scene("triangles").record()
     first, whole = sv.picture(trace, 0, by_itself=True), sv.picture(trace, 0)
     assert first.size[1] < 0.6 * whole.size[1] and first.scale >= whole.scale
@@ -645,7 +645,7 @@ def test_no_separating_line_runs_through_the_heading(options):
     assert lines > 3
 
 
-def test_two_panels_have_one_canvas_however_they_are_asked_for():
+def test_two_panels_have_one_canvas_for_every_way_to_request_them():
     trace = sv.scene("far-centers").record()
     assert sv.picture(trace, 0, by_itself=True) == sv.picture(trace, 0)
 

@@ -36,7 +36,7 @@ def test_the_first_picture_keeps_its_text_at_10_points():
 
 
 @pytest.mark.parametrize("name", DOCUMENTS)
-def test_the_code_prints_what_stands_below_it(name, tmp_path, monkeypatch):
+def test_the_code_prints_the_output_below_it(name, tmp_path, monkeypatch):
     """If it does not: python tests/refresh_guides.py writes what it prints now."""
     monkeypatch.chdir(tmp_path)
     assert refreshed(DOCUMENTS[name], name) == DOCUMENTS[name]
@@ -114,7 +114,7 @@ FUNCTIONS = sorted({*re.findall(r"^\| `sv\.(\w+)\(", NOTEBOOK_GUIDE, re.MULTILIN
 
 
 @pytest.mark.parametrize("name", FUNCTIONS)
-def test_what_the_notebooks_table_names_takes_what_is_said_below_it(name):
+def test_the_functions_in_the_table_of_the_notebook_guide_take_the_arguments_named_below_it(name):
     """A name, a Scene, two shapes and (except explore) a trace; anything else is refused."""
     pytest.importorskip("anywidget")
     assert "All of these take a built-in scene's name, a `Scene`, two shapes, or a trace. Only `sv.explore`" in (
@@ -132,7 +132,7 @@ def test_what_the_notebooks_table_names_takes_what_is_said_below_it(name):
 
 
 @pytest.mark.parametrize("name", ["draw", "picture", "steps"])
-def test_what_takes_a_step_takes_a_run_and_says_so_of_two_shapes(name):
+def test_functions_with_a_step_take_a_run_and_the_error_for_two_shapes_says_so(name):
     function, scene = getattr(sv, name), sv.scene("circles")
     for what in "circles", scene, scene.record():
         assert function(what)

@@ -170,12 +170,12 @@ def many_of(a, b):
     return sv.advise(batch.Polygons([a]), batch.Polygons([b]))
 
 
-def test_what_rounds_nothing_is_least_in_50_scenes():
+def test_a_model_that_rounds_nothing_is_recommended_before_a_larger_one_in_50_scenes():
     assert not not_least(3, 50)
 
 
 @pytest.mark.full
-def test_what_rounds_nothing_is_least_in_10000_scenes():
+def test_a_model_that_rounds_nothing_is_recommended_before_a_larger_one_in_10000_scenes():
     assert not not_least(4, 10_000)
 
 

@@ -162,7 +162,7 @@ def labelled(label):
 
 
 @pytest.mark.parametrize("form", ["png", "pdf"])
-def test_a_letter_that_no_font_here_has_is_warned_of_by_name(form, monkeypatch):
+def test_a_warning_names_a_letter_that_no_font_has(form, monkeypatch):
     monkeypatch.setattr(fonts, "fontManager", FontManager.__new__(FontManager))
     monkeypatch.setattr(fonts.fontManager, "ttflist", [], raising=False)
     fonts._family_with.cache_clear()
@@ -266,7 +266,7 @@ def test_nothing_is_written_through_a_link(tmp_path, there):
 
 
 @pytest.mark.parametrize("end", [*FORMATS, "html", "csv", "json", "md", "txt"])
-def test_a_file_that_only_speaks_of_satviz_is_somebody_elses(tmp_path, end):
+def test_a_file_that_only_mentions_satviz_is_not_overwritten(tmp_path, end):
     path = tmp_path / f"notes.{end}"
     path.write_text("my notes on files made by satviz, and more\n")
     with pytest.raises(FileExistsError, match="--force"):
@@ -330,7 +330,7 @@ def test_there_are_twenty_figures_and_beside_them_only_the_charts_of_the_readme_
     ],
     ids=["trace", "picture", "scene", "polygon", "circle"],
 )
-def test_things_show_themselves_in_a_notebook(what):
+def test_shapes_scenes_and_traces_have_a_display_in_a_notebook(what):
     shown = what._repr_mimebundle_()
     root = ET.fromstring(shown["image/svg+xml"])
     assert root.tag == f"{SVG}svg" and shown["text/plain"]
@@ -350,12 +350,12 @@ def test_a_run_shows_its_table_in_a_notebook(name):
         assert row[1 if len(row) > 1 else 0].replace("-", "\u2212") in words
 
 
-def test_words_in_a_table_stay_words():
+def test_markup_in_a_table_is_shown_as_text():
     a = sv.Polygon([(0, 0), (1, 0), (0, 1)], ["<b>x</b>", "y", "z"])
     assert "<b>" not in sv.record(a, sv.Circle((3, 3), 1))._repr_mimebundle_()["text/html"]
 
 
-def test_what_cannot_be_drawn_still_shows_its_text():
+def test_a_scene_that_cannot_be_drawn_still_shows_its_text():
     far = sv.record(box(1e15, 0, 1e15 + 1, 1), box(1e15 + 2, 0, 1e15 + 3, 1))
     shown = far._repr_mimebundle_()
     assert set(shown) == {"text/plain", "text/html"} and "cannot be drawn" in shown["text/html"]
@@ -370,7 +370,7 @@ def test_drawing_again_on_given_axes_takes_the_place_of_the_first_picture():
     assert matplotlib.colors.to_hex(fig.get_facecolor()) == "#123456"
 
 
-def test_what_was_drawn_on_can_be_freed():
+def test_axes_that_were_drawn_on_can_be_freed():
     figures = []
     for _ in range(10):
         fig = Figure()

@@ -56,7 +56,7 @@ def scene(rng):
 
 
 def named(shape, rng):
-    """Some outlines have vertices with names, short and long, and letters that DejaVu lacks."""
+    """Return an outline whose vertices may have names, short and long, and letters that DejaVu lacks."""
     if isinstance(shape, sv.Circle) or len(shape.vertices) > 8 or rng.random() < 0.6:
         return shape
     names = "the north-eastern corner", "a", "日本語ラベル", "left"
@@ -125,7 +125,7 @@ def test_many_more_pictures_hold_at_any_scale(seed):
         hold(trace, rng)
 
 
-def test_what_is_too_small_is_a_speck_and_larger_beside_the_picture():
+def test_a_shape_too_small_to_see_is_a_dot_with_an_inset():
     tiny = sv.Polygon([(1, 0), (1.0001, 0), (1, 0.0001)])
     picture = sv.picture(sv.record(sv.Polygon([(-1, -1), (0.9, 0), (-1, 1)]), tiny))
     assert picture.mark("B.speck").kind == "dot" and "B, ×5,000" in picture.texts

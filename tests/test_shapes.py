@@ -37,12 +37,12 @@ def refused(match: str):
 
 
 def with_number(value: object) -> list:
-    """A triangle whose vertex 1 has this y."""
+    """Return a triangle whose vertex 1 has this y."""
     return [(0, 0), (4, value), (0, 4)]
 
 
 def rotations(ring: Sequence) -> list[list]:
-    """Every start, both ways round."""
+    """Return the ring from every first vertex, in both windings."""
     return [[*way[i:], *way[:i]] for way in (list(ring), list(ring)[::-1]) for i in range(len(ring))]
 
 
@@ -312,7 +312,7 @@ def test_the_start_of_overlapping_edges_is_reported_without_minus_zero():
 
 
 def _in_rows(n: int) -> list[tuple[float, float]]:
-    """Long teeth that lie above each other: a vertical line meets nearly all edges."""
+    """Return an outline of long teeth above each other, where a vertical line meets nearly all edges."""
     teeth = [p for i in range(n // 4) for p in ((0, 2 * i), (n, 2 * i + 0.5), (0, 2 * i + 1), (0, 2 * i + 1.5))]
     return [*teeth, (-1, n), (-1, 0)]
 
@@ -760,7 +760,7 @@ directions = st.tuples(st.integers(-9, 9), st.integers(-9, 9)).filter(lambda d: 
 
 @st.composite
 def stars(draw: st.DrawFn) -> list[tuple[int, int]]:
-    """Star-shaped outlines about the origin, counter-clockwise: one corner in each of some directions."""
+    """Draw star-shaped outlines about the origin, counter-clockwise, with one corner in each of some directions."""
     around = {(1, 0), (-1, 1), (-1, -1), *draw(st.lists(directions, max_size=12))}
     ordered = sorted(around, key=lambda d: math.atan2(d[1], d[0]))
     return [(x * r, y * r) for x, y in ordered for r in [draw(st.integers(1, 20))]]
@@ -800,7 +800,7 @@ def assert_reported_place_is_on_both_edges(ring: Sequence[tuple[float, float]], 
 
 
 def agrees_with_the_oracle(ring: Sequence[tuple[float, float]]) -> bool:
-    """Is a ring accepted exactly when it is simple?  Returns whether it is."""
+    """Check that a ring is accepted exactly when it is simple, and return whether it is."""
     simple = is_simple(ring)
     try:
         shape = Polygon(ring)

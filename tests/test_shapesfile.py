@@ -41,7 +41,7 @@ def with_one(array, at, value):
 
 
 def of_another_kind(array):
-    """Arrays that are none of numbers, of real numbers (or of whole ones), or not of these columns."""
+    """Yield arrays that hold no numbers, no real (or whole) numbers, or other columns."""
     yield from (array.astype(kind) for kind in (complex, str, bool, "m8[s]", "V8"))
     if array.dtype.kind == "i":
         yield array.astype(float)

@@ -59,7 +59,7 @@ def test_the_row_that_ended_the_run_is_marked_and_those_left_out_are_faint():
 
 
 @pytest.mark.parametrize("name", LONG)
-def test_a_long_run_shows_what_tells_most_and_counts_the_rest(name):
+def test_a_long_run_shows_the_axes_of_the_largest_gaps_and_counts_the_others(name):
     trace, picture = LONG[name], SHEETS[name]
     rows = [m for m in picture.marks if m.part == "name"]
     rest = len(trace.without_early_exit().tests) - MAX_ROWS

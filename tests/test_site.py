@@ -61,12 +61,12 @@ def files():
 
 @pytest.fixture(scope="module")
 def pages(files):
-    """The site's own pages by their path; those of the reference are pdoc's (test_reference.py)."""
+    """Return the site's own pages by their path; those of the reference are pdoc's (test_reference.py)."""
     own = {path: data for path, data in files.items() if not path.startswith("reference/")}
     return {path: data.decode() for path, data in own.items() if path.endswith(".html")}
 
 
-def test_what_may_scroll_can_be_scrolled_with_the_keyboard(pages):
+def test_every_scrolling_element_can_be_scrolled_with_the_keyboard(pages):
     """Also a picture's numbers that stand there only until Python has come."""
     for path, page in [*pages.items(), ("page", sv.page("triangles")), ("failing", sv.page("raw-depth"))]:
         for tag in re.findall(r"<pre\b[^>]*>", page):
@@ -79,7 +79,7 @@ def test_no_table_has_a_header_without_words(pages):
 
 
 def without_code(page):
-    """The page without the code that it shows."""
+    """Return the page without the code that it shows."""
     return re.sub(r"<pre\b.*?</pre>", "", page, flags=re.DOTALL)
 
 
@@ -95,7 +95,7 @@ def test_every_link_of_the_site_leads_to_one_of_its_files(files, pages):
                 assert f'id="{to.partition("#")[2]}"' in pages[to.partition("#")[0] or path], to
 
 
-def test_what_users_see_leads_to_every_mistake_that_looks_so(pages):
+def test_a_symptom_links_to_every_mistake_that_causes_it(pages):
     page = pages["yours.html"]
     shown = page[page.index('<section class="symptoms"') :]
     for words, names in SYMPTOMS.items():
@@ -127,7 +127,7 @@ def test_scripts_and_styles_are_files_only(pages):
         )
 
 
-def test_what_has_the_same_id_is_the_same(pages):
+def test_elements_with_one_id_are_equal(pages):
     """Two pictures may clip to the same frame; nothing else is named twice."""
     for path, page in pages.items():
         ids = re.findall(r'\sid="([^"]+)"', page)
@@ -145,12 +145,12 @@ def test_a_chapter_is_whole_without_javascript(pages):
 
 
 def shown_by(chapter, function):
-    """How many cells end with a call of that function."""
+    """Return how many cells end with a call of that function."""
     ends = ["".join(cell["source"]).rsplit("\n", 1)[-1] for cell in chapter.cells if cell["cell_type"] == "code"]
     return sum(end.startswith(function) for end in ends)
 
 
-def test_what_a_notebook_plays_and_explores_is_played_and_explored_by_its_page(pages):
+def test_every_player_and_explorer_of_a_notebook_is_on_its_page(pages):
     known = chapters.chapters()
     for chapter in known:
         page = pages[chapter.path]
@@ -236,7 +236,7 @@ class Reader(HTMLParser):
                 self.begun[3].append(data)
 
 
-def test_what_answers_a_question_is_folded_and_what_it_is_about_is_not(pages):
+def test_the_answer_to_a_question_is_folded_and_its_subject_is_not(pages):
     """Folded: all up to the next heading or question.  Not: what stands before, code, shapes, what can be tried.
 
     The choices come last of what is not folded, so that the reader has seen what they are about.
@@ -263,7 +263,7 @@ def test_what_answers_a_question_is_folded_and_what_it_is_about_is_not(pages):
         assert answers, chapter.path
 
 
-def test_who_is_to_guess_is_asked_in_the_form_that_a_page_knows():
+def test_every_question_has_the_form_that_the_site_recognises():
     """Bold words; exercises have their own fold."""
     for chapter in chapters.chapters():
         prose = "\n\n".join("".join(cell["source"]) for cell in chapter.cells if cell["cell_type"] == "markdown")
@@ -327,7 +327,7 @@ def test_a_question_has_choices_of_which_one_is_right_and_each_has_a_reason(page
 @pytest.mark.parametrize(
     "lines", ["- one | why", "+ one | why\n+ two | why", "- one | why\n- two | why", "+ one\n- two | why"]
 )
-def test_choices_that_cannot_be_judged_are_refused(lines):
+def test_choices_without_exactly_one_right_answer_are_refused(lines):
     with pytest.raises(ValueError, match="expected lines such as"):
         chapters.choices_of(f"{chapters.CHOICES}\n{lines}\n-->")
 
@@ -420,7 +420,7 @@ def test_pictures_follow_the_theme(pages, files):
     assert 'fill="var(--sv-A)"' in themed_svg('<svg ><g style="fill: #0072b2"/></svg>')
 
 
-def test_a_page_carries_no_more_than_is_seen(pages):
+def test_pages_have_short_coordinates_and_compressed_steps(pages):
     """Coordinates to hundredths of a point; steps of a player compressed.  Numbers that are read stay whole."""
     short = themed_svg('<svg ><path d="M 1.23456 2 L 3.999999 0.5"/><text x="7.777">gap 1.213</text></svg>')
     assert '<path d="M 1.23 2 L 3.99 0.5"/><text x="7.77">gap 1.213</text>' in short
@@ -506,7 +506,7 @@ def test_one_command_pins_another_pyodide():
             refresh_pyodide.pinned(source, version, integrity)
 
 
-def test_what_is_packed_is_plain_gzip_the_same_each_time():
+def test_packed_files_are_plain_gzip_and_the_same_each_time():
     data = bytes(range(256)) * 300
     assert gzip.decompress(runtime.gzipped(data)) == data and runtime.gzipped(data) == runtime.gzipped(data)
 
@@ -545,27 +545,27 @@ def test_any_other_scene_comes_whole_and_is_the_same_again():
     mine = sv.Scene(
         "kite", sv.Polygon([(0, 0), (0.1, -1), (6, 0)], ["w", "é", "n"]), sv.Circle((5.5, 3), 1), title="Ä & <b>"
     )
-    made = sv.link(mine, site="https://example.org/satviz", free=30.5, way_out=True)
+    made = sv.link(mine, site="https://example.org/satviz", free=30.5, mtv=True)
     assert made.startswith("https://example.org/satviz/scene.html#") and re.fullmatch(
         r"[\w\-&=.]+", made.partition("#")[2]
     )
-    assert links.parse_fragment(made.partition("#")[2]) == (mine, links.ViewOptions(free=30.5, way_out=True))
+    assert links.parse_fragment(made.partition("#")[2]) == (mine, links.ViewOptions(free=30.5, mtv=True))
 
 
 def test_a_link_opens_the_same_state():
-    state = opened("triangles&free=30&way-out=1&against=1")
+    state = opened("triangles&free=30&mtv=1&difference=1")
     assert "at 30 degrees" in state["first"]["sentence"] and "difference" in state["first"]
-    assert state["pose"]["degree"] == 30 and state["pose"]["wayOut"] and state["pose"]["against"]
+    assert state["pose"]["degree"] == 30 and state["pose"]["mtv"] and state["pose"]["difference"]
     assert opened("far-centers&view=truth")["first"]["view"] == "truth"
     assert opened("triangles&row=4")["first"]["lit"] == 4
     player = opened("triangles&step=5&predict=1")
     assert player["step"] == 5 and player["predict"] and len(player["shows"][0]["steps"]) == 16
-    rest = opened("triangles&step=43&rest=1")
-    assert rest["rest"] and rest["step"] == 43 == len(rest["shows"][1]["steps"]) - 1
-    assert not opened("circles&rest=1")["rest"]  # one axis, tested: nothing rests
+    whole = opened("triangles&step=43&every-axis=1")
+    assert whole["everyAxis"] and whole["step"] == 43 == len(whole["shows"][1]["steps"]) - 1
+    assert not opened("circles&every-axis=1")["everyAxis"]  # the early exit leaves out no axis
 
 
-def test_the_state_says_the_link_that_opens_it_again():
+def test_the_state_contains_the_link_that_opens_it_again():
     first = opened("triangles")["first"]
     pose = {"kind": "pose", "n": 1, "a": first["a"], "b": {"circle": [4, 4], "radius": 1}, "degree": 12.5}
     said = json.loads(live.answer("place", json.dumps(pose)))
@@ -573,8 +573,8 @@ def test_the_state_says_the_link_that_opens_it_again():
     assert again["picture"]["marks"] and again["sentence"] == said["sentence"] and again["link"] == said["link"]
 
 
-@pytest.mark.parametrize("shows", ["row=0", "row=5", "free=0", "free=-0.1", "free=0.00001", "free=359", "against=1"])
-def test_what_a_link_says_alone_is_shown_and_said_again(shows):
+@pytest.mark.parametrize("shows", ["row=0", "row=5", "free=0", "free=-0.1", "free=0.00001", "free=359", "difference=1"])
+def test_an_option_of_a_link_is_shown_and_is_in_the_new_link(shows):
     first = opened(f"triangles&{shows}")["first"]
     assert first["link"] == f"triangles&{shows}" and opened(first["link"])["first"] == first
 
@@ -610,7 +610,7 @@ BAD = [
     "triangles&step=1.5",
     "triangles&view=other",
     "triangles&__class__=1",
-    "triangles&way-out=yes",
+    "triangles&mtv=yes",
     "no-area",
     urlsafe_b64encode(b'{"satviz": "scene 1", "a": {"circle": [0, 0], "radius": 0}, "b": 1}').decode(),
     urlsafe_b64encode(b"[" * 2000).decode(),
@@ -630,7 +630,7 @@ def test_a_link_beyond_all_bounds_is_not_even_decoded():
         links.parse_fragment("e" * (links.MAX_CHARS * 2 + 1))
 
 
-def test_what_cannot_be_opened_again_is_not_linked():
+def test_a_link_that_could_not_be_opened_again_is_refused():
     with pytest.raises(InvalidScene):
         sv.link("triangles", view="other")
     with pytest.raises(TypeError, match="this is a Circle: pass a scene's name, a Scene, two shapes, or their trace"):
@@ -710,7 +710,7 @@ def test_the_address_of_a_site_ends_with_a_slash(site, monkeypatch):
 
 
 @pytest.mark.parametrize("page", ["scene.html", "index.html", "2-sat.HTML", "x.htm"])
-def test_of_the_address_of_a_page_the_folder_is_taken(page, capsys):
+def test_the_address_of_a_page_gives_its_folder(page, capsys):
     for folder in "https://a.b/", "https://a.b/c/", "https://a.b/c.html/":
         assert sv.link("triangles", site=folder + page) == f"{folder}scene.html#triangles"
         assert main(["draw", "triangles", "--format", "link", f"--site={folder}{page}"]) == 0
@@ -724,7 +724,7 @@ def test_an_empty_address_is_refused_on_the_command_line(capsys):
     assert captured.out == "" and "--site is empty" in captured.err and captured.err.count("\n") == 1
 
 
-def test_a_site_that_is_no_text_is_named():
+def test_a_site_address_that_is_not_text_is_named():
     with pytest.raises(TypeError, match=r"^site is None: pass an address as text"):
         sv.link("triangles", site=None)
 
@@ -754,27 +754,27 @@ def stands(goal, a, b, axes="needed"):
 
 def test_exactly_one_axis_is_one():
     box, turned = sv.Polygon([(0, 0), (2, 0), (2, 2), (0, 2)]), sv.Polygon([(2.2, 1), (3.2, 0), (4.2, 1), (3.2, 2)])
-    assert stands("one-axis", box, turned).says == "Exactly one axis separates them."
+    assert stands("one-axis", box, turned).status == "Exactly one axis separates them."
     assert not stands("one-axis", box, sv.Polygon([(9, 9), (11, 9), (10, 12)])).met
-    assert "collide" in stands("one-axis", box, sv.Circle((1, 1), 1)).says
-    assert "dent" in stands("one-axis", sv.Polygon([(0, 0), (4, 0), (1, 1), (0, 4)]), sv.Circle((9, 9), 1)).says
+    assert "collide" in stands("one-axis", box, sv.Circle((1, 1), 1)).status
+    assert "dent" in stands("one-axis", sv.Polygon([(0, 0), (4, 0), (1, 1), (0, 4)]), sv.Circle((9, 9), 1)).status
 
 
-def test_axes_that_a_hand_has_left_parallel_but_for_rounding_are_one():
+def test_axes_that_are_parallel_up_to_rounding_count_as_one():
     """A's edge a1a3 lies along B's v1v3; moved by a decimal they are no longer parallel for the computer."""
     start = sv.scene("triangles")
     for hundredths in range(40, 120):
         corners = [(float(f"{x - hundredths / 100:.12g}"), y) for x, y in start.b.vertices]
         found = stands("one-axis", start.a, sv.Polygon(corners))
-        assert found.met and found.says == "Exactly one axis separates them.", (hundredths, found.says)
+        assert found.met and found.status == "Exactly one axis separates them.", (hundredths, found.status)
 
 
 def test_touching_is_exact():
     box = sv.Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
     assert stands("touch", box, sv.Circle((2, 0.5), 1)).met
     hair = stands("touch", box, sv.Circle((2.0000000000000004, 0.5), 1))
-    assert not hair.met and "e" in hair.says  # a gap too small for three decimals is not shown as 0
-    assert stands("touch", box, sv.Circle((1.9999999999999998, 0.5), 1)).says == "They overlap."
+    assert not hair.met and "e" in hair.status  # a gap too small for three decimals is not shown as 0
+    assert stands("touch", box, sv.Circle((1.9999999999999998, 0.5), 1)).status == "They overlap."
 
 
 @pytest.mark.slow
@@ -792,11 +792,11 @@ def test_no_challenge_is_won_when_it_begins_and_each_has_its_link():
     for goal, start in goals.challenges():
         assert not goals.evaluate_goal(goal, start).met
         first = opened(sv.link(start, goal=goal).partition("#")[2])["first"]
-        assert first["goal"]["asks"] == goals.GOAL_TASKS[goal] and first["link"].endswith(f"&goal={goal}")
+        assert first["goal"]["task"] == goals.GOAL_TASKS[goal] and first["link"].endswith(f"&goal={goal}")
 
 
 def by_the_hint(goal, start):
-    """Where a hand may bring a scene: B moved by arrow keys, a circle level with a point, two corners to one place."""
+    """Yield the scenes that a person can reach: B moved by keys, a circle level with a point, corners on one place."""
     a, b = start.a, start.b
     at_most = 8 / ExplorerModel(start).picture().scale  # as the browser's: 1, 2 or 5 times a power of ten
     step = max(
@@ -829,7 +829,7 @@ SOME = [pytest.param(s.name, marks=[pytest.mark.slow] if i % 5 else []) for i, s
 
 
 @pytest.mark.parametrize("name", SOME)
-def test_every_challenge_that_is_offered_can_be_met_as_its_hint_says(name):
+def test_every_challenge_can_be_solved_as_its_hint_says(name):
     for goal in goals.GOAL_NAMES:
         try:
             start = goals.challenge_start(goal, sv.scene(name))
@@ -838,11 +838,11 @@ def test_every_challenge_that_is_offered_can_be_met_as_its_hint_says(name):
         assert any(goals.evaluate_goal(goal, there).met for there in by_the_hint(goal, start)), goal
 
 
-def test_a_drag_is_judged_and_a_preset_ends_the_challenge():
+def test_a_drag_is_evaluated_and_a_preset_ends_the_challenge():
     first = opened("aabb&goal=touch")["first"]
     b = {"polygon": [[x - 2, y] for x, y in first["b"]["polygon"]]}
     said = json.loads(live.answer("place", json.dumps({"kind": "pose", "n": 1, "a": first["a"], "b": b})))
-    assert said["goal"]["met"] and said["goal"]["says"] == "They touch, exactly."
+    assert said["goal"]["met"] and said["goal"]["status"] == "They touch, exactly."
     said = json.loads(live.answer("place", json.dumps({"kind": "preset", "name": "circles"})))
     assert "goal" not in said
 
@@ -853,7 +853,7 @@ def test_a_goal_that_the_scene_cannot_have_is_refused():
 
 
 @pytest.mark.parametrize("text", BAD)
-def test_why_a_link_opens_nothing_is_one_plain_line(text):
+def test_the_reason_why_a_link_opens_nothing_is_one_plain_line(text):
     why = opened(text)["why"]
     assert "\n" not in why and len(why) <= 200 and "JSON" not in why and "line 1" not in why
 
@@ -879,7 +879,7 @@ def test_a_shortcut_that_is_wrong_nearly_everywhere_is_easier_to_break_than_one_
     assert levels == [1, 2, 3]
 
 
-def test_what_is_kept_of_a_challenge_is_found_in_the_state_that_meets_it():
+def test_the_state_that_meets_a_challenge_has_its_goal_and_the_name_of_its_scene():
     """The browser keeps the goal and the name in `scene`, which a drag does not change."""
     first = opened("aabb&goal=touch")["first"]
     b = {"polygon": [[x - 2, y] for x, y in first["b"]["polygon"]]}

@@ -223,7 +223,7 @@ def times_by_method(rows):
 
 
 def sharp(time):
-    """A time with nothing between its quartiles."""
+    """Return a time with no distance between its quartiles."""
     return Spread(time, time, time)
 
 
@@ -241,7 +241,7 @@ def test_where_lines_cross_is_computed_from_the_rows():
     assert faster_from({1: one, 2: far}, {1: two, 2: two}) is None is faster_from({1: one}, {2: far})
 
 
-def test_what_overlaps_is_called_neither_faster_nor_slower():
+def test_overlapping_intervals_are_called_neither_faster_nor_slower():
     near, next_to, apart = Spread(1.0, 0.8, 1.2), Spread(1.3, 1.1, 1.5), Spread(2.0, 1.6, 2.4)
     assert near.is_below(apart) and not near.is_below(next_to) and not near.is_below(near)
     assert least_of({"c": apart, "b": next_to, "a": near}) == ["a", "b"]

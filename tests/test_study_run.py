@@ -125,7 +125,7 @@ def test_a_failing_cell_is_named_and_the_others_are_done(tmp_path, pool):
     assert [path.name[:5] for path in (tmp_path / "cells").iterdir()] == ["good-"]  # a failure is tried again
 
 
-def test_what_is_no_executor_is_refused_before_anything_is_written(tmp_path):
+def test_an_invalid_executor_is_refused_before_anything_is_written(tmp_path):
     with pytest.raises(TypeError, match=r"^executor is 'threads': pass a concurrent\.futures\.Executor, or None"):
         study(QUICK, tmp_path / "new", executor="threads")
     assert not (tmp_path / "new").exists()
@@ -179,7 +179,7 @@ def test_a_chart_is_saved_with_its_numbers_beside_it(tmp_path):
 
 
 @pytest.mark.parametrize("end", ["svg", "json", "csv", "md"])
-def test_a_study_leaves_the_files_of_others_alone_and_knows_its_own(tmp_path, end):
+def test_a_study_overwrites_its_own_files_and_no_others(tmp_path, end):
     files = study(QUICK, tmp_path, sections=[small(1)])
     (path,) = [path for path in files if path.suffix == f".{end}" and "dark" not in path.name]
     study(QUICK, tmp_path, sections=[small(1)])  # its own files it may write again
@@ -291,7 +291,7 @@ def of_bench(method, time=1.0, work="tiles", section="scenes", size=0, **more):
     return TimingRow(section, work, size, method, "ns", time, time, time, time, **more)
 
 
-def test_what_answers_were_checked_by_is_never_added_up():
+def test_the_counts_of_different_checks_are_never_added_up():
     rows = [
         of_bench(engine, wrong=1, checked=10 ** (k + 1), by=by) for k, by in enumerate(CHECKED_BY) for engine in ENGINES
     ]

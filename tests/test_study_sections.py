@@ -223,7 +223,7 @@ def test_the_least_pushes_of_a_square_in_a_square_are_all_named():
     assert x > 0 == y and truth.squared_gap(a, right) == 16
 
 
-def test_a_move_is_judged_without_rounding():
+def test_a_move_is_evaluated_without_rounding():
     a, b = Polygon([(0, 0), (1, 0), (1, 1), (0, 1)]), Polygon([(0.5, 0), (1.5, 0), (1.5, 1), (0.5, 1)])
     for x, relation in (0.5, Relation.TOUCHING), (0.5 - 2.0**-54, Relation.OVERLAPPING), (0.6, Relation.APART):
         assert truth.relation_moved(a, b, (x, 0.0)) is relation
@@ -346,7 +346,7 @@ def test_the_kernels_of_sat_are_vectorised():
 
 @pytest.mark.parametrize("name", speed_against_accuracy.PROVEN_MARGINS)
 @pytest.mark.parametrize("seed", range(3))
-def test_what_a_search_finds_is_wrong_and_below_the_proven_bound(name, seed):
+def test_every_found_pair_is_wrong_and_below_the_proven_bound(name, seed):
     (method,) = (m for m in all_methods() if (m.language, m.name) == (COMPILED, name))
     found = worst_pair(method, worst_shapes_within_two, np.random.default_rng(seed), 1000, 14, metres=False)
     right = true_relations(found.a, found.b)
@@ -365,7 +365,7 @@ def test_a_search_finds_gjk_wrong_where_edges_are_parallel():
     assert wrong_answers(answers, true_relations(found.a, found.b)).tolist() == [True]
 
 
-def test_what_a_search_finds_about_circles_is_below_the_proven_bound():
+def test_every_found_circle_pair_is_below_the_proven_bound():
     found = {row["method"]: row["margin"] for row in margin_strips.search_circles(2000, 2, Settings())}
     assert found["satviz"] == 0 and 2.4 < found["squares, float64"] < margin_strips.CIRCLE_MARGIN
 
@@ -451,7 +451,7 @@ def test_a_tolerance_is_wrong_up_to_its_own_size_and_no_further():
     assert 0.5e-9 < row["metres"] < 1e-9 + speed_against_accuracy.proven_metres("SAT, raw normals")
 
 
-def test_a_touch_taken_for_an_overlap_is_a_mistake_of_who_tells_them_apart():
+def test_a_touch_called_an_overlap_counts_as_wrong_only_for_methods_that_distinguish_them():
     right = np.array([0, 1, 2, 1])
     assert count_mistakes(np.array([0, 2, 1, 1]), right) == {"false_hits": 0, "missed_hits": 0, "confused": 2}
     assert count_mistakes(np.array([1, 2, 1, 0]), right) == {"false_hits": 1, "missed_hits": 1, "confused": 2}
@@ -708,13 +708,13 @@ def test_the_headline_names_who_checked_the_answers():
     assert re.search(r"satviz was wrong on 0 of [\d,]+ hard pairs that two exact oracles checked", reading)
 
 
-def test_who_is_vectorised_is_said_where_programs_are_compared():
+def test_charts_that_compare_programs_name_the_vectorised_ones():
     for stem in "speed-against-accuracy", "all-methods", "price-of-exactness":
         assert "several pairs at a time" in CHARTS[stem].reading
 
 
 def drawn_texts(fig):
-    """Every label of a figure; ticks beyond the view are not drawn."""
+    """Yield every drawn label of a figure; ticks beyond the view are not drawn."""
     yield from fig.texts
     for ax in fig.axes:
         yield from (child for child in ax.get_children() if isinstance(child, Text))
@@ -750,7 +750,7 @@ def test_letters_have_eleven_pixels_on_a_phone():
     assert all(chart.size[0] == WIDTH for chart in DRAWN.values()) and TEXT_POINTS * 390 / WIDTH >= 11
 
 
-def test_cells_can_be_sent_away_and_have_names_of_their_own():
+def test_cells_can_be_pickled_and_have_unique_names():
     for settings in Settings(), QUICK:
         cells = [cell for section in run.SECTIONS for cell in section.cells(settings)]
         assert pickle.loads(pickle.dumps(cells)) == cells

@@ -112,4 +112,4 @@ def test_a_speed_is_a_number_within_limits(speed, capsys):
 
 def test_a_speed_is_for_an_animation(capsys):
     assert main(["draw", "triangles", "--speed", "2"]) == 2
-    assert "--speed is of an animation or a page" in capsys.readouterr().err
+    assert "--speed is for an animation or a page" in capsys.readouterr().err

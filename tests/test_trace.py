@@ -75,7 +75,7 @@ def test_an_early_exit_is_a_prefix_of_the_full_run():
             assert all(not t.separates for t in short.tests[:-1])
 
 
-def test_skipped_axes_say_why():
+def test_skipped_axes_have_a_reason():
     trace = sv.record(A, B)
     assert {(s.why, s.number) for s in trace.skipped} == {(axes.PARALLEL, 2), (axes.EARLY_EXIT, 2)}
     assert ": parallel to axis 2\n" in str(trace) and ": early exit: axis 2 separates\n" in str(trace)
@@ -584,12 +584,12 @@ def axis_of(kind, shape, *vertices):
 AXIS_LIES = {
     "a number for a normal": (lambda axis: axis.update(normal=5), "pair of numbers"),
     "three numbers for a normal": (lambda axis: axis.update(normal=[1.0, 2.0, 3.0]), "pair of numbers"),
-    "no direction": (lambda axis: axis.update(normal=[0.0, 0.0], length=0.0), "has not the direction"),
-    "turned round": (lambda axis: axis.update(normal=[-c for c in axis["normal"]]), "has not the direction"),
-    "a little off": (lambda axis: axis.update(normal=[c + 1e-9 for c in axis["normal"]]), "has not the direction"),
+    "no direction": (lambda axis: axis.update(normal=[0.0, 0.0], length=0.0), "not have the direction"),
+    "turned round": (lambda axis: axis.update(normal=[-c for c in axis["normal"]]), "not have the direction"),
+    "a little off": (lambda axis: axis.update(normal=[c + 1e-9 for c in axis["normal"]]), "not have the direction"),
     "twice as long": (
         lambda axis: axis.update(normal=[2 * c for c in axis["normal"]], length=4.0),
-        "has not the direction",
+        "not have the direction",
     ),
     "another length": (lambda axis: axis.update(length=axis["length"] * (1 + 1e-9)), "the length"),
     "no length": (lambda axis: axis.update(length=0.0), "the length"),
@@ -611,7 +611,7 @@ AXIS_LIES = {
     "both world axes": (axis_of("world", None, 0, 1), "does not fit these shapes"),
     "two circles' centers": (axis_of("centers", None), "does not fit these shapes"),
     "circles about one center": (axis_of("any direction", None), "does not fit these shapes"),
-    "not through the centroids": (axis_of("centroids", None), "has not the direction"),
+    "not through the centroids": (axis_of("centroids", None), "not have the direction"),
     "somebody's given direction": (axis_of("given direction", "A", 0), "does not fit these shapes"),
     "nowhere as a given direction": (
         lambda axis: axis.update(
@@ -964,7 +964,7 @@ def test_the_normal_of_an_axis_in_a_file_must_be_exact_to_the_last_bit(choose):
     x, y = data["axes"][0]["normal"]
     for normal in [x + 2**-60 if x == 0 else x * (1 + 2**-52), y], [x, y * (1 - 2**-52)]:
         data["axes"][0]["normal"] = normal
-        with pytest.raises(sv.InvalidScene, match="has not the direction"):
+        with pytest.raises(sv.InvalidScene, match="not have the direction"):
             sv.Trace.from_json(json.dumps(data))
 
 
@@ -1101,7 +1101,7 @@ def test_anything_but_text_is_named_in_the_error(text):
             read(text)
 
 
-def test_a_text_that_is_not_what_the_facts_give_is_shown_from_where_it_parts():
+def test_a_wrong_text_is_quoted_from_its_first_difference():
     for shortcut, said, lie in (
         ("one-overlap", "no gap", "a gap"),
         ("one-overlap", "false hit", "true hit"),
@@ -1124,7 +1124,7 @@ def test_a_text_that_is_not_what_the_facts_give_is_shown_from_where_it_parts():
 
 
 @pytest.mark.parametrize("lie", ["", "A", "B", "A an", "A and C", "A and B are not apart"])
-def test_texts_that_part_early_are_shown_from_their_beginning(lie):
+def test_texts_that_differ_early_are_quoted_from_their_beginning(lie):
     data = json.loads(sv.record(A, B).to_json()) | {"sentence": lie}
     with pytest.raises(
         sv.InvalidScene,
@@ -1336,7 +1336,7 @@ def test_the_table_of_many_pairs_of_parts_shows_the_first_and_the_one_that_colli
 
 @pytest.mark.parametrize("lie", sv.Relation)
 @pytest.mark.parametrize("choice", ["world", "hull-normals", "needed"])
-def test_a_certificate_comes_to_an_end_whatever_relate_says(lie, choice, monkeypatch):
+def test_a_certificate_is_right_even_where_relate_returns_a_wrong_relation(lie, choice, monkeypatch):
     for a, b in [(A, B), (A, A), (L, box(2.5, 2.5, 3.5, 3.5)), (L, box(1, 1, 3, 3)), (L, sv.Circle((3, 3), 1))]:
         truth = sv.relate(a, b)
         monkeypatch.setattr(trace_module, "relate", lambda a, b: lie)
@@ -1344,7 +1344,7 @@ def test_a_certificate_comes_to_an_end_whatever_relate_says(lie, choice, monkeyp
         assert certificate.check() and isinstance(certificate, SharedPoint) == (truth is not sv.Relation.APART)
 
 
-def test_what_is_written_can_be_read_again_or_is_not_written(monkeypatch):
+def test_a_trace_that_could_not_be_read_again_is_not_written(monkeypatch):
     trace = sv.record(A, B)
     size = len(trace.to_json())
     monkeypatch.setattr(tracefile, "MAX_CHARS", size)
@@ -1352,7 +1352,7 @@ def test_what_is_written_can_be_read_again_or_is_not_written(monkeypatch):
     with pytest.raises(sv.InvalidScene, match=rf"cannot|too large .*the limit is {size:,}"):
         trace.to_json(indent=1)
     many = ngon(1001)
-    with pytest.raises(sv.InvalidScene, match="1,001 vertices: a file holds 1,000 at most"):
+    with pytest.raises(sv.InvalidScene, match="1,001 vertices: a file can hold 1,000"):
         sv.record(many, A, axes=axes.world).to_json()
     with pytest.raises(sv.InvalidScene, match="1,001 vertices"):
         sv.Scene("many", many, A).to_json()

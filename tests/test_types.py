@@ -92,7 +92,7 @@ WRONG = (
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
-    """The programs: a right one, README's, and a wrong one whose last lines are WRONG."""
+    """Write three programs: a right one, README's, and a wrong one whose last lines are WRONG; return the folder."""
     place = tmp_path_factory.mktemp("programs")
     (place / "right.py").write_text(RIGHT)
     (place / "wrong.py").write_text(START + "\n".join(WRONG) + "\n")
@@ -107,7 +107,7 @@ def run(*command, where, **env):
 
 
 def by_mypy(folder, config):
-    """(file, line) and message of what mypy --strict has to say."""
+    """Return (file, line) and message of each error of mypy --strict."""
     options = "--strict", "--follow-imports=silent", "--config-file=", f"--cache-dir={config.cache.mkdir('mypy')}"
     programs = sorted(p.name for p in folder.glob("*.py"))
     done = run(sys.executable, "-m", "mypy", *options, *programs, where=folder, MYPYPATH=str(HOME))
@@ -116,7 +116,7 @@ def by_mypy(folder, config):
 
 
 def by_pyright(folder, config):
-    """The same of pyright in its strict mode."""
+    """Return the same for pyright in its strict mode."""
     pytest.importorskip("pyright", reason="pyright is not installed")
     try:
         ready = run(sys.executable, "-m", "pyright", "--version", where=folder)
@@ -134,7 +134,7 @@ def by_pyright(folder, config):
 
 @pytest.fixture(scope="module", params=[by_mypy, by_pyright], ids=["mypy", "pyright"])
 def said(request, folder):
-    """What a type checker says of each program: its messages by their line."""
+    """Return a type checker's messages on each program by their lines."""
     found = defaultdict(lambda: defaultdict(list))
     for file, line, message in request.param(folder, request.config):
         found[file][line].append(message)
@@ -145,13 +145,13 @@ def test_right_programs_pass(said):
     assert not said["right.py"]
 
 
-def test_readme_passes_but_for_what_may_be_none(said):
+def test_readme_passes_except_for_values_that_may_be_none(said):
     """Its pair is apart, so it asks for the separating axis's gap without looking whether there is one."""
     others = [m for file in said if file.startswith("readme") for lines in said[file].values() for m in lines]
     assert [m for m in others if '"None"' not in m] == []
 
 
-def test_each_wrong_use_is_told_of_and_nothing_else(said):
+def test_type_checkers_report_each_wrong_use_and_nothing_else(said):
     first = START.count("\n") + 1
     reported = {WRONG[line - first] if line >= first else f"line {line}" for line in said["wrong.py"]}
     assert reported == set(WRONG)

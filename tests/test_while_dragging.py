@@ -31,7 +31,7 @@ def plain(text):
 
 
 def poses(name, count=12, step=0.21):
-    """The explorer's states while B of a scene is moved to the left and up."""
+    """Yield the explorer's states while B of a scene is moved to the left and up."""
     model, scene = ExplorerModel(sv.scene(name)), sv.scene(name)
     size = 200 / model.picture().scale
     yield model, model.state()
@@ -48,7 +48,7 @@ def text_of(state, where, part):
 
 
 @pytest.mark.parametrize("name", one_in(6, EXPLORED))
-def test_sentence_picture_number_line_and_table_speak_of_one_axis_with_one_number(name):
+def test_sentence_picture_number_line_and_table_show_the_same_axis_and_number(name):
     for model, state in poses(name):
         if state["lit"] is None or "line" not in state:
             continue
@@ -71,12 +71,12 @@ def test_sentence_picture_number_line_and_table_speak_of_one_axis_with_one_numbe
         assert not re.search(r"gap of|leaves a gap", state["enough"])
 
 
-WAYS = {}, {"pinned": 1}, {"wayOut": True}, {"view": "truth"}, {"against": True}, {"degree": 73.0}
+WAYS = {}, {"pinned": 1}, {"mtv": True}, {"view": "truth"}, {"difference": True}, {"degree": 73.0}
 LENGTH = rf"(?:gap \+|gap of |overlap |depth |distance |way out )({NUMBER})"
 
 
 def anywhere(seed):
-    """An explorer's state after both shapes of a scene were moved by chance, and one of the tools was used."""
+    """Return an explorer's state after random moves of both shapes, with one of the tools in use."""
     rng = random.Random(seed)
     scene = sv.scene(rng.choice(EXPLORED))
     model = ExplorerModel(scene)
@@ -162,7 +162,7 @@ def test_a_number_line_has_the_scale_of_its_picture():
 
 @pytest.mark.parametrize("name", ["triangles", "circles", "far-centers", "lengths", "tile-seam"])
 @pytest.mark.parametrize("width", [None, 350])
-def test_no_words_of_a_number_line_meet(name, width):
+def test_no_labels_of_a_number_line_overlap(name, width):
     model = ExplorerModel(sv.scene(name))
     state = model.state()
     model.answer({"kind": "pose", "n": 1, "a": state["a"], "b": state["b"], "width": width})
@@ -187,7 +187,7 @@ def test_a_challenge_counts_the_rows_with_a_gap():
     model = ExplorerModel(sv.scene("triangles"))
     state = model.answer({"kind": "challenge", "goal": "one-axis"})
     rows = [row for row in state["rows"] if row.get("gap", -1) > 0]
-    assert state["goal"]["says"] == f"{len(rows)} axes separate them."
+    assert state["goal"]["status"] == f"{len(rows)} axes separate them."
     assert "five are enough" in state["enough"] and sum("gap" in row for row in state["rows"]) == 5
 
 
@@ -204,7 +204,7 @@ WIDEST_PX, WIDEST_PT = 760, 540  # a wide picture is shown so much larger; one o
 
 
 def drag(seed):
-    """(pixels in a unit, picture) of each pose of a drag: what is dragged, and where to, comes from the seed."""
+    """Yield (pixels in a unit, picture) of each pose of a drag, whose handle and way come from the seed."""
     rng = random.Random(seed)
     model = ExplorerModel(sv.scene(EXPLORED[seed % len(EXPLORED)]))
     state, width, key = model.state(), rng.choice([None, 350]), rng.choice("ab")
@@ -235,7 +235,7 @@ def middle(points):
 
 
 def target_of(label, picture):
-    """What a label names: the middle of its shape, its corner, its bar, the tip of its arrow; else the canvas."""
+    """Return what a label names: middle of its shape, a corner, a bar, an axis's or arrow's tip, or the canvas."""
     marks = {(m.part, m.owner, m.axis, m.number): m for m in picture.marks}
 
     def points(part, owner="", axis="", number=None):
@@ -261,7 +261,7 @@ def target_of(label, picture):
 
 
 def leaps_and_missing(seed):
-    """The labels that leap in a drag, how often a label goes missing, and how many labels there are."""
+    """Return the labels that jump in a drag, how often a label goes missing, and how many labels there are."""
     leaps, missing, shown, before = [], 0, 0, {}
     for per_unit, picture in drag(seed):
         now = {m.id: (m.points[0], target_of(m, picture)) for m in picture.labels}
@@ -277,7 +277,7 @@ def leaps_and_missing(seed):
 
 
 def before_axis(name, axes):
-    """Is the axis of a label still shown?"""
+    """Return whether the axis of a label is still shown."""
     number = name.rsplit(".", 1)[1] if "range-name" in name or "gap-name" in name or "axis-name" in name else ""
     return not number or number in axes
 
@@ -291,7 +291,7 @@ def before_axis(name, axes):
     ],
     ids=["few", "many", "most"],
 )
-def test_no_label_leaps_unless_what_it_names_does_and_few_are_left_out(seeds):
+def test_no_label_jumps_unless_its_target_does_and_few_are_left_out(seeds):
     found = {seed: leaps_and_missing(seed) for seed in seeds}
     assert not {seed: leaps for seed, (leaps, _, _) in found.items() if leaps}
     missing, shown = (sum(each[i] for each in found.values()) for i in (1, 2))
@@ -322,7 +322,7 @@ def test_when_the_drag_rests_no_label_covers_another():
 
 
 def nearly_touching(seed):
-    """Two shapes with corners on a grid of tenths, a little apart or a little into each other."""
+    """Return two shapes with corners on a grid of tenths, a little apart or overlapping a little."""
     rng = random.Random(seed)
 
     def shape(x):
@@ -362,7 +362,7 @@ def let_go(b, key="b"):
 
 @pytest.mark.parametrize("x", [2.93, 3.07])
 @pytest.mark.parametrize("key", ["a", "b"])
-def test_let_go_close_by_shapes_snap_and_that_is_said(x, key):
+def test_shapes_released_near_a_touch_snap_and_a_message_says_so(x, key):
     state, model = let_go(sv.Polygon([(x, 1), (5, 0.5), (5, 2)]), key)
     assert state["relation"] == "touching" and state["snapped"] == "Snapped: they touch exactly."
     assert (model.scene.a.vertices[0].x != 0) == (key == "a")
@@ -370,12 +370,12 @@ def test_let_go_close_by_shapes_snap_and_that_is_said(x, key):
     assert again["relation"] == "touching" and "snapped" not in again
 
 
-def test_what_was_said_of_snapping_is_not_said_of_the_next_scene():
+def test_the_message_about_snapping_does_not_stay_in_the_next_scene():
     state, model = let_go(sv.Polygon([(3.07, 1), (5, 0.5), (5, 2)]))
     assert "snapped" in state and "snapped" not in model.answer({"kind": "preset", "name": "triangles"})
 
 
-def test_where_no_place_is_found_that_is_said_and_nothing_moves():
+def test_if_no_touching_place_is_found_a_message_says_so_and_nothing_moves():
     third = 1 / 3
     state, model = let_go(sv.Circle((3.4 + third, 3.4 + third), 1.013))  # off a corner, at no angle with floats
     assert state["snapped"].startswith("No place nearby was found") and state["relation"] != "touching"
@@ -383,7 +383,7 @@ def test_where_no_place_is_found_that_is_said_and_nothing_moves():
 
 
 @pytest.mark.parametrize("b", [sv.Polygon([(8, 1), (9, 0.5), (9, 2)]), sv.Polygon([(3, 1), (5, 0.5), (5, 2)])])
-def test_far_away_or_touching_already_nothing_snaps(b):
+def test_shapes_far_apart_or_touching_already_do_not_snap(b):
     state, model = let_go(b)
     assert "snapped" not in state and model.scene.b == b
 
@@ -402,7 +402,7 @@ def test_an_arrow_key_snaps_on_the_way_to_a_touch_and_leaves_it_again():
 # -- challenges, the dial
 
 
-def test_the_map_is_hidden_until_a_shortcut_is_broken_or_the_challenge_given_up():
+def test_the_error_region_is_hidden_until_the_challenge_is_solved_or_given_up():
     model = ExplorerModel(sv.scene("far-centers"))
     state = model.answer({"kind": "challenge", "goal": "break"})
 

@@ -29,7 +29,7 @@ TRIANGLES = sv.scene("triangles")
 
 
 def explorer(scene="triangles"):
-    """A widget whose messages are kept instead of sent."""
+    """Return a widget whose messages are stored instead of sent."""
     widget = sv.explore(scene)
     widget.sent = []
     widget.send = lambda content, buffers=None: widget.sent.append((content, buffers))
@@ -47,7 +47,7 @@ def moved_b(widget, dx, dy):
     return {**b, "polygon": [[x + dx, y + dy] for x, y in b["polygon"]]}
 
 
-def test_a_pose_is_answered_with_the_picture_that_follows():
+def test_the_reply_to_a_pose_has_its_picture():
     widget = explorer()
     assert widget.trace.relation is Relation.APART
     said = pose(widget, b=moved_b(widget, -3, 0))
@@ -89,7 +89,7 @@ def test_an_invalid_pose_says_why_and_changes_nothing(b, why):
         {"kind": "save", "form": "png", "step": -1},
     ],
 )
-def test_messages_that_mean_nothing_are_left_alone(content):
+def test_unknown_messages_are_ignored(content):
     widget = explorer()
     widget._receive(widget, content, [])
     assert widget.sent == []
@@ -106,42 +106,42 @@ def test_the_view_stays_while_dragging_and_is_fitted_when_the_drag_ends():
     assert all(x0 < x < x1 and y0 < y < y1 for m in fitted["marks"] if m["id"] == "B.outline" for x, y in m["points"])
 
 
-def heard(widget, **content):
+def reply_to(widget, **content):
     widget._receive(widget, content, [])
     return widget.sent[-1][0]
 
 
-def test_a_challenge_is_set_in_the_widget_judged_at_every_pose_and_given_up():
+def test_a_challenge_is_set_in_the_widget_evaluated_at_every_pose_and_given_up():
     widget = explorer("aabb")
-    begun = heard(widget, kind="challenge", goal="touch")
+    begun = reply_to(widget, kind="challenge", goal="touch")
     assert begun["goal"]["goal"] == "touch" and not begun["goal"]["met"]
     assert begun["link"].endswith("&goal=touch") and widget.scene == sv.scene("aabb")
     met = pose(widget, b=moved_b(widget, -2, 0))
-    assert met["goal"]["met"] and met["goal"]["says"] == "They touch, exactly."
+    assert met["goal"]["met"] and met["goal"]["status"] == "They touch, exactly."
     assert "goal" not in pose(widget, goal=None)
     assert pose(widget, goal="touch")["goal"]["goal"] == "touch"  # undone
-    assert "goal" not in heard(widget, kind="preset", name="circles")
+    assert "goal" not in reply_to(widget, kind="preset", name="circles")
 
 
 @pytest.mark.parametrize("name", ["triangles", "aabb", "far-centers", "box-in-u"])
 @pytest.mark.parametrize("goal", ["touch", "one-axis"])
 def test_no_challenge_of_the_widget_is_won_when_it_begins(name, goal):
-    assert not heard(explorer(name), kind="challenge", goal=goal)["goal"]["met"]
+    assert not reply_to(explorer(name), kind="challenge", goal=goal)["goal"]["met"]
 
 
 @pytest.mark.parametrize("goal", ["touch", "one-axis", "break"])
 def test_no_challenge_of_a_link_is_won_before_the_reader_did_anything(goal):
     opened = set()
     for name in names():
-        reply = json.loads(live.answer("p", json.dumps({"kind": "open", "hash": f"{name}&goal={goal}&way-out=1"})))
+        reply = json.loads(live.answer("p", json.dumps({"kind": "open", "hash": f"{name}&goal={goal}&mtv=1"})))
         assert reply["kind"] == "refused" or not reply["first"]["goal"]["met"], name
         opened |= {name} if reply["kind"] == "opened" else set()
     assert "aabb-turned" in opened
 
 
-def test_a_shortcut_that_is_wrong_here_is_first_brought_where_it_is_right():
+def test_a_challenge_moves_a_wrong_shortcut_to_a_place_where_it_is_right():
     widget = explorer("far-centers")
-    assert not heard(widget, kind="challenge", goal="break")["goal"]["met"]
+    assert not reply_to(widget, kind="challenge", goal="break")["goal"]["met"]
     assert widget.scene.axes == "far-centers" and widget.scene != sv.scene("far-centers")
 
 
@@ -152,13 +152,13 @@ def test_a_challenge_that_cannot_be_set_is_refused_and_changes_nothing(goal, why
     for kind in "challenge", "pose":
         widget = explorer("circles")
         before = widget._model.state()
-        said = heard(widget, kind=kind, a=before["a"], b=before["b"], goal=goal)
+        said = reply_to(widget, kind=kind, a=before["a"], b=before["b"], goal=goal)
         assert said["kind"] == "refused" and why in said["why"]
         assert widget._model.state() == before
 
 
 def test_explore_sets_a_challenge():
-    assert sv.explore("aabb", goal="touch").first["goal"]["asks"].startswith("Make the shapes touch")
+    assert sv.explore("aabb", goal="touch").first["goal"]["task"].startswith("Make the shapes touch")
     with pytest.raises(InvalidScene, match="not a shortcut"):
         sv.explore("aabb", goal="break")
 
@@ -167,12 +167,12 @@ ONLY_Y = sv.Shortcut("only y", "y is enough", sv.axes.directions((0, 1)))
 
 
 def posed(model, b, **more):
-    """The state after B was put elsewhere."""
+    """Return the state after B was moved."""
     pose = {"kind": "pose", "n": 1, "a": shape_data(model.scene.a), "b": shape_data(b), "scene": model.state()["scene"]}
     return model.answer(pose | more)
 
 
-def test_a_shortcut_of_ones_own_is_explored_with_its_map_and_may_be_broken():
+def test_a_users_shortcut_is_explored_with_its_error_region_and_can_be_broken():
     a, b = sv.scene("triangles").a, sv.scene("triangles").b
     explorer = sv.explore(a, b, axes=ONLY_Y)
     state = explorer.first
@@ -189,7 +189,7 @@ def test_a_shortcut_of_ones_own_is_explored_with_its_map_and_may_be_broken():
     assert set_later["goal"]["goal"] == "break" and not set_later["goal"]["met"]
 
 
-def test_undo_goes_back_from_another_scene_to_axes_of_ones_own():
+def test_undo_goes_back_from_another_scene_to_a_users_axes():
     a, b = sv.scene("triangles").a, sv.scene("triangles").b
     model = sv.explore(a, b, axes=ONLY_Y)._model
     begun = model.state()
@@ -200,7 +200,7 @@ def test_undo_goes_back_from_another_scene_to_axes_of_ones_own():
     assert back["heading"] == begun["heading"] and back["rows"] == begun["rows"]
 
 
-def test_axes_of_ones_own_are_explored_and_a_link_opens_the_shapes():
+def test_a_users_axes_are_explored_and_a_link_opens_the_shapes():
     own = sv.explore("triangles", axes=sv.axes.directions((1, 3), (0, 1)))
     assert [row["axis"] for row in own.first["rows"]] == ["direction (1, 3)", "direction (0, 1)"]
     opened, _ = parse_fragment(own.first["link"])
@@ -221,7 +221,7 @@ def test_a_free_axis_shows_its_gap_and_the_curve():
     assert "no gap" in pose(widget, degree=90.0)["sentence"]
 
 
-def test_a_row_that_is_picked_stays_picked():
+def test_a_chosen_row_stays_chosen():
     widget = explorer()
     assert pose(widget)["lit"] == 1
     assert pose(widget, pinned=4)["lit"] == 4
@@ -229,7 +229,7 @@ def test_a_row_that_is_picked_stays_picked():
 
 
 @pytest.mark.parametrize("name", one_in(4, ["triangles", "circles", "concave", "far-centers"]))
-def test_back_where_it_began_a_scene_is_framed_as_it_was(name):
+def test_a_scene_dragged_back_to_its_start_has_the_frame_of_the_start(name):
     """Whatever the view was fitted to since: by reset, by undo, or by hand."""
     scene = sv.scene(name)
     hand = ExplorerModel(scene)
@@ -292,8 +292,8 @@ def test_every_failing_scene_can_be_explored_dragged_and_shown_with_the_exact_an
         widget.sent = []
         widget.send = lambda content, buffers=None, sent=widget.sent: sent.append((content, buffers))
         for more in (
-            {"wayOut": True},
-            {"view": "truth", "wayOut": True},
+            {"mtv": True},
+            {"view": "truth", "mtv": True},
             {"view": "shortcut", "pinned": 0},
             {"degree": 20},
         ):
@@ -380,7 +380,7 @@ def test_the_plain_player_steps_with_its_slider_and_buttons():
         sv.play(trace, pen="crayon")
 
 
-def test_the_gap_curve_tells_the_numbers_of_the_trace():
+def test_the_gap_curve_has_the_numbers_of_the_trace():
     for scene in ("triangles", "circle-polygon", "aabb", "circles"):
         found = sv.scene(scene)
         curve = sv.gap_curve(found.a, found.b, 20)
@@ -391,8 +391,8 @@ def test_the_gap_curve_tells_the_numbers_of_the_trace():
 SHOW = [sv.play, sv.page, sv.difference, sv.sheet, sv.gap_curve, sv.explore]
 
 
-def told(shown):
-    """What is shown, in words."""
+def words_of(shown):
+    """Return the shown picture or text in words."""
     return shown if isinstance(shown, str) else shown.sentence if isinstance(shown, sv.Picture) else repr(shown)
 
 
@@ -403,11 +403,11 @@ def test_whatever_shows_a_pair_takes_a_name_a_scene_two_shapes_or_their_trace(sh
     if show is sv.explore:
         with pytest.raises(TypeError, match="a Trace, one run of two shapes: pass the shapes"):
             show(*asked.pop())
-    assert len({told(show(*what)) for what in asked}) == 1
+    assert len({words_of(show(*what)) for what in asked}) == 1
 
 
 @pytest.mark.parametrize("show", [sv.picture, sv.draw, sv.steps], ids=lambda show: show.__name__)
-def test_a_step_may_be_asked_of_a_scene_or_its_name(show):
+def test_steps_can_be_drawn_of_a_scene_or_its_name(show):
     scene = sv.scene("aabb")
     drawn = [show(what) for what in ("aabb", scene, scene.record())]
     assert show is sv.draw or drawn[0] == drawn[1] == drawn[2]
@@ -415,7 +415,7 @@ def test_a_step_may_be_asked_of_a_scene_or_its_name(show):
 
 @pytest.mark.parametrize("what", [5, None, sv.Circle((0, 0), 1), ["aabb"]])
 @pytest.mark.parametrize("show", SHOW, ids=lambda show: show.__name__)
-def test_what_is_no_pair_is_refused_and_told_how(show, what):
+def test_a_value_that_is_not_a_pair_is_refused_with_the_right_form(show, what):
     with pytest.raises(TypeError, match=f"this is a {type(what).__name__}: pass a scene's name, a Scene, .*two shapes"):
         show(what)
     with pytest.raises(TypeError, match=r"make it a satviz\.Polygon"):
@@ -437,7 +437,7 @@ def square_data(at, size):
 
 
 def ring_data(n, dent=1.0):
-    """n corners round (0, 0), every second one drawn in."""
+    """Return n corners around (0, 0), every second one pulled inwards."""
     ring = [((dent if i % 2 else 1.0), 2 * pi * i / n) for i in range(n)]
     return polygon_data(*((r * cos(t), r * sin(t)) for r, t in ring))
 
@@ -457,10 +457,10 @@ EXTREME = {
 @pytest.mark.parametrize(
     "name", one_in(24, [*(row.name for row in FAILURE_CASES if row.how != REFUSED), "triangles", "concave"])
 )
-def test_the_strangest_pose_is_shown_or_refused_and_then_nothing_has_changed(name, pair):
+def test_an_extreme_pose_is_shown_or_refused_without_any_change(name, pair):
     explored, (a, b) = ExplorerModel(sv.scene(name)), EXTREME[pair]
     before = json.dumps(explored.state())
-    for more in ({}, {"view": "truth", "wayOut": True}, {"degree": 20.0}, {"against": True}):
+    for more in ({}, {"view": "truth", "mtv": True}, {"degree": 20.0}, {"difference": True}):
         said = explored.answer({"kind": "pose", "n": 1, "a": a, "b": b, "degree": None, "pinned": None} | more)
         if said["kind"] == "refused":
             assert 0 < len(said["why"]) < 500 and json.dumps(explored.state()) == before
@@ -469,7 +469,7 @@ def test_the_strangest_pose_is_shown_or_refused_and_then_nothing_has_changed(nam
             assert said["picture"]["marks"]
 
 
-def test_a_map_of_many_parts_is_not_worked_out_under_the_hand():
+def test_an_error_region_of_many_parts_is_not_computed_while_dragging():
     """Each pair of parts cuts up what the others leave: 40 corners took 6 seconds, 60 took 43."""
     explored = ExplorerModel(sv.scene("aabb-turned"))
     for n in 20, 40, 60:
@@ -485,7 +485,7 @@ def test_a_map_of_many_parts_is_not_worked_out_under_the_hand():
         ("sum-of-parts", "squares beyond float64", "too large for float64"),
     ],
 )
-def test_a_map_that_floats_cannot_hold_says_so_beside_the_picture(name, pair, why):
+def test_a_reason_is_shown_for_an_error_region_that_floats_cannot_hold(name, pair, why):
     explored, (a, b) = ExplorerModel(sv.scene(name)), EXTREME[pair]
     said = explored.answer({"kind": "pose", "n": 1, "a": a, "b": b, "degree": None, "pinned": None})
     assert said["kind"] == "state" and why in str(said["map"])
@@ -507,10 +507,10 @@ def test_a_narrow_place_gets_a_narrow_picture_and_not_smaller_letters(name):
     widget = explorer(name)
     for width in (None, 700, 358, 100):
         wanted = {None: 540, 700: 540, 358: 358, 100: 300}[width]
-        said = pose(widget, width=width, degree=20, against=True)
+        said = pose(widget, width=width, degree=20, difference=True)
         assert [said[key]["size"][0] <= wanted for key in ("picture", "curve", "difference")] == [True] * 3
         assert said["picture"]["size"][0] == wanted
-        assert min(look["size"] for look in said["picture"]["looks"] if look["kind"] == "label") >= 11
+        assert min(style["size"] for style in said["picture"]["styles"] if style["kind"] == "label") >= 11
     assert pose(widget, width="wide")["why"] == "the width must be a finite number, not 'wide'"
 
 
@@ -536,7 +536,7 @@ def test_a_free_axis_does_not_hide_the_verdict():
     assert said["sentence"].startswith("A and B are apart. The axis at 90 degrees: ")
 
 
-def test_a_player_that_asks_shows_nothing_where_no_front_end_runs():
+def test_a_player_with_predict_shows_no_answer_where_no_front_end_runs():
     widget = sv.play("triangles", predict=True)
     data, _ = widget._repr_mimebundle_()
     assert "apart" not in data["text/plain"] + data["text/html"]
@@ -551,14 +551,14 @@ def test_both_widgets_know_the_link_of_what_they_show():
 
 
 @pytest.mark.parametrize("name", [row.name for row in FAILURE_CASES if row.how != REFUSED])
-def test_every_failing_scene_has_a_map_under_the_hand_or_says_why_not(name):
+def test_every_failing_scene_has_an_error_region_while_dragging_or_a_reason(name):
     first = sv.explore(name).first
     red = [mark for mark in first["picture"]["marks"] if mark["id"].startswith("error-region")]
     assert first["map"].startswith("The map: " if red else "No map of where it is wrong: ")
     assert len(first["map"]) > 60
 
 
-def test_where_a_shortcut_is_right_all_over_the_picture_that_is_said():
+def test_the_picture_says_if_the_shortcut_is_right_everywhere_in_it():
     hand = ExplorerModel(sv.Scene("boxes", box(0, 0, 2, 2), box(1, 1, 4, 3), "aabb-turned"))
     assert hand.state()["map"] == "No red on the map: wherever B lies in this picture, the shortcut is right."
     shapes = {key: hand.state()[key] for key in ("a", "b")}
@@ -566,7 +566,7 @@ def test_where_a_shortcut_is_right_all_over_the_picture_that_is_said():
     assert "map" not in free  # the picture of a free axis has none
 
 
-def test_a_dent_made_under_the_hand_takes_the_map_away_and_says_so():
+def test_a_dent_made_by_dragging_removes_the_error_region_and_gives_a_reason():
     hand = ExplorerModel(sv.scene("raw-depth"))
     first = hand.state()
     a = {"polygon": [*first["a"]["polygon"], [0.5, 0.5]]}
@@ -575,7 +575,7 @@ def test_a_dent_made_under_the_hand_takes_the_map_away_and_says_so():
 
 
 @pytest.mark.parametrize("option, pictures", [("sweep", sv.sweep), ("difference", sv.difference_steps)])
-def test_a_player_of_other_pictures_shows_and_saves_these(option, pictures):
+def test_a_player_of_a_sweep_or_a_difference_shows_and_saves_its_pictures(option, pictures):
     player, drawn = sv.play("triangles", **{option: True}), pictures("triangles")
     (show,) = player.shows
     assert [step["sentence"] for step in show["steps"]] == [one.sentence for one in drawn] and not player.narrow
@@ -599,6 +599,6 @@ def test_a_player_begins_at_the_speed_that_is_passed():
         ({"difference": True, "pen": "matplotlib"}, 'difference needs pen="svg"'),
     ],
 )
-def test_options_of_a_player_that_mean_nothing_are_refused(options, words):
+def test_invalid_options_of_a_player_are_refused(options, words):
     with pytest.raises(ValueError, match=words):
         sv.play("triangles", **options)

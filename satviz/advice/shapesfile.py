@@ -52,7 +52,7 @@ def load(path: Path) -> tuple[batch.Shapes, NDArray[Any] | None]:
     """
     try:
         if not S_ISREG(path.stat().st_mode):  # as scenefile.load
-            raise InvalidScene(f"cannot read {path}: not a regular file")
+            raise InvalidScene(f"cannot read {path}: it is not a regular file")
         with zipfile.ZipFile(path) as held:
             members = _members(path, held)
             _check(path, {name: _header(held, member) for name, member in members.items()})

@@ -187,8 +187,6 @@ def _clip(
 ) -> Sequence[tuple[Number, Number]]:
     """Return the ring of points that two convex rings share (Sutherland and Hodgman); exact in fractions."""
     for p, q in cyclic_pairs(clip):
-        if not subject:
-            break
         kept: list[tuple[Number, Number]] = []
         for u, v in cyclic_pairs(subject):
             side_u, side_v = orient_det(p, q, u), orient_det(p, q, v)

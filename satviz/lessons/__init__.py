@@ -1,1 +1,1 @@
-"""What the walkthrough teaches, for the site and for paper: its chapters, their questions, and handouts to print."""
+"""The walkthrough for the site and for paper: its chapters, their questions, and handouts to print."""

@@ -18,7 +18,7 @@ from ..pictures.playback import NARROW_PANEL_SIZES_PT
 
 
 class Term(NamedTuple):
-    """A term: its name, the words of a text that mean it, what it is, its symbol, other names, and its picture.
+    """A term: its name, the words in texts that mean it, its explanation, symbol, other names, and its picture.
 
     `symbol` is "" where the field writes none; `others` names libraries in brackets.
     """

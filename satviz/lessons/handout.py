@@ -119,34 +119,34 @@ def chapter_sheets(chapter: Chapter) -> tuple[Sheet, Sheet]:
     for heading, items in ("Questions", found), ("Exercises", exercises):
         if items:
             numbered = [*enumerate(items, 1)]
-            asked.append(f"<section><h2>{heading}</h2>{''.join(_asked(n, q) for n, q in numbered)}</section>")
-            solved.append(f"<section><h2>{heading}</h2>{''.join(_solved(n, q) for n, q in numbered)}</section>")
+            asked.append(f"<section><h2>{heading}</h2>{''.join(_question_html(n, q) for n, q in numbered)}</section>")
+            solved.append(f"<section><h2>{heading}</h2>{''.join(_solution_html(n, q) for n, q in numbered)}</section>")
     return _sheet(chapter.title, "".join(asked)), _sheet(f"{chapter.title}{SOLUTIONS}", "".join(solved))
 
 
 def _sheet(title: str, body: str) -> Sheet:
-    """Return a sheet with a line for the reader's name."""
+    """Return a sheet whose body has the title, and on questions a line for the reader's name."""
     kind, name = ("sheet", '<p class="name">Name</p>') if not title.endswith(SOLUTIONS) else ("sheet solutions", "")
     return Sheet(title, f'<article class="{kind}"><header><h1>{escape(title)}</h1>{name}</header>{body}</article>')
 
 
 def _title_of(scene: Scene) -> str:
-    """Return the title of a worksheet's scene; one that would tell the answer is replaced."""
+    """Return the title of a worksheet's scene, or a question if the title would give away the answer."""
     if scene.name in NAMED:
         return "Is the claim right?"
     named = scene.title and scene.title != scene.name and not scene.record().false_hit
     return describe.printable(scene.title) if named else COLLIDE
 
 
-def _asked(number: int, question: Question) -> str:
-    """Return a question with boxes to tick or lines to write on."""
+def _question_html(number: int, question: Question) -> str:
+    """Return question `number` (from 1) with boxes to tick or lines to write on, as HTML."""
     boxes = "".join(f"<li>{words}</li>" for _, words, _ in question.choices)
     space = f'<ul class="boxes">{boxes}</ul>' if boxes else _lines(3)
     return f'<div class="question" data-number="{number}">{question.before}{question.words}{space}</div>'
 
 
-def _solved(number: int, question: Question) -> str:
-    """Return the answer of a question, with what is said about each choice."""
+def _solution_html(number: int, question: Question) -> str:
+    """Return the answer of question `number` (from 1), with the reason for each choice, as HTML."""
     marks = {"+": "✓", "-": "✗"}
     said = "".join(f"<li>{marks[sign]} <b>{words}</b>: {why}</li>" for sign, words, why in question.choices)
     choices = f'<ul class="judged">{said}</ul>' if said else ""
@@ -154,12 +154,12 @@ def _solved(number: int, question: Question) -> str:
 
 
 def _lines(count: int) -> str:
-    """Return lines to write on."""
+    """Return empty lines to write on, as HTML."""
     return f'<div class="lines" aria-hidden="true">{"<div></div>" * count}</div>'
 
 
 def _worksheet(trace: Trace, name: str) -> tuple[str, str]:
-    """Return a scene to be computed by hand, and its solution; of a shortcut the scene is judged by its true run."""
+    """Return the HTML of a scene to compute by hand, and of its solution; a shortcut's scene is solved exactly."""
     case, true = NAMED.get(name), trace.truth if trace.shortcut else trace
     if not trace.shortcut and case:
         case = None
@@ -191,7 +191,7 @@ def _worksheet(trace: Trace, name: str) -> tuple[str, str]:
 
 
 def _coordinates(shape: Shape, name: str, figures: int) -> str:
-    """Return the numbers of a shape in words, each with so many significant figures at most; vertices have names."""
+    """Return a shape's coordinates as HTML, each with at most `figures` significant figures; vertices have names."""
     corners = (shape.vertices or shape.core)[:MAX_CORNERS]
     points = [f"({_number(x, figures)}, {_number(y, figures)})" for x, y in corners]
     if isinstance(shape, Circle):

@@ -17,7 +17,7 @@ TOOLS = "sv.explore(", "slide("  # a question before these is answered by moving
 
 
 class Question(NamedTuple):
-    """A question or an exercise: what stands before it, its words, its choices and its answer, all but signs as HTML.
+    """A question or an exercise: the text before it, its words, its choices and its answer; all but signs is HTML.
 
     `before` ends with the last picture of the section; `choices` are (sign, choice, reason), the right one's is "+".
     """

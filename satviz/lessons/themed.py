@@ -18,7 +18,7 @@ _STYLE_ELEMENT = re.compile(r"\s*<defs>\s*<style[^>]*>[^<]*</style>\s*</defs>")
 
 
 def _colours(theme: Theme) -> dict[str, str]:
-    """Return the colours of a theme by the names of their CSS variables without the prefix."""
+    """Return the colours of a theme, keyed by the names of their CSS variables without the prefix."""
     roles = {f"text-{role}": theme.text.get(role, colour) for role, colour in theme.roles.items()}
     return {"paper": theme.paper, **theme.roles, **roles}
 

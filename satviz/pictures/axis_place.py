@@ -29,7 +29,7 @@ TRACK_PT = 5.5  # from the axis to the bars: A's on the side of the shapes, B's 
 
 
 class AxisPlace(NamedTuple):
-    """Where an axis is drawn.
+    """The place where an axis is drawn.
 
     `n`: its unit direction; `out`: the unit vector across it, from the shapes to the axis; `zero`: the point of
     coordinate 0; `lo` and `hi`: the coordinates of its ends; `track`: scene units from the axis to a bar;
@@ -66,8 +66,8 @@ def place_axes(
 ) -> list[AxisPlace]:
     """Return one place per test's axis, each on the side where it fits best with the places chosen before it.
 
-    `label_widths`: points that the labels of each test's ranges are wide; `scale`: points in a scene unit;
-    `boxes`: what else the picture shows or another picture on the same frame.
+    `label_widths`: for each test the width in points of the labels of its ranges; `scale`: points in a scene unit;
+    `boxes`: boxes around everything else that is drawn on the same frame.
     """
     around = common_box([bounding_box(shapes), *boxes])
     places: list[AxisPlace] = []
@@ -84,7 +84,7 @@ def both_sides(
 ) -> tuple[AxisPlace, AxisPlace]:
     """Return the two possible places of a test's axis, one on either side of the shapes.
 
-    A label `label_width` points wide has space between the shapes and the axis; 0 means no label.
+    Between the shapes and the axis there is space for a label `label_width` points wide; 0 means no label.
     """
     n = test.axis.direction
     ranges = test.a.interval, test.b.interval
@@ -118,8 +118,8 @@ def both_sides(
 def _unit_and_slide(shapes: Sequence[Shape], n: Vec, lo: float, hi: float) -> tuple[float, float]:
     """Return the scene units in a unit of the axis, and how far coordinate 0 is moved along the axis.
 
-    They are 1 and 0 where the ranges, from lo to hi, lie near the shapes.  What a shortcut measures may lie far
-    from them or be much larger; it would not fit on the shapes' own scale.
+    They are 1 and 0 where the ranges, from lo to hi, lie near the shapes.  The ranges that a shortcut measures may lie
+    far away or be much larger, and would not fit on the shapes' own scale.
     """
     x0, y0, x1, y1 = bounding_box(shapes)
     size = max(x1 - x0, y1 - y0)
@@ -138,8 +138,8 @@ def _furthest(shapes: Sequence[Shape], direction: Vec) -> float:
 def placement_penalty(shapes: Sequence[Shape], test: AxisTest, place: AxisPlace, around: Box | None = None) -> float:
     """Return the penalty, without unit, of drawing a test's axis at `place`; the lower place is better.
 
-    It should not widen the scene (or the box `around`) much, should lie near the shape whose edge it comes from (so
-    that the drop lines of that shape pass no other shape), and below the shapes or to their left.
+    An axis should not widen the scene (or the box `around`) much.  It should lie near the shape whose edge it comes
+    from, so that the drop lines of that shape pass no other shape, and below the shapes or to their left.
     """
     x0, y0, x1, y1 = around or bounding_box(shapes)
     xs, ys = [x0, x1, *(p.x for p in place.ends)], [y0, y1, *(p.y for p in place.ends)]
@@ -154,7 +154,7 @@ def placement_penalty(shapes: Sequence[Shape], test: AxisTest, place: AxisPlace,
 
 
 def _mean_coordinate(side: Projection, direction: Vec) -> float:
-    """Return the mean coordinate of one shape's points along a direction."""
+    """Return the mean coordinate of a projection's points along a direction."""
     return sum(p.x * direction.x + p.y * direction.y for p in side.points) / len(side.points)
 
 

@@ -14,7 +14,7 @@ MIN_CAPTION_MS, MS_PER_CAPTION_LETTER = 300, 50  # in an animation: the time of 
 def add_captions(pictures: Sequence[Picture], *, brief: bool = False) -> list[Picture]:
     """Return the pictures with their sentences as captions; all grow by the height of the tallest caption.
 
-    `brief`: a picture that says the same in a few words has these instead.
+    With `brief` the caption is the picture's `caption`, a few words, where it has one.
     """
     words = [(brief and picture.caption) or picture.sentence for picture in pictures]
     texts = [wrap_text(text, picture.size[0] - 2 * MARGIN_PT) for text, picture in zip(words, pictures, strict=True)]
@@ -35,7 +35,7 @@ def caption_time_ms(picture: Picture) -> int:
 
 
 def with_words_below(picture: Picture, words: str) -> Picture:
-    """Return the picture with a caption of its own, in as many lines as fit it, on space for two lines."""
+    """Return the picture with `words` as a caption, broken into lines; there is space for two."""
     text = wrap_text(words, picture.size[0] - 2 * MARGIN_PT)
     return _with_caption(picture, text, text_size("\n")[1] + MARGIN_PT)
 

@@ -1,4 +1,4 @@
-"""What a shortcut claims of its shapes in words, what is right, and whether the claim is wrong."""
+"""The answer of a shortcut in words, the right answer, and whether the first is wrong."""
 
 import re
 from functools import lru_cache
@@ -33,18 +33,18 @@ class Answers(NamedTuple):
 
 @lru_cache(maxsize=64)
 def answers(trace: Trace, digits: Digits | None = None) -> Answers:
-    """Return what a shortcut answers for its shapes and what is right, in words, and whether the first is wrong.
+    """Return the shortcut's answer for its shapes and the right one, in words, and whether the shortcut's is wrong.
 
-    Lengths are printed with `digits` (None: those of `digits_of_answers`).  Where the verdict is wrong, or right for
-    another number, the words are the verdicts: a panel may show the overlap of several axes.  A gap that was missed
-    is named, since one gap is enough.
+    Lengths are printed with `digits` (None: those of `digits_of_answers`).  If the case is about a verdict, the words
+    are numbers only where both answers have the same number; otherwise they are the verdicts, with the gap that the
+    shortcut missed.
     """
     assert trace.shortcut
     case, digits = case_of(trace.shortcut), digits or digits_of_answers(trace)
     if case is None and trace.push and trace.hit and is_about_push(trace):
         digits, mtv = describe.digits(trace), trace.truth.known_mtv or Vec(0.0, 0.0)
         words = f"push {digits.vector(trace.push)}", f"{trace.relation}, way out {digits.vector(mtv)}"
-        return Answers(*words, not _is_shortest_way_out(trace, trace.push, mtv))
+        return Answers(*words, not _is_minimal_push(trace, trace.push, mtv))
     if case is None:
         return Answers(str(trace.claim), str(trace.relation), bool(trace.claim) is not trace.hit)
     if not trace.hit and is_about_push(trace):
@@ -64,7 +64,7 @@ def answers(trace: Trace, digits: Digits | None = None) -> Answers:
 
 
 def _contradicts(case: FailureCase, trace: Trace, claimed: float, actual: Answer) -> bool:
-    """Return whether the claimed number is wrong: by more than rounding alone, or in the sign of a gap."""
+    """Return whether the claimed number is wrong, by more than rounding or in the sign of a gap."""
     if isinstance(actual, str):
         return True
     if isinstance(actual, tuple):
@@ -84,7 +84,7 @@ def _size(trace: Trace) -> float:
     return max(x1 - x0, y1 - y0, *map(abs, (x0, y0, x1, y1)))
 
 
-def _is_shortest_way_out(trace: Trace, push: Vec, mtv: Vec) -> bool:
+def _is_minimal_push(trace: Trace, push: Vec, mtv: Vec) -> bool:
     """Return whether `push` ends the overlap and is no longer than the MTV, up to rounding."""
     if not is_near(trace, push):
         return False

@@ -17,7 +17,7 @@ from . import step_picture
 from .axis_place import AxisPlace
 from .claims import answers, heading, verdict_words
 from .comparison_panels import PANELS, PIECES
-from .default_panels import Panel, PanelSketch, claimed_tests, drawable_test, is_as_measured
+from .default_panels import Panel, PanelSketch, claimed_tests, drawable_test, is_measured_correctly
 from .draw_steps import draw_other_parts, draw_test
 from .float_geometry import bounding_box, crossing_point
 from .insets import add_insets
@@ -31,7 +31,7 @@ from .sketch import RING_PT, Sketch
 from .stages import STAGES_BEFORE_AXIS, TEST_STAGES, Stage, Step, resolve_step, step_caption, step_sentence
 from .step_picture import LARGEST_PT
 
-CLAIMED, ACTUAL = "what the shortcut saw", "what is"
+CLAIMED, ACTUAL = "what the shortcut saw", "what is true"
 # a stage, and the later one whose labels leave space for what comes next, so that nothing jumps
 FULLER = {Stage.EDGE: Stage.NORMAL, Stage.NORMAL: Stage.AXIS} | dict.fromkeys(TEST_STAGES[2:-1], Stage.GAP)
 # in points
@@ -54,7 +54,7 @@ def picture(
     """Return the picture of one step: a Step, or its number in `steps(trace)` (negative: from the end).
 
     `what` is a trace, or a scene (or its name).  A shortcut's trace gives two panels: the step as the shortcut
-    takes it, and what is.  A failing scene whose outlines are refused has one picture, with the reason.
+    takes it, and the truth.  A failing scene whose outlines are refused has one picture, with the reason.
     `largest`: the canvas in points at most; on one much taller than wide the panels stand one above the other.
     All steps have one frame: no shape moves between them; `by_itself` cuts it to what this step shows (never of two
     panels).  IndexError for a step the trace does not have.
@@ -76,7 +76,7 @@ def picture(
 def _panel_size(largest: tuple[float, float]) -> tuple[tuple[float, float], bool]:
     """Return the largest width and height of a panel, and whether the panels stand one above the other.
 
-    Where the canvas has no space for both, the panels are larger than it has, and the whole is shown smaller.
+    On a canvas that is too small for both, the panels keep their least size, and the whole picture is shown smaller.
     """
     if largest == LARGEST_PT:
         return MAX_PANEL, False
@@ -100,8 +100,8 @@ class _Frame(NamedTuple):
 def _frame(trace: Trace, largest: tuple[float, float]) -> _Frame:
     """Return the layouts of all steps and of both panels, on one frame: no shape moves between any of them.
 
-    The last step, which is the one that is printed, decides how large the shapes are.  The axes of the steps before
-    it are drawn where they fit on that frame; only for one that fits nowhere the frame is made larger.
+    The last step, which is the one that is printed, decides how large the shapes are.  The axes of earlier steps are
+    drawn where they fit on its frame; the frame grows only for an axis that fits nowhere.
     """
     shapes = trace.a, trace.b
     named = list(zip(trace.names, shapes, strict=True))
@@ -167,7 +167,7 @@ def _panels(trace: Trace) -> tuple[Panel, Panel]:
 
 @lru_cache(maxsize=64)
 def _claimed_panel(trace: Trace, largest: tuple[float, float]) -> Picture:
-    """Return the panel of what the shortcut's answer comes from, with the answer, struck out if wrong.
+    """Return the panel that shows where the shortcut's answer comes from, and the answer, struck out if wrong.
 
     `largest`: the largest (width, height) of the canvas in points.
     """
@@ -178,14 +178,14 @@ def _claimed_panel(trace: Trace, largest: tuple[float, float]) -> Picture:
 
 @lru_cache(maxsize=64)
 def _actual_panel(trace: Trace, largest: tuple[float, float]) -> Picture:
-    """Return the panel of what proves the truth, with the right answer."""
+    """Return the panel that proves the truth, with the right answer."""
     sketch = _panels(trace)[1].draw(trace, _frame(trace, largest).actual)
     draw_answer(sketch, trace, "verdict", verdict_words(trace)[1], answers(trace).actual)
     return sketch.finish("", trace.truth.sentence, steady=False)
 
 
 def draw_answer(sketch: Sketch, trace: Trace, part: str, word: str, number: str) -> None:
-    """Write the verdict `word` as the label `part`, and `number` unless it is a gap (shown at its bar)."""
+    """Write the verdict `word` as the label `part`, with `number` unless this is a gap, which its bar shows."""
     if word:
         sketch.note(part, word, "ink", weight="title", first=0)
     case = case_of(trace.shortcut)
@@ -200,7 +200,7 @@ def strike_wrong_answers(drawn: Picture, trace: Trace) -> Picture:
     claim, verdict = verdict_words(trace)
     case = case_of(trace.shortcut)
     # a gap or overlap that is as measured is true: only what was concluded from it is wrong
-    axes = {str(trace.tests.index(test) + 1) for test in claimed_tests(trace) if not is_as_measured(trace, test)}
+    axes = {str(trace.tests.index(test) + 1) for test in claimed_tests(trace) if not is_measured_correctly(trace, test)}
     wrong = {"push-name", "gap-name"} | ({"claim"} if claim != verdict else set())
     if not (case and case.claims_less):  # there both numbers are true, and only the comparison is wrong
         wrong.add("number")
@@ -210,7 +210,7 @@ def strike_wrong_answers(drawn: Picture, trace: Trace) -> Picture:
 
 
 def _strike(label: Mark, scale: float) -> Mark:
-    """Return the mark that strikes out a label: one segment through each line of its text, but not through a remark."""
+    """Return the mark that strikes out a label: a segment through each line of its text, except through a remark."""
     (x, y), lines = label.points[0], label.text.split("\n")
     high = text_size(label.text, label.weight)[1] / len(lines) / scale
     ends: list[Vec] = []
@@ -264,7 +264,7 @@ def refused_picture(case: FailureCase, *, title: str = "", width: float = BOTH_P
 
 
 def _crossings(ring: Sequence[Vec]) -> list[tuple[Vec, int, int]]:
-    """Return each point where two edges of a ring cross, with the numbers of both edges."""
+    """Return (point, i, j) for each crossing of two edges of a ring; edge i, from 0, begins at vertex i."""
     edges = enumerate(pairwise([*ring, ring[0]]))
     return [(spot, i, j) for (i, s), (j, t) in combinations(edges, 2) if (spot := crossing_point(s, t))]
 
@@ -277,7 +277,7 @@ def _lies_on(p: Vec, edge: tuple[Vec, Vec]) -> bool:
 
 
 def _with_corner_names(words: str, rings: Sequence[Sequence[Vec]]) -> str:
-    """Return an error line with the crossing edges named by corners, and "(rings)", the marks, for coordinates."""
+    """Return an error line that names crossing edges by their corners and points to the rings drawn around them."""
     for name, ring in zip("ab", rings, strict=False):
         for _, i, j in _crossings(ring):
             one, other = (f"{name}{k + 1}{name}{(k + 1) % len(ring) + 1}" for k in (i, j))
@@ -291,7 +291,7 @@ def _with_corner_names(words: str, rings: Sequence[Sequence[Vec]]) -> str:
 def _join(
     trace: Trace, claimed: Picture, actual: Picture, space: tuple[float, float], title: str, *, stacked: bool
 ) -> Picture:
-    """Return one picture of both panels under the claim; each gets `space`, the same in all steps.
+    """Return one picture of both panels under the claim; `space`: each panel's (width, height), the same in all steps.
 
     `stacked`: the claimed panel stands above the actual one, not to its left.
     """

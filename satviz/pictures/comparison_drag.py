@@ -1,4 +1,4 @@
-"""A shortcut's run while a shape is dragged, with its error region: where it is wrong as B moves."""
+"""A shortcut's run while a shape is dragged, with its error region: the moves of B for which it is wrong."""
 
 from functools import lru_cache
 from itertools import pairwise

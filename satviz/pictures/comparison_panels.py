@@ -195,37 +195,37 @@ def dots_panel(every_pair: bool) -> Panel:
 
 
 def draw_searches(trace: Trace, layout: Layout) -> Sketch:
-    """Draw how often GJK looks at each corner: once in each search for the furthest one, 3 for a hit, 1 for a miss."""
+    """Draw how often GJK evaluates each corner: once in each of 3 searches for the furthest one, or in 1 for a miss."""
     sketch = draw_shapes(trace, layout)
     count = len(trace.a.core) + len(trace.b.core)
     searches = MIN_SUPPORT_POINTS if trace.hit else 1
-    draw_looks(sketch, searches)
+    draw_evaluation_counts(sketch, searches)
     fewest = f"GJK searches {searches} times at least" if searches > 1 else "GJK searches once at least"
     sketch.note(
-        "looked-at", f"{fewest};\neach time it looks at {_sum_of_looks(trace, searches, count)}", "guide", first=3
+        "gjk", f"{fewest};\neach time it looks at {_sum_of_evaluations(trace, searches, count)}", "guide", first=3
     )
     return sketch
 
 
-def _sum_of_looks(trace: Trace, times: int, count: int) -> str:
-    """Return "all 8 corners: 3 \u00d7 8 = 24", with "points" where a shape is a circle."""
+def _sum_of_evaluations(trace: Trace, times: int, count: int) -> str:
+    """Return words such as "all 8 corners: 3 \u00d7 8 = 24", with "points" where a shape is a circle."""
     what = "corners" if trace.a.vertices and trace.b.vertices else "points"
     return f"all {count} {what}: {times} \u00d7 {count} = {times * count}"
 
 
-def draw_looks(sketch: Sketch, times: int) -> None:
-    """Write beside each corner how often it is looked at."""
+def draw_evaluation_counts(sketch: Sketch, times: int) -> None:
+    """Write beside each corner how often it is evaluated."""
     for role, name, shape in sketch.roles():
         middle = centroid(shape)
         for i, v in enumerate(shape.vertices):  # a circle has none
             away = Vec(v.x - middle.x, v.y - middle.y)
-            sketch.add("looked", "dot", role, v, owner=name, number=i)
+            sketch.add("evaluated", "dot", role, v, owner=name, number=i)
             options: LabelOptions = {"owner": name, "number": i, "prefer": away, "optional": True, "near": True}
-            sketch.label("looks", f"{times}\u00d7", role, v, first=3, **options)
+            sketch.label("evaluations", f"{times}\u00d7", role, v, first=3, **options)
 
 
-def axes_of_sat(run: Trace) -> Sequence[AxisTest]:
-    """Return the tests of a run of SAT; of more than 3 only that of the largest gap."""
+def drawn_tests_of_sat(run: Trace) -> Sequence[AxisTest]:
+    """Return the tests of a run of SAT that are drawn: all of up to 3, else only that of the largest gap."""
     tests = run.tests
     return tests if len(tests) <= MAX_AXES else [max(tests, key=lambda test: test.gap)]
 
@@ -233,15 +233,15 @@ def axes_of_sat(run: Trace) -> Sequence[AxisTest]:
 def draw_axes_of_sat(trace: Trace, layout: Layout) -> Sketch:
     """Draw the axes that SAT tests until it is certain; of more than 3 only that of the largest gap."""
     run = record(trace.a, trace.b)
-    tests = axes_of_sat(run)
+    tests = drawn_tests_of_sat(run)
     sketch = draw_shapes(run, layout)
     for test, place in zip(tests, sketch.layout.places, strict=True):
         sketch.project(test, place, numbers=False)
     if tests and len(run.tests) == len(tests):
         count = len(tests[0].a.points) + len(tests[0].b.points)  # a circle has two on each axis
-        draw_looks(sketch, len(tests))
+        draw_evaluation_counts(sketch, len(tests))
         axes = "1 axis" if len(tests) == 1 else f"{len(tests)} axes"
-        text = f"SAT measures on {axes};\non each {_sum_of_looks(trace, len(tests), count)}"
+        text = f"SAT measures on {axes};\non each {_sum_of_evaluations(trace, len(tests), count)}"
         sketch.note("tested", text, "guide", first=3)
     elif len(run.tests) > len(tests):
         sketch.note("tested", f"one of {len(run.tests)} axes that SAT looks at", "guide", first=7)
@@ -277,7 +277,7 @@ def draw_edges(trace: Trace, layout: Layout) -> Sketch:
 
 
 def _meeting_points(s: tuple[Vec, Vec], t: tuple[Vec, Vec]) -> list[Vec]:
-    """Return where two segments cross, in float64, and the ends of each that lie on the other."""
+    """Return in float64 the point where two segments cross; without one, the ends of each that lie on the other."""
     crossing, ends = crossing_point(s, t), [*((c, s) for c in t), *((c, t) for c in s)]
     return [crossing] if crossing else [c for c, edge in ends if _nearest_on_edge(c, edge) == c]
 
@@ -320,7 +320,7 @@ def draw_distance(trace: Trace, layout: Layout) -> Sketch:
 
 
 def _nearest_points(a: Shape, b: Shape) -> tuple[Vec, Vec]:
-    """Return the nearest points of A and B in float64; they mean something only for shapes apart."""
+    """Return the nearest points of two shapes that are apart, A's first, in float64."""
     pairs = [(p, _nearest_on_edge(p, edge)) for p in _closed_ring(a) for edge in pairwise(_closed_ring(b))]
     pairs += [(_nearest_on_edge(q, edge), q) for q in _closed_ring(b) for edge in pairwise(_closed_ring(a))]
     p, q = min(pairs, key=lambda pair: hypot(pair[1].x - pair[0].x, pair[1].y - pair[0].y))
@@ -330,7 +330,7 @@ def _nearest_points(a: Shape, b: Shape) -> tuple[Vec, Vec]:
 
 
 def _closed_ring(shape: Shape) -> Sequence[Vec]:
-    """Return the corners, the first one again at the end; a circle's center twice."""
+    """Return a polygon's corners with the first one again at the end, or a circle's center twice."""
     return (*shape.core, shape.core[0])
 
 
@@ -437,7 +437,7 @@ def draw_push_alone(trace: Trace, layout: Layout) -> Sketch:
 
 
 def draw_push_from_center(trace: Trace, layout: Layout) -> Sketch:
-    """Draw B where the shortcut pushes it, and the two vertex means that gave the direction, joined."""
+    """Draw B where the shortcut pushes it, and a segment between the two vertex means that gave the direction."""
     sketch = draw_push_alone(trace, layout)
     means = vertex_mean(trace.a), vertex_mean(trace.b)
     sketch.add("joined", "segment", "wrong", *means)
@@ -448,7 +448,7 @@ def draw_push_from_center(trace: Trace, layout: Layout) -> Sketch:
     return sketch
 
 
-def draw_way_out(trace: Trace, layout: Layout) -> Sketch:
+def draw_moved_by_mtv(trace: Trace, layout: Layout) -> Sketch:
     """Draw B moved by the MTV, and the MTV."""
     sketch = draw_shapes(trace, layout)
     move = trace.truth.known_mtv
@@ -457,24 +457,24 @@ def draw_way_out(trace: Trace, layout: Layout) -> Sketch:
     return sketch
 
 
-class WayOut(NamedTuple):
-    """A move along the axis of `test` that ends the overlap there, or that a shortcut takes for it."""
+class PushOnAxis(NamedTuple):
+    """A move of B along the axis of `test` by the `overlap` there, as it is or as a shortcut measured it."""
 
     test: AxisTest
     overlap: float
     move: Vec
 
 
-def ways_out(trace: Trace, *, raw: bool = False) -> list[WayOut]:
-    """Return the way out that a shortcut takes and the one that is right: as long as they are, or `raw` as measured."""
+def pushes_on_axes(trace: Trace, *, raw: bool = False) -> list[PushOnAxis]:
+    """Return the shortcut's push and the right one, with true lengths, or with `raw` as the shortcut measured them."""
     tests = [test for test in claimed_tests(trace) if any(test.axis.normal)]
     exact = axis_tests(trace.a, trace.b, [test.axis for test in tests])
     gaps = [test.gap for test in (tests if raw else exact)]
-    return [WayOut(test, -gap, move_along_axis(test, -gap)) for test, gap in zip(tests, gaps, strict=True)]
+    return [PushOnAxis(test, -gap, move_along_axis(test, -gap)) for test, gap in zip(tests, gaps, strict=True)]
 
 
-def ways_out_panel(of_overlap: Panel, without: Panel) -> Panel:
-    """Return a panel of two ways out of an overlap; where there is none to compare, the panel `without`."""
+def pushes_panel(of_overlap: Panel, without: Panel) -> Panel:
+    """Return a panel that is drawn as `of_overlap` where there is a push to compare, and else as `without`."""
 
     def has_any(trace: Trace) -> bool:
         """Check whether there is a push to compare with the MTV."""
@@ -486,52 +486,52 @@ def ways_out_panel(of_overlap: Panel, without: Panel) -> Panel:
     )
 
 
-def needs_ways_out(trace: Trace) -> PanelContents:
-    """Return both shapes, and B at the end of each way out."""
-    moves = [trace.push, *(way.move for way in (*ways_out(trace, raw=True), *ways_out(trace)))]
+def needs_pushes(trace: Trace) -> PanelContents:
+    """Return both shapes, and B at the end of each push."""
+    moves = [trace.push, *(one.move for one in (*pushes_on_axes(trace, raw=True), *pushes_on_axes(trace)))]
     return PanelContents(
         [trace.a, trace.b, *(translated(trace.b, move) for move in moves if move and is_near(trace, move))]
     )
 
 
-def draw_raw_ways_out(trace: Trace, layout: Layout) -> Sketch:
-    """Draw both ways out as long as the shortcut measured them, and the length of the normal that made them so."""
+def draw_raw_pushes(trace: Trace, layout: Layout) -> Sketch:
+    """Draw both pushes as long as the shortcut measured them, and the length of the normal that is the reason."""
     sketch = draw_shapes(trace, layout)
     draw_push(sketch)
     digits = describe.digits(trace).gap
-    for true, raw in zip(ways_out(trace), ways_out(trace, raw=True), strict=True):
+    for true, raw in zip(pushes_on_axes(trace), pushes_on_axes(trace, raw=True), strict=True):
         long, wrong = f"normal {number(raw.test.axis.length)} long: ", f"read as {digits(raw.overlap)}"
         pieces = (f"overlap {digits(true.overlap)},\n", "overlap"), (long, "guide"), (wrong, "wrong")
-        _draw_way_out(sketch, raw, "wrong", pieces, drawn=raw.test is trace.shallowest)
+        _draw_push_on_axis(sketch, raw, "wrong", pieces, drawn=raw.test is trace.shallowest)
     return sketch
 
 
-def draw_true_ways_out(trace: Trace, layout: Layout) -> Sketch:
-    """Draw both ways out as long as they are, the shortest as the MTV."""
-    sketch = draw_way_out(trace, layout)
+def draw_true_pushes(trace: Trace, layout: Layout) -> Sketch:
+    """Draw both pushes with their true lengths, the shortest as the MTV."""
+    sketch = draw_moved_by_mtv(trace, layout)
     mtv = trace.truth.known_mtv or Vec(0.0, 0.0)
-    for way in ways_out(trace):
-        if hypot(*way.move) > hypot(*mtv) * (1 + 1e-9):
-            text = f"overlap {describe.digits(trace).gap(way.overlap)}"
-            _draw_way_out(sketch, way, "guide", ((text, "overlap"),))
+    for push in pushes_on_axes(trace):
+        if hypot(*push.move) > hypot(*mtv) * (1 + 1e-9):
+            text = f"overlap {describe.digits(trace).gap(push.overlap)}"
+            _draw_push_on_axis(sketch, push, "guide", ((text, "overlap"),))
     return sketch
 
 
-def _draw_way_out(
-    sketch: Sketch, way: WayOut, role: str, pieces: tuple[tuple[str, str], ...], *, drawn: bool = False
+def _draw_push_on_axis(
+    sketch: Sketch, push: PushOnAxis, role: str, pieces: tuple[tuple[str, str], ...], *, drawn: bool = False
 ) -> None:
-    """Draw a way out as an arrow from the middle of B, unless it is `drawn` already, and the words at its tip.
+    """Draw a push as an arrow from the centroid of B, unless it is `drawn` already, and the words at its tip.
 
     `pieces`: the words, as pairs (text, role).
     """
-    start, near = centroid(sketch.trace.b), is_near(sketch.trace, way.move)
-    tip, axis = point_along(start, way.move, 1.0) if near else start, sketch.axis_id(way.test)
+    start, near = centroid(sketch.trace.b), is_near(sketch.trace, push.move)
+    tip, axis = point_along(start, push.move, 1.0) if near else start, sketch.axis_id(push.test)
     if near and not drawn:
-        sketch.add("way-out", "arrow", role, start, tip, axis=axis)
+        sketch.add("axis-push", "arrow", role, start, tip, axis=axis)
     text = "".join(piece for piece, _ in pieces)
-    prefer = Vec(0.0, -1.0) if drawn else way.move  # its push is named at its tip
+    prefer = Vec(0.0, -1.0) if drawn else push.move  # its push is named at its tip
     sketch.label(
-        "way-out-name", text, pieces[0][1], tip, axis=axis, prefer=prefer, pieces=pieces, far=not near, first=3
+        "axis-push-name", text, pieces[0][1], tip, axis=axis, prefer=prefer, pieces=pieces, far=not near, first=3
     )
 
 
@@ -543,7 +543,7 @@ def needs_fold(trace: Trace) -> PanelContents:
 
 
 def draw_fold(trace: Trace, layout: Layout) -> Sketch:
-    """Draw the true range of each shape on the last axis, and how a range below 0 is folded over onto the lengths."""
+    """Draw the true range of each shape on the last axis, and how a range below 0 folds over to positive ones."""
     sketch = draw_shapes(trace, layout)
     for measured, exact, place in zip(trace.tests[-1:], layout.tests, layout.places, strict=False):
         sketch.axis(measured, place)
@@ -601,7 +601,7 @@ PANELS: dict[str, Panel] = {
     "separate dots": dots_panel(every_pair=False),
     "joined dots": dots_panel(every_pair=True),
     "searches": Panel(_shapes_and, draw_searches),
-    "axes of SAT": Panel(lambda trace: _shapes_and(trace, axes_of_sat(record(trace.a, trace.b))), draw_axes_of_sat),
+    "axes of SAT": Panel(lambda run: _shapes_and(run, drawn_tests_of_sat(record(run.a, run.b))), draw_axes_of_sat),
     "two frames": Panel(needs_flight, draw_two_frames),
     "flight": Panel(needs_flight, draw_flight),
     "distance": Panel(_shapes_and, draw_distance),
@@ -614,9 +614,9 @@ PANELS: dict[str, Panel] = {
     "push": PUSH,
     "push from center": Panel(needs_push, draw_push_from_center),
     "push while A stays": with_note(PUSH, lambda trace: f"{trace.names.a} does not move", "A"),
-    "way out": Panel(needs_push, draw_way_out),
-    "raw ways out": ways_out_panel(Panel(needs_ways_out, draw_raw_ways_out), TESTS),
-    "true ways out": ways_out_panel(Panel(needs_ways_out, draw_true_ways_out), PROOF),
+    "MTV": Panel(needs_push, draw_moved_by_mtv),
+    "raw pushes": pushes_panel(Panel(needs_pushes, draw_raw_pushes), TESTS),
+    "true pushes": pushes_panel(Panel(needs_pushes, draw_true_pushes), PROOF),
     "corners": Panel(_shapes_and, draw_corners),
     "edges": Panel(_shapes_and, draw_edges),
     "fold": Panel(needs_fold, draw_fold),

@@ -1,4 +1,4 @@
-"""The two panels of most shortcuts: the tests that its answer comes from, and what proves the truth."""
+"""The two panels of most shortcuts: the tests that the answer comes from, and the proof of the truth."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -42,7 +42,7 @@ LEAST_WORDY_PT = 200.0  # width of a panel from which on it explains the MTV
 
 
 def mtv_name(layout: Layout) -> str:
-    """Return how a panel names the MTV: with an explanation where there is space."""
+    """Return the label of the MTV in a panel: with an explanation if the panel is wide enough."""
     return "shortest way out,\nMTV" if layout.size[0] >= LEAST_WORDY_PT else "MTV"
 
 
@@ -123,7 +123,7 @@ def remark_on(trace: Trace, test: AxisTest) -> str:
     if trace.shortcut and trace.shortcut.touching_separates and test.gap == 0:
         spot = meeting_point(trace, test)
         return f"{spot} \u2264 {spot}, so it counts as a gap"
-    proves_nothing = trace.false_hit and test.gap < 0 and is_as_measured(trace, test)
+    proves_nothing = trace.false_hit and test.gap < 0 and is_measured_correctly(trace, test)
     return PROVES_NOTHING if proves_nothing else ""
 
 
@@ -133,10 +133,11 @@ def meeting_point(trace: Trace, test: AxisTest) -> str:
     return describe.digits(trace, test).landing(a.hi if a.hi == b.lo else b.hi)
 
 
-def is_as_measured(trace: Trace, test: AxisTest) -> bool:
-    """Check whether a shortcut measured the gap or overlap on its axis as it is, up to rounding.
+def is_measured_correctly(trace: Trace, test: AxisTest) -> bool:
+    """Check whether a shortcut measured the gap or overlap on its axis correctly, up to rounding.
 
-    Where one range holds the other, the length that both cover is a true overlap, too, though less than the way out.
+    Where one range lies inside the other, the length that both share counts as correct, too, although a move that
+    ends the overlap is longer.
     """
     if not any(test.axis.normal):
         return False
@@ -156,7 +157,7 @@ def forgotten_normals(trace: Trace) -> list[Axis]:
 
 
 def _draw_what_is_missing(sketch: Sketch, test: AxisTest) -> None:
-    """Draw the normals that a shortcut never tested, the corners that it never looked at, and its circles."""
+    """Draw the normals that a shortcut never tested, the corners that it never projected, and its circles."""
     trace = sketch.trace
     left_out = forgotten_normals(trace) if trace.false_hit and trace.ended_by is None else []
     if left_out and not _draw_missing_edges(sketch, left_out):
@@ -182,7 +183,7 @@ def _draw_what_is_missing(sketch: Sketch, test: AxisTest) -> None:
 
 
 def _draw_missing_edges(sketch: Sketch, left_out: Sequence[Axis]) -> bool:
-    """Draw both outlines open, and the edges that close them as ghosts, if these alone were left out; else False."""
+    """Draw both outlines open and their closing edges dotted, if only these were left out; return whether they were."""
     closing = [(role, (0, len(shape.vertices) - 1)) for role, _, shape in sketch.roles()]
     if sorted((axis.source.shape or "", axis.source.ids) for axis in left_out) != closing:
         return False
@@ -196,9 +197,10 @@ def _draw_missing_edges(sketch: Sketch, left_out: Sequence[Axis]) -> bool:
 
 
 def claimed_tests(trace: Trace) -> list[AxisTest]:
-    """Return the tests behind a shortcut's answer: the test that ended it; else both of two tests, or the shallowest.
+    """Return the tests behind a shortcut's answer: the one that ended the run, else both of two tests.
 
-    For a push the test parallel to the true axis is added, if the shortcut measured it wrong.
+    Of more tests it is the one of the least overlap.  If the answer is a push, the test parallel to the true axis is
+    added where the shortcut measured it wrong.
     """
     if trace.ended_by:
         return [trace.ended_by]
@@ -208,7 +210,7 @@ def claimed_tests(trace: Trace) -> list[AxisTest]:
     if best and is_about_push(trace):
         rivals = (test for test in trace.tests if _are_parallel(test.axis, best.axis))
         rival = max(rivals, key=lambda test: test.gap, default=None)
-        if rival and not is_as_measured(trace, rival) and not _are_parallel(rival.axis, trace.shallowest.axis):
+        if rival and not (is_measured_correctly(trace, rival) or _are_parallel(rival.axis, trace.shallowest.axis)):
             return [trace.shallowest, rival]
     return [trace.shallowest]
 
@@ -242,7 +244,7 @@ def needs_proof(trace: Trace) -> PanelContents:
 
 
 def draw_proof(trace: Trace, layout: Layout) -> Sketch:
-    """Draw what proves the truth: the separating axis and line, or a shared point, the true ranges and the MTV."""
+    """Draw the proof of the truth: the separating axis and line, or a shared point, the true ranges and the MTV."""
     run, test = true_run(trace), true_test(trace)
     if test is None:
         sketch = Sketch(run, layout)
@@ -274,7 +276,10 @@ def draw_proof(trace: Trace, layout: Layout) -> Sketch:
 
 
 def true_test(trace: Trace) -> AxisTest | None:
-    """Return the exact test to show: that of the largest gap, or on a hit the shortcut's; None for parts."""
+    """Return the exact test to show: that of the largest gap, or on a hit that on the axis that ended the run.
+
+    None for concave outlines that no line separates.
+    """
     run = true_run(trace)
     if run.pairs:
         return None
@@ -287,7 +292,7 @@ def true_test(trace: Trace) -> AxisTest | None:
 
 @lru_cache(maxsize=64)
 def true_run(trace: Trace) -> Trace:
-    """Return the exact run; for concave outlines the run over their hulls where a line separates these."""
+    """Return the exact run; for concave outlines the run over their hulls if a line separates the hulls."""
     truth = trace.truth
     if not truth.pairs:
         return truth

@@ -23,7 +23,7 @@ def dial(a: Shape, b: Shape, degree: float) -> Picture:
         spot = point_along(center, unit_vector(angle), RADIUS_PT + TICK_NAMES_PT)
         if angle % 90 == 0:
             marks.append(Mark("angle", "label", "guide", (spot,), number=angle, text=f"{angle}\u00b0"))
-    share = round(100 * sum(q[0] - p[0] for p, q in _runs(points)) / 180)
+    share = round(100 * sum(q[0] - p[0] for p, q in _pieces_with_gap(points)) / 180)
     says = f"on {share} % of all directions there is a gap" if share else "no direction has a gap"
     return Picture(tuple(marks), (0.0, 0.0, *SIZE_PT), SIZE_PT, "", f"The dial: {says}.")
 
@@ -31,7 +31,7 @@ def dial(a: Shape, b: Shape, degree: float) -> Picture:
 def dial_marks(points: Sequence[tuple[float, float]], center: Vec, radius: float) -> list[Mark]:
     """Return the rim of the dial and its sectors; `points`: (degree, gap) from 0 to 180 degrees."""
     marks = [Mark("dial", "disc", "guide", (center,), radius=radius, weight="faint")]
-    for number, run in enumerate(_fans(points)):
+    for number, run in enumerate(_sectors(points)):
         for half in (0, 1):
             rim = (point_along(center, unit_vector(d + 180.0 * half), radius) for d in run)
             marks.append(Mark("sector", "outline", "gap", (center, *rim), number=2 * number + half, weight="area"))
@@ -39,23 +39,23 @@ def dial_marks(points: Sequence[tuple[float, float]], center: Vec, radius: float
 
 
 def needle_marks(degree: float, center: Vec, radius: float) -> list[Mark]:
-    """Return the needle, across the dial in the direction of the axis."""
+    """Return the needle, an arrow across the dial in the direction of the axis at an angle in degrees."""
     n = unit_vector(degree)
     return [Mark("needle", "arrow", "ink", (point_along(center, n, -radius), point_along(center, n, radius)))]
 
 
-def _runs(points: Sequence[tuple[float, float]]) -> list[tuple[tuple[float, float], tuple[float, float]]]:
-    """Return the pieces of the gap curve above zero, as (start, end)."""
+def _pieces_with_gap(points: Sequence[tuple[float, float]]) -> list[tuple[tuple[float, float], tuple[float, float]]]:
+    """Return the pieces of the gap curve above zero, each as its two ends (degree, gap)."""
     ends = segments_on_side(points, 1)
     return list(zip(ends[::2], ends[1::2], strict=True))
 
 
-def _fans(points: Sequence[tuple[float, float]]) -> list[list[float]]:
-    """Return the angles of each sector with a gap, from its first to its last; neighbouring pieces are one sector."""
-    fans: list[list[float]] = []
-    for (start, _), (end, _) in _runs(points):
-        if fans and fans[-1][-1] == start:
-            fans[-1].append(end)
+def _sectors(points: Sequence[tuple[float, float]]) -> list[list[float]]:
+    """Return the angles in degrees of each sector with a gap, in rising order; neighbouring pieces are one sector."""
+    sectors: list[list[float]] = []
+    for (start, _), (end, _) in _pieces_with_gap(points):
+        if sectors and sectors[-1][-1] == start:
+            sectors[-1].append(end)
         else:
-            fans.append([start, end])
-    return fans
+            sectors.append([start, end])
+    return sectors

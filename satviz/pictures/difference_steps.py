@@ -36,7 +36,7 @@ MAX_NAMED_CORNERS = 8  # of a difference whose corners get names such as "b1 - a
 
 
 class _Scene(NamedTuple):
-    """What all steps share: the run, how far both shapes were moved, the rings of B - A, the test.
+    """The facts that all steps share: the run, the move of both shapes, the rings of B - A, the test.
 
     `border`: points all along B's border, the first one again at the end; `stops`: the numbers of those where the
     turned A is drawn.
@@ -117,14 +117,14 @@ def _sketch(scene: _Scene, *, a_weight: str = "plain") -> Sketch:
 
 
 def _rim(shape: Shape, degrees: float, start: Vec = ORIGIN) -> list[Vec]:
-    """Return a shape's outline turned about the origin by an angle, then moved by `start`."""
+    """Return a shape's outline turned counter-clockwise about the origin by an angle, then moved by `start`."""
     rim = circle_points(shape.center, shape.radius, RIM_CORNERS) if isinstance(shape, Circle) else shape.vertices
     c, s = round(cos(radians(degrees)), 15), round(sin(radians(degrees)), 15)
     return [Vec(start.x + p.x * c - p.y * s, start.y + p.x * s + p.y * c) for p in rim]
 
 
 def _turning(sketch: Sketch, scene: _Scene, name: str, degrees: float, start: Vec = ORIGIN) -> None:
-    """Draw A turned about the origin and moved by `start`, with a name."""
+    """Draw A with a name, turned counter-clockwise about the origin and then moved by `start`."""
     ring = _rim(scene.run.a, degrees, start)
     sketch.add("turned", "outline", "A", *ring, owner="A", start=tuple(_rim(scene.run.a, 0)))
     sketch.label("turned-name", name, "A", mean_point(ring), owner="A", inside=True, weight="title", first=1)
@@ -140,7 +140,7 @@ def _start(scene: _Scene) -> Picture:
 
 
 def _turned(scene: _Scene, degrees: float) -> Picture:
-    """Draw A turned by an angle about the origin; after 180 degrees each point p has become -p."""
+    """Draw A turned about the origin by an angle in degrees; after 180 degrees each point p has become -p."""
     sketch, done = _sketch(scene, a_weight="faint"), degrees == 180
     _turning(sketch, scene, f"{MINUS}A" if done else "A turned", degrees)
     text = f"A is turned about the origin by {degrees} degrees"
@@ -148,7 +148,7 @@ def _turned(scene: _Scene, degrees: float) -> Picture:
 
 
 def _slid(scene: _Scene, i: int) -> Picture:
-    """Draw the turned A at point `i` of B's border, and all that it has covered on its way there."""
+    """Draw the turned A at point `i` (from 0) of B's border, and all that it has covered on its way there."""
     sketch = _sketch(scene, a_weight="faint")
     if i:
         sketch.add("covered", "outline", "guide", *_covered(scene, i), weight="fill")
@@ -166,8 +166,8 @@ def _slid(scene: _Scene, i: int) -> Picture:
 def _covered(scene: _Scene, i: int) -> list[Vec]:
     """Return the outline of all that the turned A covers on its way to point `i` of B's border.
 
-    It joins one convex ring for each part and piece of the way, and goes back the way it came from ring to ring, so
-    that a pen which fills it (by the nonzero rule) fills their union.
+    The outline joins one convex ring for each part and piece of the way, and returns from ring to ring on the same
+    line.  So a pen that fills it by the nonzero rule fills the union of the rings.
     """
     pieces = parts(scene.run.a)
     way = pairwise(scene.border[: i + 1])
@@ -218,7 +218,7 @@ def _whole(scene: _Scene) -> Picture:
 
 
 def _where(run: Trace) -> str:
-    """Return a sentence on where the origin lies, and what follows."""
+    """Return a sentence that says where the origin lies, and which relation follows."""
     where = {Relation.APART: "outside", Relation.TOUCHING: "on its rim", Relation.OVERLAPPING: "inside"}[run.relation]
     return f"The origin lies {where}, so A and B {describe.RELATION_PHRASES[run.relation]}."
 

@@ -26,7 +26,7 @@ KNOB_RIM_PT = 16.0  # between the knob's center and the rim of the canvas
 
 
 class ShownTest(NamedTuple):
-    """The test that is shown: the number of its run in `trace.pairs` (None: the trace), its number there."""
+    """The test that is shown: its run's index in `trace.pairs` (None: the trace itself), and its own index there."""
 
     pair: int | None
     test: int
@@ -66,7 +66,7 @@ def all_marks_fit(drawn: Picture) -> bool:
 def decisive_test(trace: Trace) -> ShownTest | None:
     """Return the test of the largest gap, or of the least overlap; None if there are no tests.
 
-    Of a shortcut's run it is the test that ended it.
+    A shortcut's run has the test that ended it, if there is one.
     For convex parts it is a test of the pair that collides, else of the pair that lies closest.
     """
     runs: Sequence[tuple[int | None, Trace]] = list(enumerate(trace.pairs)) or [(None, trace)]
@@ -91,7 +91,7 @@ def drag_picture(
     """Return the picture of one finished test on fixed limits, and the place of its axis (None without a test).
 
     `show_mtv` adds the MTV.  `last_out`: the direction from the shapes to the axis in the picture before; the axis
-    stays on that side.  `memory`: how the labels stood in the picture before; none leaps.
+    stays on that side.  `memory`: how the labels stood in the picture before, so that no label jumps.
     """
     run = trace if shown is None or shown.pair is None else trace.pairs[shown.pair]
     place = None
@@ -117,7 +117,7 @@ def drag_picture(
 
 
 def drag_sentence(trace: Trace, layout: Layout, shown: ShownTest | None) -> str:
-    """Return the sentence beside a drag: the relation and, where the shapes are apart, what the shown axis says of it.
+    """Return the sentence beside a drag: the relation and, if the shapes are apart, the gap on the shown axis.
 
     Its numbers are those of the picture, the number line and the table.
     """
@@ -188,7 +188,7 @@ def free_axis_picture(
 
 
 def knob_position(layout: Layout, place: AxisPlace, degree: float) -> Vec:
-    """Return where the handle of a free axis stands: at the end that points along `degree`, inside the canvas."""
+    """Return the place of a free axis's handle: at the end that points along `degree`, inside the canvas."""
     x0, y0, x1, y1 = layout.limits
     rim = layout.units(KNOB_RIM_PT)
     n = unit_vector(degree)

@@ -17,7 +17,7 @@ MAX_TITLED_PARTS = 3  # of a shape in more convex parts the names are drawn in s
 
 
 def draw_test(sketch: Sketch, stage: Stage, i: int, place: AxisPlace | None) -> None:
-    """Draw test `i` of the sketch's trace up to its stage; `place`: its axis's, None at stages before it."""
+    """Draw test `i` (from 0) of the sketch's trace up to a stage; `place` is None at stages before the axis."""
     trace = sketch.trace
     test = trace.tests[i]
     sketch.shapes()

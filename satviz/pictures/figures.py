@@ -44,7 +44,7 @@ def recorded_trace(name: str) -> Trace:
 
 
 def from_step(stage: Stage, test: int) -> Callable[[Trace, str], Picture]:
-    """Return a function of (trace, title) that draws one stage of test number `test`."""
+    """Return a function of (trace, title) that draws one stage of the test with the index `test`."""
     return lambda trace, title: picture(trace, Step(stage, test), title=title, largest=NARROW_SIZE_PT)
 
 

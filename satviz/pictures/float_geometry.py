@@ -59,8 +59,8 @@ def range_along(shape: Shape, direction: Vec) -> Interval:
 def gap_or_overlap(test: AxisTest) -> Interval:
     """Return the interval between a test's two ranges if there is a gap, else the one both cover.
 
-    A shortcut may measure an overlap of ranges that are apart: then it is what lies between them, or the whole from
-    the start of one to the end of the other where the measured overlap is longer.
+    A shortcut may measure an overlap of ranges that are apart.  Then the interval is the space between them, or, if
+    the measured overlap is longer than this, all from the start of one range to the end of the other.
     """
     a, b = test.a.interval, test.b.interval
     if test.gap < 0:
@@ -113,7 +113,7 @@ def clip_line(
 def clip_segment(
     sx: float, sy: float, tx: float, ty: float, x0: float, y0: float, x1: float, y1: float
 ) -> tuple[float, float] | None:
-    """Return the parameters (from, to) of the part of segment st inside a box (s: 0, t: 1), or None."""
+    """Return the parameters (from, to), 0 at s and 1 at t, of the part of segment st inside a box; None if outside."""
     if max(sx, tx) < x0 or min(sx, tx) > x1 or max(sy, ty) < y0 or min(sy, ty) > y1:
         return None
     start, end = clip_line((sx, sy), (tx - sx, ty - sy), (x0, y0, x1, y1), 0.0, 1.0)

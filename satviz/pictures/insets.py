@@ -61,9 +61,9 @@ def add_insets(layouts: Sequence[Layout], shapes: Sequence[tuple[str, Shape]]) -
 
 
 def _free_corner(layouts: Sequence[Layout], shapes: Sequence[Shape]) -> tuple[float, float] | None:
-    """Return where an inset's box begins (left, top) in a corner of the canvas that no axis and no shape needs.
+    """Return the upper left corner of an inset's box, in scene units, in a corner of the canvas that nothing needs.
 
-    The lower corners come first; None if none is free.
+    The lower corners come first; None if no corner is free.
     """
     layout = layouts[0]
     (x0, y0, x1, y1), units = layout.limits, layout.units
@@ -92,9 +92,9 @@ def _details(layout: Layout, shapes: Sequence[tuple[str, Shape]]) -> list[_Detai
 
 
 def _with_insets(layout: Layout, details: Sequence[_Detail], rows: int) -> Layout:
-    """Return the layout with space for so many insets, and an inset of each detail.
+    """Return the layout with an inset of each detail, and space for `rows` insets.
 
-    They stand in a strip beside the scene; below it where the canvas is as narrow as a telephone.
+    They stand in a strip beside the scene, or below the scene if the canvas is as narrow as a telephone.
     """
     scale = layout.scale
     (x0, y0, x1, y1), (wide, high) = layout.limits, layout.size
@@ -114,7 +114,7 @@ def _with_insets(layout: Layout, details: Sequence[_Detail], rows: int) -> Layou
 
 
 def _insets(layout: Layout, details: Sequence[_Detail], corners: Sequence[tuple[float, float]]) -> tuple[Inset, ...]:
-    """Return an inset of each detail; `corners`: where their boxes begin (left, top)."""
+    """Return an inset of each detail; `corners`: the upper left corners of their boxes, in scene units."""
     found, scale = [], layout.scale
     for (left, top), (name, spot, length, test_of_gap) in zip(corners, details, strict=False):
         box = left, top - (GAP_BOX_PT if test_of_gap else BOX_PT) / scale, left + BOX_PT / scale, top
@@ -123,7 +123,7 @@ def _insets(layout: Layout, details: Sequence[_Detail], corners: Sequence[tuple[
 
 
 def _small_details(name: str, shape: Shape, scale: float) -> list[_Detail]:
-    """Return a shape's detail that needs an inset: all of it, or a needle's short edge; or none."""
+    """Return a list of the shape's detail that needs an inset: the whole shape, or a needle's short edge; or none."""
     if is_too_small(shape, scale):
         x0, y0, x1, y1 = bounding_box([shape])
         return [_Detail(name, Vec((x0 + x1) / 2, (y0 + y1) / 2), max(x1 - x0, y1 - y0))]
@@ -197,7 +197,7 @@ def _outline_points(shape: Shape, spot: Vec) -> list[Vec]:
 
 
 def a_is_left(test: AxisTest) -> bool:
-    """Check whether A's range faces B's from the lower side."""
+    """Check whether A's range lies on the lower side of the gap, and B's on the upper side."""
     a, b = test.a.interval, test.b.interval
     return b.lo - a.hi >= a.lo - b.hi
 

@@ -28,8 +28,8 @@ def with_labels(
 ) -> list[Mark]:
     """Return the marks, then a label for each request that finds a place; earlier requests choose first.
 
-    `steady`: the names of shapes and vertices keep off what every step has (the outlines, and `keep_off`, where
-    normals will stand) and off nothing else, so that they stand at one spot in all steps.
+    `steady`: the names of shapes and vertices avoid only what every step has: the outlines, and `keep_off`, where
+    normals will stand.  So they stand at one spot in all steps.
     `kept`: labels of other steps; a label that is requested again stays where it is.
     `memory`: how the labels stood in the picture before, while a shape is dragged; they follow their targets, and
     move off what comes in their way by a little at a time.  It is updated.

@@ -55,7 +55,7 @@ class Inset(NamedTuple):
 class Layout(NamedTuple):
     """The canvas of a picture: the limits it shows in scene units, its size in points, and the places on it.
 
-    There is one place for each test, in the same order.  `brief`: as of the PanelContents that it was made for.
+    There is one place for each test, in the same order.  `brief`: that of the PanelContents it was made for.
     `strip`: the insets have space of their own beside or below the scene, instead of a free corner of it.
     """
 
@@ -139,7 +139,7 @@ def arrange_readable(
     one_frame: bool = True,
     tight: bool = False,
 ) -> list[Layout]:
-    """Return what `arrange` does; on a narrow canvas that makes the shapes small, the ranges have no numbers."""
+    """Return the layouts of `arrange`; on a narrow canvas that makes the shapes small, ranges have no numbers."""
     found = arrange(panels, largest=largest, one_frame=one_frame, tight=tight)
     x0, y0, x1, y1 = bounding_box(shapes)
     part = max(x1 - x0, y1 - y0) * found[0].scale / max(largest[0], found[0].size[0])

@@ -14,10 +14,10 @@ class Mark(NamedTuple):
     """One thing to draw in a picture.
 
     `part`: what it shows ("outline", "vertex", "drop").  `owner`: the name of its shape ("A", "B1").
-    `axis`: the id of the axis that it lies on.  `number`: its number among several of one part.
+    `axis`: the id of the axis that it lies on.  `number` tells apart several marks of one part.
     `kind` and `points` (scene units): outline (its vertices), disc (its center, and `radius`), segment (two ends
     for each piece), arrow (tail, head), interval (the ends of a bar), bracket (a polyline), dot and label (one
-    point; a label is centered on it, newlines part its lines).
+    point; a label is centered on it, and newlines separate its lines).
     `role`: a colour of the theme.  `weight`: "plain", "strong" (what the step explains), "faint", "tint" (with a
     stronger fill), "fill" or "area" (a fill without a line, "area" a stronger one) or "title".
     `start`: where a pen that moves marks begins to move its points: one point for each, or one for all.
@@ -120,7 +120,7 @@ class Picture(NamedTuple):
 
 
 def marks_data(marks: Iterable[Mark]) -> dict[str, Any]:
-    """Return marks as JSON values: a table "looks" of the distinct styles, and marks that refer to it.
+    """Return marks as JSON values: a table "styles" of the distinct styles, and marks that refer to its rows.
 
     Fields that have their default value are left out.
     """
@@ -128,8 +128,8 @@ def marks_data(marks: Iterable[Mark]) -> dict[str, Any]:
     found = []
     for mark in marks:
         own = {name: value for name, value in _changed_fields(mark).items() if name not in ("kind", "role", "weight")}
-        found.append({"id": mark.id, "look": styles.setdefault(mark.style, len(styles)), **own})
-    return {"looks": [_changed_fields(style) for style in styles], "marks": found}
+        found.append({"id": mark.id, "style": styles.setdefault(mark.style, len(styles)), **own})
+    return {"styles": [_changed_fields(style) for style in styles], "marks": found}
 
 
 def _changed_fields(record: Mark | Style) -> dict[str, Any]:

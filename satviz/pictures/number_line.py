@@ -94,7 +94,7 @@ def _window(test: AxisTest, layout: Layout) -> tuple[float, float]:
 
 
 def _log10(value: float) -> float:
-    """Return the decimal logarithm of a positive number; that of 1e-300 for what is smaller."""
+    """Return the decimal logarithm of a number, or -300 for a number below 1e-300."""
     return log10(max(value, 1e-300))
 
 
@@ -116,7 +116,7 @@ def _ticks(start: float, scale: float, width: float, digits: Digits) -> Iterator
 
 
 def round_steps(least: float) -> Iterator[float]:
-    """Yield the round numbers (1, 2 or 5 times a power of ten) from `least` on."""
+    """Yield the round numbers (1, 2 or 5 times a power of ten) from `least` up, about 12 powers of ten."""
     power = floor(_log10(least))
     for k in range(power, power + 12):
         yield from (step for factor in (1, 2, 5) if (step := factor * 10.0**k) >= least)

@@ -14,9 +14,10 @@ WIDTH_PT, DRAWN_PT, RIM_PT = 320.0, 220.0, 46.0
 
 
 def outlines_picture(name: str, ring: Sequence[Vec], crossing: Vec | None, meant: Sequence[Vec], why: str) -> Picture:
-    """Return the picture of one outline, each corner with its number from 1; `meant`: dotted; `why`: the reason.
+    """Return the picture of an outline that is refused, each corner with its number from 1; `why`: the reason.
 
-    ValueError where the coordinates are too large to be drawn.
+    `crossing`: a point where edges cross, or None; `meant`: the corners in the order that was probably meant, drawn
+    dotted.  ValueError if the coordinates are too large to be drawn.
     """
     xs, ys = [p.x for p in ring], [p.y for p in ring]
     wide, high = max(xs) - min(xs), max(ys) - min(ys)

@@ -72,9 +72,9 @@ def narrow_playbacks(trace: Trace) -> list[dict[str, Any]]:
 def playback(trace: Trace, largest: tuple[float, float] = LARGEST_PT) -> dict[str, Any]:
     """Return marks, steps, table and pseudo-code of a trace as JSON values; equal marks are stored once.
 
-    largest: width and height in points that a picture may have.
-    "steps": for each its marks by number, the limits of the view, the sentence, the milliseconds to read it, its row of
-    the table (None for a step of no test), its lines of the code.  "rows": those of `table_rows`.
+    `largest`: the width and height in points that a picture may have.
+    "steps" has for each step its marks by number, the limits of the view, the sentence, the milliseconds to read it,
+    its row of the table (None without a test) and its lines of the code, from 0.  "rows": those of `table_rows`.
     ValueError for a scene that cannot be drawn, or a trace of more than 600 tests.
     """
     every = playback_steps(trace)
@@ -153,13 +153,13 @@ def playback_steps(trace: Trace) -> list[Step]:
         every = [step for step in every if step.test is None or step.stage is Stage.GAP]
     if len(every) > MAX_STEPS:
         raise ValueError(
-            f"{len(every)} tests are too many to step through, at most {MAX_STEPS}: draw a sheet instead (sv.sheet)"
+            f"{len(every)} tests are too many to step through: the limit is {MAX_STEPS}: draw a sheet (sv.sheet)"
         )
     return every
 
 
 def table_rows(trace: Trace, number_format_of: describe.NumberFormat = describe.digits) -> list[dict[str, Any]]:
-    """Return the rows of the table: each test, then the axes left out, for each pair of convex parts in turn."""
+    """Return the rows of the table: each test, then the axes left out; one pair of convex parts after the other."""
     found = []
     for pair in trace.pairs or (trace,):
         shapes = pair.a, pair.b
@@ -175,7 +175,7 @@ def table_rows(trace: Trace, number_format_of: describe.NumberFormat = describe.
 
 
 def first_row_numbers(trace: Trace) -> list[int]:
-    """Return the number of each pair's first row in the table, from 0, and the count of all rows; [0] for no pairs."""
+    """Return the index of each pair's first row in the table, then the count of all rows; [0] if there are no pairs."""
     return [*accumulate((len(run.tests) + len(text_table.untested_rows(run)) for run in trace.pairs), initial=0)]
 
 

@@ -45,7 +45,7 @@ class ShapeSketch:
     def label(
         self, part: str, text: str, role: str, anchor: Vec, *, first: int = 5, **more: Unpack[LabelOptions]
     ) -> None:
-        """Request a label; labels with a lower number `first` choose their places earlier."""
+        """Request a label near `anchor`; labels with a lower number `first` choose their places earlier."""
         self.requests.append((first, LabelRequest(part, text, role, anchor, **more)))
 
     def shape(

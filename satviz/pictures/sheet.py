@@ -29,7 +29,7 @@ MAX_ZERO_RANGES = 4.0  # further from 0 than so many times the widest range, eac
 
 
 class Row(NamedTuple):
-    """A row of the sheet: a run, a test's number in it, the test, and whether the trace made it or left it out."""
+    """A row of the sheet: a run, a test's number in it (from 1), the test, and whether the trace made this test."""
 
     run: Trace
     number: int
@@ -109,7 +109,7 @@ def _scale_and_zero(ends: Sequence[tuple[float, float]]) -> tuple[float, float |
 
 
 def _outcome_lines(row: Row, inset_times: float) -> list[list[tuple[str, str]]]:
-    """Return the lines of text about a row's outcome: as many (text, colour role) in each as there is space for.
+    """Return the lines of text about a row's outcome, each as the (text, colour role) pairs that fit into it.
 
     The first line leaves space for an inset if `inset_times`, its magnification, is not 0.
     """
@@ -143,7 +143,7 @@ def _row_marks(
     scale: float,
     zero: float | None,
 ) -> list[Mark]:
-    """Return the marks of one row of that `height`; `top`: its upper end, `scale`, `zero`: as of all bars."""
+    """Return the marks of one row; `top`: the y of its upper end; `scale` and `zero`: those of `_scale_and_zero`."""
     run, _, test, made = row
     weight, ink = ("plain", "ink") if made else ("faint", "guide")
     y = top - 34
@@ -204,7 +204,7 @@ def _inset_times(row: Row, scale: float) -> float:
 def _inset_marks(row: Row, number: int, cy: float, scale: float) -> list[Mark]:
     """Return a small inset of a gap or overlap that the row's bars are too small to show, with its magnification first.
 
-    It holds the facing ends of both ranges, and stands at the right end of the first line of the outcome, `cy` high.
+    It shows the facing ends of both ranges, and stands at the right end of the first line of the outcome, at y = `cy`.
     """
     run, _, test, made = row
     times, end = _inset_times(row, scale), BARS_RIGHT_PT

@@ -143,7 +143,7 @@ class Sketch(ShapeSketch):
             self.right_angle(foot, Vec(away.x / length, away.y / length), axis=self.axis_id(test))
 
     def no_axis(self, test: AxisTest) -> None:
-        """Draw the single point of an edge of length 0, and words that it gives no axis."""
+        """Draw the single point of an edge of length 0, and say that it gives no axis."""
         role = test.source.shape or "A"
         self.vertices(role, test.source.ids[:1])
         name, polygon = self.named_polygon(role)
@@ -235,7 +235,7 @@ class Sketch(ShapeSketch):
                 self.label("tick-name", number_format.number(k * step), "ink", spot, first=7, **options)
 
     def slide(self, test: AxisTest, place: AxisPlace) -> None:
-        """Draw the way by which the normal is moved clear of the shapes, and that either of its directions will do."""
+        """Draw how the normal is moved clear of the shapes; say that either direction will do if it is reversed."""
         arrow = self.normal_arrow(test)
         if arrow is None:
             return
@@ -280,7 +280,7 @@ class Sketch(ShapeSketch):
             self.label(part, text, role, place.at(end), owner=name, axis=axis, prefer=prefer)
 
     def sum_behind_landing(self, test: AxisTest, place: AxisPlace, role: str) -> None:
-        """Write the sum behind the highest landing of a role, its numbers in the colours of point and axis."""
+        """Write the highest landing of a role as its dot product, with numbers in the colours of point and axis."""
         side = test.a if role == "A" else test.b
         i = max(range(len(side.landings)), key=lambda k: side.landings[k])
         colours = {AXIS: "ink", POINT: role, PLAIN: "guide"}

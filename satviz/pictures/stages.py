@@ -33,9 +33,9 @@ STAGES_BEFORE_AXIS = Stage.SCENE, Stage.PARTS, Stage.EDGE, Stage.NORMAL
 
 
 class Step(NamedTuple):
-    """One stage of one test: the test's number in its run, and the run's number among `trace.pairs`.
+    """One stage of one test: the test's index in its run, and the run's index in `trace.pairs`, both from 0.
 
-    `pair` is None where the shapes are tested as they are, without convex parts.
+    `test` is None for a step without a test, and `pair` where the shapes are tested without convex parts.
     """
 
     stage: Stage

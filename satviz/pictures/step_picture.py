@@ -82,7 +82,7 @@ def _layout_number(trace: Trace, step: Step) -> int:
 
 @lru_cache(maxsize=64)
 def _labels_to_keep(trace: Trace, step: Step, largest: tuple[float, float], by_itself: bool) -> tuple[Mark, ...]:
-    """Return the labels of a later stage or of the bare scene, whose spots this step keeps."""
+    """Return labels of a later stage or of the bare scene; this step puts its own labels at the same spots."""
     fuller = {Stage.EDGE: Stage.NORMAL} | dict.fromkeys(TEST_STAGES[2:-1], Stage.GAP)
     if step.stage is Stage.VERDICT or step.stage is Stage.SCENE:
         return ()

@@ -69,7 +69,7 @@ def world_axes(trace: Trace, *, title: str = "") -> Picture:
 
 
 def quarter_turn(trace: Trace, number: int, *, title: str = "") -> Picture:
-    """Draw the edge of test `number` as a vector, and the normal as that vector after a quarter turn."""
+    """Draw the edge of test `number` (from 0) as a vector, and the normal as this vector after a quarter turn."""
     sketch, test = Sketch(trace, step_layouts(trace, NARROW_SIZE_PT)[0]), trace.tests[number]
     sketch.shapes()
     sketch.edge(test)
@@ -101,7 +101,7 @@ def quarter_turn(trace: Trace, number: int, *, title: str = "") -> Picture:
 
 
 def all_tests(trace: Trace, *, title: str = "") -> Picture:
-    """Draw all tests in one picture: every axis with both ranges; of a wrong verdict also the axis left out."""
+    """Draw all tests in one picture: every axis with both ranges; if the verdict is wrong, also the axis left out."""
     shapes = trace.a, trace.b
     missing = [max(record(*shapes).tests, key=lambda test: test.gap)] if trace.false_hit else []
     groups = [PanelContents(shapes, tests, brief=True) for tests in (trace.tests, missing) if tests]
@@ -225,7 +225,7 @@ def panels_of_tests(trace: Trace, *, title: str = "") -> Picture:
 
 
 def single_circle(trace: Trace, number: int, role: str, *, extremes: bool, title: str = "") -> Picture:
-    """Draw circle `role` ("A" or "B") on the axis of test `number`: center and radius, or two extreme points."""
+    """Draw circle `role` ("A" or "B") on the axis of test `number` (from 0): center and radius, or both extremes."""
     test = trace.tests[number]
     side, circle = (test.a, trace.a) if role == "A" else (test.b, trace.b)
     assert isinstance(circle, Circle)
@@ -272,7 +272,7 @@ def single_circle(trace: Trace, number: int, role: str, *, extremes: bool, title
 
 
 def failed_axes(trace: Trace, *, title: str = "") -> Picture:
-    """Draw the 3 axes that come nearest to separating, of different directions, and the distance of the shapes."""
+    """Draw the 3 axes of different directions that come nearest to separating, and the distance of the shapes."""
     best: list[AxisTest] = []
     for test in sorted(trace.tests, key=lambda t: -t.gap):
         if all(test.axis.direction != other.axis.direction for other in best):

@@ -27,12 +27,12 @@ RIM_GAP = 3.0  # points between a label and the lines of the axes
 
 
 class Chart(NamedTuple):
-    """One chart: a title, smaller `lines` below it, and what `draw` draws below these on a Figure in a theme.
+    """One chart: a title, smaller `lines` below it, and the drawing that `draw` makes below these on a Figure.
 
-    `stem`: the name of its files without the ending.  `height`: of what is below the lines, in points.  `rows`: the
+    `stem`: the name of its files without the ending.  `height`: the height of that drawing in points.  `rows`: the
     numbers that are drawn, written beside the chart as JSON and CSV.  `reading`: the content in words, made from the
-    rows; it is also the alternative text.  `warning`: why its times are only rough, stamped on the chart; empty if
-    they are not.
+    rows; it is also the alternative text.  `warning`: why its times are only rough, printed on the chart; "" if they
+    are not.
     """
 
     stem: str
@@ -88,7 +88,7 @@ class Chart(NamedTuple):
 
 
 def theme_suffix(theme: Theme) -> str:
-    """Return what a theme adds to the names of its files: nothing, or "-dark"."""
+    """Return the ending of a theme's file names before the dot: "" for the light theme, or "-dark"."""
     return "" if theme.name == "light" else f"-{theme.name}"
 
 
@@ -122,7 +122,7 @@ def save_chart(
 
 
 def share_of(fig: Figure, x: float, y: float) -> tuple[float, float]:
-    """Return a place that is given in points from the lower left corner, in shares of the figure."""
+    """Return a place given in points from the lower left corner as fractions of the figure's width and height."""
     width, height = fig.get_size_inches() * 72
     return x / width, y / height
 
@@ -217,7 +217,7 @@ def _label_cost(
     dot: PointsBox,
     rim: PointsBox,
 ) -> float:
-    """Return how bad a place for a label is: covered area, crossed labels, dots and lines, overhang, distance.
+    """Return the cost of a place for a label, without unit: for covered area, crossings, overhang and distance.
 
     `others`: the boxes of other labels and dots; `lines`: (x0, y0, x1, y1) from other labels to their dots.
     """

@@ -50,8 +50,8 @@ def draw(
     points = 72 / ax.figure.dpi
     largest = max(box.width * points, 1.0), max(box.height * points, 1.0)  # Axes may be squeezed to nothing
     shown = what if isinstance(what, Picture) else picture(what, step, largest=largest)
-    # a picture that needs more room than the Axes have is shown smaller, its letters too
-    zoom = min(1.0, *(room / size for room, size in zip(largest, shown.size, strict=True)))
+    # a picture that needs more space than the Axes have is shown smaller, its letters too
+    zoom = min(1.0, *(space / size for space, size in zip(largest, shown.size, strict=True)))
     return _pen_of(ax, THEMES[theme]).draw(shown, zoom=zoom)
 
 

@@ -43,9 +43,9 @@ def embed(
 
     `what` is a scene (or its name), two shapes, or a trace, as `link` takes it; `more` are the options of `link`.
     `site` is the address of the site's folder, http or https.
-    By default the shapes can be dragged.  `play` steps through the run, `predict` asks before it shows, and
-    `steps=(3, 8)` plays these steps alone.  `challenge` is "touch", "one-axis" or "break", or "" for the one that
-    fits the scene.  `theme` is "light" or "dark", by default that of the reader.
+    By default the shapes can be dragged.  `play` steps through the run, `predict` asks the reader for each result
+    before it is shown, and `steps=(3, 8)` plays these steps alone (the first is 0).  `challenge` is "touch",
+    "one-axis" or "break", or "" for the one that fits the scene.  `theme`: "light" or "dark", by default the reader's.
     `show` names what is shown beside the picture: "tools" and "table".
     InvalidScene for an address or a value that cannot be opened, ValueError for a scene that cannot be drawn.
     """
@@ -80,7 +80,7 @@ def embed(
 
 
 def _last_step(trace: Trace, options: EmbedOptions, step: int | None) -> int:
-    """Return the number of the step that a frame ends with; InvalidScene for a step that the run does not have."""
+    """Return the number of a frame's last step, from 0; InvalidScene for a step that the run does not have."""
     count = len(steps_of(trace))
     last = options.steps[1] if options.steps else count - 1 if step is None else step
     if last >= count:

@@ -13,7 +13,7 @@ OWN_FAMILY = "DejaVu Sans"
 
 
 def families(texts: Iterable[str], form: str) -> list[str]:
-    """Return fonts of this machine that have the letters of the texts; warn, naming `form`, of missing letters."""
+    """Return fonts of this machine that have the letters of the texts; warn of letters missing in the format `form`."""
     found, without = [OWN_FAMILY], ""
     for letter in sorted(set(letters.missing_letters("".join(texts)))):
         family = _family_with(letter)
@@ -23,7 +23,7 @@ def families(texts: Iterable[str], form: str) -> list[str]:
             found.append(family)
     if without:
         warnings.warn(
-            f"no font here has {', '.join(without)}: empty squares in {form.upper()}; install a font that has "
+            f"no font here has {', '.join(without)}, so {form.upper()} shows empty squares: install a font that has "
             "them, or make an SVG, which shows them in the reader's own font",
             stacklevel=3,
         )

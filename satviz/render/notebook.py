@@ -1,4 +1,4 @@
-"""What a notebook shows of a shape, a scene, a trace or a picture."""
+"""The MIME bundle by which a notebook shows a shape, a scene, a trace or a picture."""
 
 from collections.abc import Callable
 from html import escape

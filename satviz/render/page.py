@@ -44,11 +44,11 @@ def page(
 ) -> str:
     """Return one self-contained HTML file: every step of a run with its player, the table and every sentence.
 
-    `what` is a scene (or its name), two shapes, or a trace.  With `predict` the page asks before it shows.  Instead
-    of the run, with `sweep` it shows an axis that turns, as `satviz.sweep` does, and with `difference` how B - A
-    comes about, as `satviz.difference_steps` does.  `speed`: how many times as fast it plays at first.
-    Without JavaScript, and on paper, it shows the first and the last picture instead; with `predict` the answer is
-    folded there.
+    `what` is a scene (or its name), two shapes, or a trace.  With `predict` the page asks the reader for each result
+    before it shows it.  `sweep` shows an axis that turns, as `satviz.sweep` does, and `difference` how B - A comes
+    about, as `satviz.difference_steps` does, instead of the run.  `speed`: how many times as fast it plays at first.
+    Without JavaScript, and on paper, the page has only the first and the last picture; with `predict` the last one is
+    folded.
     A failing scene whose outlines are refused has no steps: the page has its picture and the reason.
     ValueError for a scene that cannot be drawn, or one with too many steps.
     """

@@ -24,8 +24,7 @@ Painted = tuple[Path, tuple[float, float, float, float]]  # and its colour
 class Pen:
     """A pen for one Axes: it draws pictures with three collections (fills, strokes, solids) and a pool of texts.
 
-    Few artists, kept and given new numbers for the next picture, are what makes a
-    redraw quick.
+    A redraw is quick because these few artists are kept and only get new numbers.
     """
 
     def __init__(self, ax: "Axes", theme: Theme = LIGHT) -> None:
@@ -57,12 +56,12 @@ class Pen:
         for mark in picture.marks:
             if mark.kind == "label":
                 continue
-            colour, look = self.theme.roles[mark.role], mark.style
+            colour, style = self.theme.roles[mark.role], mark.style
             artists[mark.id] = self.solids if mark.kind == "dot" else self.strokes
-            if look.fill:
-                fills.append((_outline_path(mark, picture.scale), to_rgba(colour, look.fill)))
-            if look.width:
-                strokes.append((look, (_outline_path(mark, picture.scale), to_rgba(colour, look.opacity))))
+            if style.fill:
+                fills.append((_outline_path(mark, picture.scale), to_rgba(colour, style.fill)))
+            if style.width:
+                strokes.append((style, (_outline_path(mark, picture.scale), to_rgba(colour, style.opacity))))
             if mark.kind in ("dot", "arrow"):
                 solids.append((_solid_path(mark, picture.scale), to_rgba(colour)))
         strokes.sort(key=lambda stroke: stroke[0].layer)
@@ -71,8 +70,8 @@ class Pen:
             collection.set_facecolor([rgba for _, rgba in painted])
         self.strokes.set_paths([path for _, (path, _) in strokes])
         self.strokes.set_edgecolor([rgba for _, (_, rgba) in strokes])
-        self.strokes.set_linewidth([look.width * zoom for look, _ in strokes])
-        self.strokes.set_linestyle([(0, look.dash) if look.dash else "solid" for look, _ in strokes])
+        self.strokes.set_linewidth([style.width * zoom for style, _ in strokes])
+        self.strokes.set_linestyle([(0, style.dash) if style.dash else "solid" for style, _ in strokes])
         self._write(labels, artists, zoom)
         return artists
 

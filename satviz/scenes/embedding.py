@@ -1,4 +1,4 @@
-"""A scene in a frame of another page: what the query of its address says, before the # of the link.
+"""The options of a scene in a frame of another page, as the query of its address, which stands before the #.
 
 scene.html?embed&steps=3-8&theme=dark#triangles
 """
@@ -19,11 +19,12 @@ STEPS = re.compile(r"([0-9]{1,6})-([0-9]{1,6})")
 
 
 class EmbedOptions(NamedTuple):
-    """What an embedded scene is and shows; the default is two shapes to drag, with a sentence below them.
+    """The options of an embedded scene; by default it has two shapes to drag, with a sentence below them.
 
-    `play` steps through the run; `predict` asks before it shows; `steps` are the first and the last step of the
-    player.  `challenge` is a goal, or "" for the one that fits the scene; None sets no challenge.
-    `theme` is one of THEMES, or None for that of the reader's system; `show` names parts that are shown as well.
+    `play` steps through the run; `predict` asks the reader for the result of each test before it is shown.
+    `steps`: the first and the last step that are played, counted from 0; None plays all.
+    `challenge` is one of GOALS, or "" for the one that fits the scene; None sets no challenge.
+    `theme` is one of THEMES, or None for that of the reader's system; `show`: those of PARTS that are shown as well.
     """
 
     play: bool = False
@@ -57,19 +58,19 @@ def query(options: EmbedOptions) -> str:
 
 
 def parse_query(text: str) -> EmbedOptions:
-    """Return what the query of an address says; InvalidScene for a bad value.
+    """Return the options in the query of an address; InvalidScene for a bad value.
 
-    Other keys are left out, since other programs add their own to an address.
+    Unknown keys are ignored, since other programs add their own to an address.
     """
     values = parse_qs(text[:2000], keep_blank_values=True)
     for key in (EMBED, *EmbedOptions._fields):
         if len(values.get(key, ())) > 1:
-            raise InvalidScene(f"the link says {key} {len(values[key])} times: say it once")
+            raise InvalidScene(f"the link has the option {key} {len(values[key])} times: give it once")
     found = {key: said for key, (said, *_) in values.items()}
     for key in (EMBED, "play", "predict"):
         if found.get(key, "") not in ("", "1"):
             raise InvalidScene(
-                f"the link says {key}={short_repr(found[key])}: write {key} without a value, or leave it out"
+                f"the link has {key}={short_repr(found[key])}: write {key} without a value, or leave it out"
             )
     theme = _one_of("theme", found["theme"], THEMES) if "theme" in found else None
     show = tuple(_one_of("show", part, PARTS) for part in found.get("show", "").split(",") if part)
@@ -78,22 +79,22 @@ def parse_query(text: str) -> EmbedOptions:
         _one_of("challenge", goal, GOALS)
     options = EmbedOptions("play" in found, "predict" in found, _steps(found.get("steps")), goal, theme, show)
     if options.plays and goal is not None:
-        raise InvalidScene("the link asks for a challenge and for steps: a challenge is dragged, so leave out one")
+        raise InvalidScene("the link has a challenge and steps: a challenge has no steps, so leave out one of them")
     return options
 
 
 def _steps(text: str | None) -> tuple[int, int] | None:
-    """Return the first and the last step; InvalidScene if the text names none."""
+    """Return the first and the last step of a text such as "3-8"; None for None, InvalidScene for another text."""
     if text is None:
         return None
     match = STEPS.fullmatch(text)
     if not match or int(match[1]) > int(match[2]):
-        raise InvalidScene(f"the link says steps={text[:40]!r}: expected the first and the last step, such as 3-8")
+        raise InvalidScene(f"the link has steps={text[:40]!r}: write the first and the last step, such as 3-8")
     return int(match[1]), int(match[2])
 
 
 def _one_of(key: str, text: str, choices: Iterable[str]) -> str:
-    """Return the text if it is one of the choices; InvalidScene lists them."""
+    """Return the text if it is one of the choices; otherwise InvalidScene lists them."""
     if text not in choices:
-        raise InvalidScene(f"the link says {key}={short_repr(text)}: choose one of {', '.join(choices)}")
+        raise InvalidScene(f"the link has {key}={short_repr(text)}: choose one of {', '.join(choices)}")
     return text

@@ -1,4 +1,4 @@
-"""Where a shortcut's answer is wrong as B moves, with exact boundaries: of a failing case, or of any other shortcut."""
+"""The moves of B for which a shortcut's answer is wrong, with exact boundaries; for any shortcut."""
 
 from ..engine.geometry import InvalidShape
 from ..engine.shapes import Shape
@@ -10,13 +10,13 @@ from .shape_tools import vertex_mean
 
 TOO_SMALL = "the shapes are so small beside their moves that float64 cannot tell their corners apart"
 TOO_MANY_CORNERS = "the parts of these shapes have too many corners to work it out while you drag"
-MAX_PART_CORNERS = 300  # of all A - B of pairs of parts: what is left of one without the others is cut up by each
+MAX_PART_CORNERS = 300  # of A - B of all pairs of parts together: each polygon is cut up by all others
 
 
 def error_region(a: Shape, b: Shape, shortcut: Shortcut, window: Window) -> RegionOrReason:
-    """Return where the shortcut's answer is wrong, for the moves of B in the window (x0, y0, x1, y1).
+    """Return the moves of B in the window (x0, y0, x1, y1) for which the shortcut's answer is wrong.
 
-    Return the reason instead, in words that follow a colon, where no area shows it.
+    Return the reason instead, in words that follow a colon, where no area shows these moves.
     """
     try:
         hits = hits_in_window(a, b, window)

@@ -34,20 +34,21 @@ DEGREE = re.compile(r"-?[0-9]{1,6}(\.[0-9]{1,12})?")
 class ViewOptions(NamedTuple):
     """How a site shows a scene; None and False leave an option out.
 
-    `free`: the angle of a free axis in degrees; `row`: the number of a row of the table, whose axis is shown;
-    `view`: one of VIEWS; `way_out`: the MTV is shown; `against`: B - A is shown beside it; `goal`: one of GOALS.
-    Of the player, `step`: its number; `rest`: the step is one of the run on every axis, without the early exit;
-    `predict`: it asks before it shows.
+    `free`: the angle of a free axis, in degrees counter-clockwise from x; `row`: the row of the table, counted from 0,
+    whose axis is shown; `view`: one of VIEWS; `mtv`: the MTV is shown; `difference`: B - A is shown beside the scene;
+    `goal`: the challenge, one of GOALS.
+    The others are for the player: `step` is counted from 0, with `every_axis` in the run without the early exit;
+    `predict` asks the reader for the result of each test before it is shown.
     """
 
     free: float | None = None
     row: int | None = None
     view: str | None = None
-    way_out: bool = False
-    against: bool = False
+    mtv: bool = False
+    difference: bool = False
     step: int | None = None
     predict: bool = False
-    rest: bool = False
+    every_axis: bool = False
     goal: str | None = None
 
 
@@ -60,16 +61,16 @@ def link(what: SceneLike | Shape, b: Shape | None = None, *, site: str = "", **m
     `what` is a scene (or its name), a shape with `b`, or a trace.  Of a trace the link keeps the two shapes, whether
     every axis was tested, and the choice of axes if it has a name; otherwise the link opens the shapes with `needed`.
     `site` is the address of the site's folder, http or https.
-    `more` says what is shown: free=30.0, row=2, view="truth", way_out=True, against=True, or for the
-    player step=5, predict=True, rest=True.  InvalidScene for a name, an address or a value that cannot be
-    opened again, TypeError for anything else.
+    `more` are fields of ViewOptions: free=30.0, row=2, view="truth", mtv=True, difference=True, or for the player
+    step=5, predict=True, every_axis=True; rows and steps count from 0.  InvalidScene for a name, an address or a
+    value that cannot be opened again, TypeError for anything else.
     """
     if isinstance(what, Trace) and b is None:
         found = _scene_of(what) or Scene("scene", what.a, what.b, every_axis=what.every_axis)
     else:
         found = resolve(what, b).scene
     made = fragment(found, ViewOptions(**more))
-    parse_fragment(made)  # refuses what nobody could open again
+    parse_fragment(made)  # raises for options that nobody could open again
     return f"{site_folder(site)}{PAGE}#{made}"
 
 
@@ -137,7 +138,7 @@ def _is_run_of(trace: Trace, name: str) -> bool:
 def parse_fragment(text: str) -> tuple[Scene, ViewOptions]:
     """Return the scene and the view options of a fragment; InvalidScene says what is wrong with it."""
     if len(text) > 2 * MAX_CHARS:
-        raise InvalidScene(f"the link has {len(text):,} characters: the limit is {2 * MAX_CHARS:,}, so send a file")
+        raise InvalidScene(f"the link has {len(text):,} characters: the limit is {2 * MAX_CHARS:,}; send a file")
     first, *rest = text.split("&")
     values: dict[str, Any] = {}
     for word in rest:
@@ -182,6 +183,6 @@ def _parse_value(key: str, text: str) -> Any:
             return text
         what = "view" if key == "view" else "challenge"
         raise InvalidScene(f"no {what} is called {short_repr(text)}: choose one of {', '.join(choices)}")
-    if key in ("way-out", "against", "predict", "rest") and text == "1":
+    if key in ("mtv", "difference", "predict", "every-axis") and text == "1":
         return True
-    raise InvalidScene(f"the link says {key}={text[:40]!r}, which is not a value of {key}")
+    raise InvalidScene(f"the link has {key}={text[:40]!r}, which is not a value of {key}")

@@ -59,7 +59,7 @@ def minimal_test(a: Shape, b: Shape, language: str) -> str:
     """Return a pair as the source of a test in a language of LANGUAGES; InvalidScene for another one."""
     found = LANGUAGES.get(language)
     if found is None:
-        raise InvalidScene(f"no minimal test in {language[:40]!r}: choose one of {', '.join(LANGUAGES)}")
+        raise InvalidScene(f"there is no minimal test in {language[:40]!r}: choose one of {', '.join(LANGUAGES)}")
     comment = "\n".join(f"{found.comment} {line}" for line in (HOW, PUT))
     values = {"comment": comment, "relation": str(relate(a, b)), "ar": repr(a.radius), "br": repr(b.radius)}
     values |= {"a": _points(a, found), "b": _points(b, found)}
@@ -102,7 +102,7 @@ def _expected(scene: Scene, case: FailureCase | None) -> dict[str, Any]:
 
 
 def _expected_refusal(case: FailureCase) -> dict[str, Any]:
-    """Return a failing case whose outlines are refused, with the reason."""
+    """Return the raw outlines of a failing case that the engine refuses, with the reason."""
     data: dict[str, Any] = {"name": case.name, "title": case.claim}
     for key, outline in ("a", case.a), ("b", case.b):
         raw = [] if isinstance(outline, Shape) else [[float(x), float(y)] for x, y in outline]

@@ -19,7 +19,7 @@ def names() -> list[str]:
 
 
 def did_you_mean(name: str, known: Sequence[str]) -> str:
-    """Return the end of an error line: the known name most like `name`, or all known names."""
+    """Return the end of an error line: it suggests the known name most like `name`, or lists all known names."""
     near = get_close_matches(name, known, n=1)
     return f": did you mean {near[0]}?" if near else f": choose one of {', '.join(known)}"
 
@@ -27,12 +27,12 @@ def did_you_mean(name: str, known: Sequence[str]) -> str:
 def scene(name: str) -> Scene:
     """Return the built-in scene of a name, also of a failing case.
 
-    InvalidScene says which names there are where this one is unknown, and says why where the outlines are refused.
+    InvalidScene lists the names if this one is unknown, and gives the reason if the outlines are refused.
     """
     if name in FAILING:
         return scene_of_case(FAILING[name])
     if name not in ARTICLE:
-        raise InvalidScene(f"no scene {short_repr(name)}{did_you_mean(str(name), names())}")
+        raise InvalidScene(f"there is no scene {short_repr(name)}{did_you_mean(str(name), names())}")
     return ARTICLE[name]
 
 

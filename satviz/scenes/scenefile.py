@@ -42,8 +42,8 @@ class Scene:
     def __post_init__(self) -> None:
         if not NAME.fullmatch(self.name) or len(self.name) > MAX_NAME_LETTERS:
             raise InvalidScene(
-                f"the name {short_repr(self.name)} must be small letters and digits in words joined by -, "
-                f"at most {MAX_NAME_LETTERS}"
+                f"the name {short_repr(self.name)} must have words of small letters and digits, joined by hyphens, and "
+                f"at most {MAX_NAME_LETTERS} characters"
             )
         if not self.title.isprintable():
             raise InvalidScene(f"the title {short_repr(self.title)} must be one line of printable text")
@@ -121,14 +121,14 @@ def load(path: str | Path) -> Scene:
     path = Path(path)
     try:
         if not S_ISREG(path.stat().st_mode):  # a pipe would wait for its writer, a device may never end
-            raise InvalidScene(f"cannot read {path}: not a regular file")
+            raise InvalidScene(f"cannot read {path}: it is not a regular file")
         with path.open("rb") as file:
             raw = file.read(MAX_CHARS + 1)
         text = raw.decode("utf-8-sig")
     except OSError as error:
         raise InvalidScene(f"cannot read {path}: {error.strerror or error}") from None
     except UnicodeDecodeError:
-        raise InvalidScene(f"{path}: not UTF-8 text: save it as UTF-8") from None
+        raise InvalidScene(f"{path} is not UTF-8 text: save it as UTF-8") from None
     try:
         return Scene.from_json(text, re.sub("[^a-z0-9]+", "-", path.stem.lower())[:60].strip("-") or "scene")
     except InvalidScene as error:
@@ -140,7 +140,7 @@ def shape_data(shape: Shape) -> dict[str, object]:
     if shape.core_is_point:
         return {"circle": list(shape.core[0]), "radius": shape.radius}
     if len(shape.vertices) > MAX_VERTICES:
-        raise InvalidScene(f"a polygon of {len(shape.vertices):,} vertices: a file holds {MAX_VERTICES:,} at most")
+        raise InvalidScene(f"a polygon has {len(shape.vertices):,} vertices: a file can hold {MAX_VERTICES:,}")
     data: dict[str, object] = {"polygon": [list(v) for v in shape.vertices]}
     if shape.labels:
         data["labels"] = list(shape.labels)

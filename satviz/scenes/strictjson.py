@@ -36,7 +36,7 @@ def parse(text: str, max_chars: int) -> Any:
         if depth > MAX_DEPTH:
             raise InvalidScene(f"the text has brackets nested deeper than {MAX_DEPTH} levels")
         if depth < 0:
-            break  # no JSON, as the parser will say
+            break  # this is not JSON, and the parser will report it
     try:
         return json.loads(
             text,
@@ -46,7 +46,7 @@ def parse(text: str, max_chars: int) -> Any:
             parse_int=_parse_whole,
         )
     except json.JSONDecodeError as error:
-        raise InvalidScene(f"not JSON: {error}") from None
+        raise InvalidScene(f"this is not JSON: {error}") from None
 
 
 def require_keys(data: Any, where: str, required: Set[str], optional: Set[str] = frozenset()) -> dict[str, Any]:
@@ -60,13 +60,16 @@ def require_keys(data: Any, where: str, required: Set[str], optional: Set[str] =
         raise InvalidScene(f"{where} lacks {_quoted(missing)}")
     if unknown := sorted(data.keys() - required - optional):
         raise InvalidScene(
-            f"{where} has the unknown key {_quoted(unknown)}; known: {_quoted(sorted(required | optional))}"
+            f"{where} has the unknown key {_quoted(unknown)}; it may have {_quoted(sorted(required | optional))}"
         )
     return data
 
 
 def require_type(value: Any, where: str, wanted: type) -> Any:
-    """Return the value, 3.0 as the integer 3 if wanted; InvalidScene if it has another type; a bool is not a number."""
+    """Return the value if its type is `wanted`, with 3.0 as the integer 3; otherwise InvalidScene.
+
+    A bool is not a number.
+    """
     if wanted is int and isinstance(value, float) and value.is_integer():
         return int(value)
     if not isinstance(value, wanted) or (isinstance(value, bool) and wanted is not bool):
@@ -94,7 +97,7 @@ def _object_without_duplicates(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
 
 def _refuse_constant(name: str) -> float:
     """Raise InvalidScene for NaN or Infinity, which Python would read."""
-    raise InvalidScene(f"{name} cannot stand in a scene: numbers must be finite")
+    raise InvalidScene(f"{name} is not allowed in a scene: numbers must be finite")
 
 
 def _parse_finite(text: str) -> float:

@@ -31,7 +31,7 @@ def dump(trace: Trace, indent: int | None) -> str:
     """Return a trace as JSON text; InvalidScene for a shortcut not in SHORTCUTS, or a text too large to be read."""
     if trace.shortcut and SHORTCUTS.get(trace.shortcut.name) != trace.shortcut:
         raise InvalidScene(
-            f"the shortcut {short_repr(trace.shortcut.name)} is not one of satviz's: its trace cannot be written"
+            f"the shortcut {short_repr(trace.shortcut.name)} is not one of satviz: its trace cannot be written"
         )
     data = {"satviz": "trace 1", **_trace_data(trace, trace.known_mtv)}
     text = json.dumps(data, indent=indent, ensure_ascii=False, allow_nan=False)
@@ -78,7 +78,7 @@ def _parse_shortcut(name: Any) -> Shortcut | None:
     if name is None:
         return None
     if require_type(name, "trace.shortcut", str) not in SHORTCUTS:
-        raise InvalidScene(f"trace.shortcut is {short_repr(name)}: no shortcut of that name")
+        raise InvalidScene(f"trace.shortcut is {short_repr(name)}: there is no shortcut of that name")
     return SHORTCUTS[name]
 
 
@@ -164,7 +164,7 @@ def _parse_run(data: Any, where: str, a: Shape, b: Shape, names: ShapeNames, sho
         require_keys(skip, f"{where}.skipped[{i}]", {"axis", "reason"})
         reason = require_type(skip["reason"], f"{where}.skipped[{i}].reason", str)
         if reason not in reasons:
-            raise InvalidScene(f"{where}.skipped[{i}].reason is {short_repr(reason)}: not a reason that satviz gives")
+            raise InvalidScene(f"{where}.skipped[{i}].reason is {short_repr(reason)}: satviz gives no such reason")
         skipped.append(Skip(_parse_axis(skip["axis"], f"{where}.skipped[{i}].axis", known), *reasons[reason]))
     if len(lists["tests"]) > len(found):
         raise InvalidScene(f"{where}.tests has {len(lists['tests'])} tests for {len(found)} axes")
@@ -197,7 +197,7 @@ def _parse_axis(data: Any, where: str, known: dict[Source, Axis]) -> Axis:
         )
     if not axes.same_axis(axis, ours):
         raise InvalidScene(
-            f"{where} has not the direction, or not the length, of the edge or line that its source names: "
+            f"{where} does not have the direction and the length of the edge or line that its source names: "
             "record the trace again"
         )
     return axis
@@ -252,7 +252,7 @@ def _require_equal(ours: Any, theirs: Any, where: str) -> None:
 
 
 def _from_difference(one: str, other: str) -> tuple[str, str]:
-    """Return an excerpt of both texts, 50 letters each, that shows their first difference."""
+    """Return an excerpt of each text, 50 letters long, that shows their first difference."""
     same = [*takewhile(lambda both: both[0] == both[1], zip(one, other))]
     begin = max(0, len(same) - 20)
     excerpt = slice(begin, begin + 50)

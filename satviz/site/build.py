@@ -28,7 +28,7 @@ ICON = (
 def site(
     *, pyodide: Path | None = None, live: bool = True, url: str = ""
 ) -> tuple[Iterator[tuple[str, bytes]], list[str]]:
-    """Return (path, content) of each file of the site, and one line for each thing that is missing.
+    """Return (path, content) of each file of the site, and a line of text for each part that is missing.
 
     `pyodide` is a folder that holds Pyodide's core; None takes the core from npm.  `live=False` leaves Python out.
     `url` is the address of the site's folder: with it, pages say where they are, and there is a sitemap.

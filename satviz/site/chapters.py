@@ -158,7 +158,7 @@ def _add_prose(text: _FoldedText, markdown: Any, terms: TermLinker, source: str)
 
 
 def _choices_html(markdown: Any, comment: str) -> str:
-    """Return the choices of a question as a list; what is said about each is shown once it is chosen."""
+    """Return the choices of a question as an HTML list; the reason of a choice is shown once it is chosen."""
     items = []
     for sign, choice, why in choices_of(comment):
         right = " data-right" if sign == "+" else ""
@@ -206,9 +206,9 @@ def programs(chapter: Chapter) -> dict[str, tuple[str, str]]:
 
 
 def used_by(names: set[str], known: dict[str, set[str]]) -> list[str]:
-    """Return these names and the known ones that they use, directly or not, in the order of `known`.
+    """Return these names and the known names that their code uses, directly or not, in the order of `known`.
 
-    `known`: the words that stand in the code of each name.
+    `known`: for each name the words in its code.
     """
     needed, new = set[str](), names
     while new:
@@ -218,7 +218,7 @@ def used_by(names: set[str], known: dict[str, set[str]]) -> list[str]:
 
 
 def _words(code: str) -> set[str]:
-    """Return the names that stand in some Python code."""
+    """Return the words of Python code that can be names."""
     return {node.id for node in ast.walk(ast.parse(code)) if isinstance(node, ast.Name)}
 
 
@@ -252,7 +252,7 @@ def _output_html(output: dict[str, Any], narrow: Picture | None) -> str:
 
 
 def _figure(svg: str, attributes: str = "") -> str:
-    """Return a picture as HTML; a point of its canvas is a pixel, so that its letters have 11 px on a telephone."""
+    """Return an SVG as an HTML figure; a point of its canvas is a pixel, so that letters have 11 px on a telephone."""
     sized = re.sub(r'(width|height)="([\d.]+)pt"', r'\1="\2"', themed_svg(svg), count=2)
     return f'<figure tabindex="0"{attributes}>{sized}</figure>'  # on a telephone a wide picture scrolls, with keys too
 
@@ -304,7 +304,7 @@ class _WidgetFinder:
             self.next_to_run = i + 1
 
     def _run(self, sources: list[str]) -> None:
-        """Run the code of these cells and keep the names that it defines; what it prints is dropped."""
+        """Run the code of these cells and keep the names that it defines, without its printed output."""
         for source in sources:
             with redirect_stdout(io.StringIO()):
                 exec(source, self.names)

@@ -21,7 +21,7 @@ CHECK_POLICY = POLICY.replace("worker-src 'self'", "worker-src 'self' blob: data
 SKELETONS = {
     "python": """def collide(a, b):
     # a and b are lists of (x, y).
-    # Say True if they share a point.
+    # Return True if they share a point.
     for axis in 0, 1:
         on_a = [p[axis] for p in a]
         on_b = [p[axis] for p in b]
@@ -31,7 +31,7 @@ SKELETONS = {
 """,
     "javascript": """function collide(a, b) {
     // a and b are lists of [x, y].
-    // Say true if they share a point.
+    // Return true if they share a point.
     for (const axis of [0, 1]) {
         const onA = a.map((p) => p[axis]), onB = b.map((p) => p[axis]);
         if (Math.max(...onA) < Math.min(...onB)) return false;
@@ -84,7 +84,7 @@ autocorrect="off" wrap="off" aria-describedby="editor-keys"></textarea></label>
 <label>Touching is <select name="touching">{options(TOUCHING)}</select></label>
 <button class="run" type="button" disabled>Run</button>
 <button class="forget" type="button">Delete my code</button></p>
-<p class="keys">The answer may also be a depth, or a move (x, y) that ends the overlap, with None or null for none.</p>
+<p class="keys">The answer may also be a depth, or a move (x, y) that ends the overlap, or None or null without one.</p>
 <p class="keys">Your code stays in this browser. It is not sent anywhere, and no link contains it.</p>
 </div>
 <div class="answers">
@@ -112,7 +112,7 @@ def javascript_programs(names: Iterable[str]) -> dict[str, str]:
 
 
 def _symptoms() -> str:
-    """Return what users see of a mistake, in their words, each with the known mistakes that look like this."""
+    """Return the list of symptoms in the words of users, each with the known mistakes that cause it, as HTML."""
     items = []
     for words, names in SYMPTOMS.items():
         links = "".join(

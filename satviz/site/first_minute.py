@@ -37,7 +37,7 @@ def first_minute() -> str:
 
 
 def _turned_round(mark: Mark) -> Mark:
-    """Return an axis with its arrow at the other end, so that the last one points as that of the scene to drag."""
+    """Return the mark, an axis with its arrow at the other end: so the last one points as in the scene to drag."""
     return mark._replace(points=mark.points[::-1]) if mark.part == "axis" else mark
 
 

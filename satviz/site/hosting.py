@@ -1,4 +1,4 @@
-"""What a site says to others than its readers: search engines, social networks, web servers and learning platforms."""
+"""The files and lines of a site for search engines, social networks, web servers and learning platforms."""
 
 import io
 import re
@@ -25,7 +25,7 @@ SITEMAPS = "http://www.sitemaps.org/schemas/sitemap/0.9"
 
 
 def head_lines(chapters: Sequence[Chapter], url: str, path: str, title: str, description: str) -> list[str]:
-    """Return the lines of a page's head that a social network reads; a missing page has none but "do not list me".
+    """Return the lines of a page's head for social networks; the page of a missing address only forbids listing it.
 
     `url` is the address of the site.  Without it the picture's address is relative, which only some networks read.
     """
@@ -81,7 +81,7 @@ def from_anywhere(page: bytes, url: str) -> bytes:
 
 
 def robots_txt(url: str) -> bytes:
-    """Return robots.txt, which allows everything; it counts where the site is the root of its server."""
+    """Return robots.txt, which allows everything; crawlers read it only at the root of a server."""
     lines = [f"# {MADE_BY}", "User-agent: *", "Allow: /", *([f"Sitemap: {url}sitemap.xml"] if url else [])]
     return ("\n".join(lines) + "\n").encode()
 

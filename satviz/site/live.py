@@ -44,7 +44,8 @@ def _open(place: str, content: dict[str, Any]) -> dict[str, Any]:
     try:
         scene, shown = parse_fragment(require_type(content.get("hash"), "the link", str))
         options = parse_query(require_type(content.get("query", ""), "the address", str))
-        if options.plays or (options.challenge is None and (shown.step is not None or shown.predict or shown.rest)):
+        plays = shown.step is not None or shown.predict or shown.every_axis
+        if options.plays or (options.challenge is None and plays):
             return _player_data(scene, shown, options)
         if options.challenge is not None:
             goal = options.challenge or (BREAK if scene.record().shortcut else TOUCH)
@@ -52,8 +53,8 @@ def _open(place: str, content: dict[str, Any]) -> dict[str, Any]:
         model = ExplorerModel(scene, shown.goal)
         pose: dict[str, Any] = {
             "degree": shown.free,
-            "wayOut": shown.way_out,
-            "against": shown.against,
+            "mtv": shown.mtv,
+            "difference": shown.difference,
             "pinned": shown.row,
         }
         pose |= {"view": shown.view} if shown.view else {}
@@ -82,7 +83,7 @@ def _player_data(scene: Scene, shown: ViewOptions, options: EmbedOptions) -> dic
     if last >= len(shows[0]["steps"]):
         raise InvalidScene(f"the run has no step {last}: its steps are 0 to {len(shows[0]['steps']) - 1}")
     found: dict[str, Any] = {"kind": "opened", "title": scene.title, "shows": shows, "narrow": narrow_playbacks(trace)}
-    rest = shown.rest and len(shows) > 1 and not options.steps
-    step = min(shown.step or first, len(shows[rest]["steps"]) - 1)
-    found |= {"step": step, "predict": predict, "rest": rest, "range": [first, last] if options.steps else None}
-    return found | {"link": fragment(scene)}
+    every_axis = shown.every_axis and len(shows) > 1 and not options.steps
+    step = min(shown.step or first, len(shows[every_axis]["steps"]) - 1)
+    found |= {"step": step, "predict": predict, "everyAxis": every_axis, "link": fragment(scene)}
+    return found | {"range": [first, last] if options.steps else None}

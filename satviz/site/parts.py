@@ -27,8 +27,8 @@ def svg_element(picture: Picture) -> str:
 def explorer(model: ExplorerModel) -> str:
     """Return an explorer as HTML: the still scene, its sentence and its table, until Python has started.
 
-    On a telephone the still scene is laid out for it, as the live one is: small letters could not be read, and all
-    that is below would jump.
+    On a telephone the still scene has the layout of the live one: its letters can be read, and nothing below it jumps
+    when Python has started.
     """
     link, drawing = escape(fragment(model.scene)), model.picture()
     still = f'<div class="wide">{_still(model)}</div>'

@@ -36,7 +36,7 @@ import gc, importlib, json, pkgutil, satviz
 for module in pkgutil.walk_packages(satviz.__path__, "satviz."):
     importlib.import_module(module.name)
 from satviz.site import live
-for link in "triangles", "triangles&free=30", "triangles&against=1&way-out=1", "far-centers", "circles":
+for link in "triangles", "triangles&free=30", "triangles&difference=1&mtv=1", "far-centers", "circles":
     state = json.loads(live.answer("warm", json.dumps({"kind": "open", "hash": link})))["first"]
     live.answer("warm", json.dumps({"kind": "pose", "n": 1, "a": state["a"], "b": state["b"]}))
 live.answer("warm", json.dumps({"kind": "paste", "text": "circle((0, 0), 1) [0,0, 4,4, 4,0, 0,4]"}))
@@ -51,7 +51,7 @@ TIMEOUT_SECONDS = 180  # for npm, and for Node
 
 
 class PythonMissing(Exception):
-    """Raised when Python for the page cannot be had; the message is one line that says why."""
+    """Raised when Python for the page cannot be found or fetched; the message is one line that says why."""
 
 
 def runtime_files(pyodide: Path | None) -> tuple[dict[str, bytes], str]:

@@ -99,7 +99,7 @@ class TraceWidget(anywidget.AnyWidget):
 
 
 def stay_busy(comm: Any) -> None:
-    """Let JupyterLab show the kernel as busy after this message, since many more will follow in a drag.
+    """Let JupyterLab show the kernel as busy after this message (of `comm`), since many more follow in a drag.
 
     At each change between busy and idle JupyterLab fetches the page's icon and lays out its toolbar.  During a drag
     that is more work than everything else.  JupyterLab ignores the idle state after requests that it does not
@@ -110,9 +110,9 @@ def stay_busy(comm: Any) -> None:
 
 
 def static_bundle(widget: Any) -> dict[str, str]:
-    """Return a MIME bundle for places where the widget does not run: its repr, and its captioned picture.
+    """Return a MIME bundle for places where the widget does not run: its repr, and its picture with a caption.
 
-    The picture is also there as HTML, which exported pages prefer: a bare picture gets no alt text there.
+    The picture is also given as HTML, which exported pages prefer: there a bare picture has no alternative text.
     """
     drawn, said = widget.picture(), describe.printable(repr(widget))
     svg = bundle(add_captions([drawn])[0])["image/svg+xml"]

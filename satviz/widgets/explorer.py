@@ -19,9 +19,9 @@ from .goals import GOAL_NAMES
 
 
 class Explorer(TraceWidget):
-    """Two shapes to drag, turn and reshape, and one axis: the decisive one, a chosen one or a free one.
+    """A widget with two shapes to drag, turn and reshape, and one axis: the decisive, a chosen or a free one.
 
-    A failing scene shows the shortcut's run, its answer and a map of where it is wrong, or the true run.
+    A failing scene shows the shortcut's run, its answer and its error region, or the true run.
     `scene` and `trace` follow each drag.  Messages of the browser are checked like a scene file.
     """
 
@@ -67,8 +67,8 @@ def explore(
 ) -> Any:
     """Return a widget in which to drag a scene: a built-in scene's name, a Scene, or two shapes.
 
-    `axes` are other axes than the scene's, as `record` takes them, or their name: also a shortcut of your own, with
-    the map of where it is wrong.  Links from the widget have only axes with a name.
+    `axes` replaces the scene's axes: a name, or what `record` takes, such as a shortcut of your own, which is shown
+    with its error region.  Links from the widget have only axes with a name.
     Drag shapes, vertices and handles, or Tab to one and use the arrow keys.  `goal` sets a challenge:
     "touch", "one-axis" or, for a scene of a shortcut, "break".  A failing scene whose outlines are refused
     cannot be dragged: its Picture with the reason is returned.  InvalidScene for an unknown name or goal,

@@ -46,15 +46,15 @@ SNAPPED = "Snapped: they touch exactly."
 NO_TOUCH = (
     "No place nearby was found where they touch exactly: most such places have coordinates that no float64 holds."
 )
-HIDDEN_MAP = "The map of where the shortcut is wrong comes when you have broken it, or give up."
+HIDDEN_MAP = "When you have broken the shortcut, or give up, a map shows where it is wrong."
 SHORTCUT, TRUTH = "shortcut", "truth"
 NEEDED, EVERY_NORMAL = "needed", "edge-normals"  # choices of axes
 
 
 class DrawnScene(NamedTuple):
-    """A drawn scene: the picture, its number line, its axis's row in the table, and the handle of a free axis.
+    """A drawn scene: the picture, its number line, and the handle of a free axis (`knob`, in scene units).
 
-    Without an axis only the picture is there.
+    `lit`: the axis's row in the table, from 0.  Without an axis there is only the picture.
     """
 
     picture: Picture
@@ -64,10 +64,10 @@ class DrawnScene(NamedTuple):
 
 
 class ExplorerModel(PlayerModel):
-    """Two shapes to drag, turn and reshape, and one axis: the decisive one, a chosen one or a free one.
+    """The state of an explorer: two shapes to drag, turn and reshape, and one decisive, chosen or free axis.
 
     A scene whose axes are a shortcut's has two views: the shortcut's run, and the truth.
-    A goal is a challenge: what the scene is to become.  A scene that meets it already is replaced by another one.
+    `goal` is a challenge; a scene that meets it already is replaced by another one.
     ValueError for a scene that cannot be drawn, or cannot have the goal.
     """
 
@@ -84,13 +84,13 @@ class ExplorerModel(PlayerModel):
         return self._drawn.picture
 
     def number_line(self) -> Picture | None:
-        """Return the picture of the number line below it; None where no axis is shown."""
+        """Return the number line below the picture, itself a picture; None if no axis is shown."""
         return self._drawn.line
 
     def answer(self, content: dict[str, Any]) -> dict[str, Any] | None:
-        """Return the new state after a pose, preset or challenge, what was pasted, or why a message is refused.
+        """Return the reply to a message: the new state, the reading of a pasted text, or why the message is refused.
 
-        None for a message of another kind.
+        None for a message of unknown kind.
         """
         n, before = content.get("n"), {**vars(self), "_memory": self._memory.copy()}
         try:
@@ -149,7 +149,7 @@ class ExplorerModel(PlayerModel):
         return found
 
     def _paste(self, content: dict[str, Any]) -> dict[str, Any]:
-        """Return what is said of a pasted text, with the new state where it has a pair; the scene stays where not."""
+        """Return the reading of a pasted text; if the text has a pair of shapes, show it and add the new state."""
         shown, pasted = read_paste(content)
         if shown is None:
             return {"kind": "pasted", "pasted": pasted}
@@ -219,14 +219,14 @@ class ExplorerModel(PlayerModel):
         if view != self._view:
             pinned = None  # the other run's rows are others
         self._snap_words = snap_words
-        self._pinned, self._degree, self._show_mtv = pinned, degree, bool(content.get("wayOut"))
-        self._show_difference = bool(content.get("against"))
+        self._pinned, self._degree, self._show_mtv = pinned, degree, bool(content.get("mtv"))
+        self._show_difference = bool(content.get("difference"))
         self._set_run(changed, trace, view, met)
 
     def _snapped(self, a: Shape, b: Shape, key: object, *, by_key: bool = False) -> tuple[Shape, Shape, str]:
-        """Return both shapes, the one named by `key` moved to where they touch if that is near, and words on it.
+        """Return both shapes, and words; the shape named by `key` is moved to touch the other if that place is near.
 
-        An arrow key (`by_key`) snaps only on the way to a touch: snapped back, a shape could never leave it.
+        After an arrow key (`by_key`) a shape snaps only on its way to a touch; otherwise it could never leave it.
         """
         if key not in ("a", "b"):
             return a, b, ""
@@ -302,7 +302,7 @@ class ExplorerModel(PlayerModel):
         return number_line(run, test, self._layout, drag_digits(self._layout)(run, test), name)
 
     def _shown_test(self) -> ShownTest | None:
-        """Return the test in the row that the reader chose, if the trace has it, else the decisive test."""
+        """Return the test in the row that the reader chose, if the trace has that row, else the decisive test."""
         if self._pinned is not None:
             runs = self.trace.pairs or (self.trace,)
             for pair, (run, begin) in enumerate(zip(runs, first_row_numbers(self.trace), strict=False)):
@@ -312,7 +312,7 @@ class ExplorerModel(PlayerModel):
 
 
 def _distance(a: Shape, b: Shape) -> float:
-    """Return about how far apart two shapes are, negative where they overlap; 0 exactly where they touch."""
+    """Return roughly the distance of two shapes, negative for an overlap; it is 0 only if they touch exactly."""
     tests = record(a, b, every_axis=True)
     if tests.relation is Relation.TOUCHING:
         return 0.0
@@ -321,7 +321,7 @@ def _distance(a: Shape, b: Shape) -> float:
 
 
 def _number(value: Any, what: str) -> float | None:
-    """Return a number or None from a message; InvalidScene if it is not finite, naming it `what`."""
+    """Return a number or None from a message; InvalidScene calls it `what` if it is not a finite number."""
     if value is not None and not (isinstance(value, (int, float)) and isfinite(value)):
         raise InvalidScene(f"{what} must be a finite number, not {value!r}")
     return value

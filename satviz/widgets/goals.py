@@ -1,4 +1,4 @@
-"""Challenges: what the reader is to turn a scene into, judged by the engine; standard library only."""
+"""Challenges: goals that the reader reaches by dragging a scene, evaluated by the engine; standard library only."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -20,16 +20,16 @@ from ..scenes.shape_tools import translated
 GOAL_NAMES = {TOUCH: "make them touch", ONE_AXIS: "exactly one axis", BREAK: "break the shortcut"}
 GOAL_TASKS = {
     ONE_AXIS: "Make exactly one axis separate the shapes.",
-    TOUCH: "Make the shapes touch: not a hair apart, and no overlap.",
+    TOUCH: "Make the shapes touch exactly, with no gap and no overlap.",
     BREAK: "Break this shortcut: find a place where it is wrong.",
 }
 GOAL_HINTS = {
     ONE_AXIS: "One axis is enough to keep them apart. Push the shapes together until all gaps but one have closed.",
-    TOUCH: "Bring an edge flush with an edge, or a corner onto one. The arrow keys move a shape by the same step each "
-    "time, with Shift by a tenth of it. A round shape touches exactly where its center is level with a corner or "
-    "another center. Where all edges are slanted, drag a corner of each to the same place.",
-    BREAK: "Ask where the shortcut and the shapes disagree: which pairs of shapes does its one step treat as equal? "
-    "If you give up, a map shows in red where it is wrong.",
+    TOUCH: "Put an edge against an edge, or a corner onto an edge. The arrow keys move a shape by the same step each "
+    "time, with Shift by a tenth of it. A circle touches exactly if its center lies straight above, below or beside a "
+    "corner or another center. If all edges are slanted, drag a corner of each shape to the same place.",
+    BREAK: "Which different pairs of shapes does this shortcut treat as equal? Try those. "
+    "If you give up, a map shows in red where the shortcut is wrong.",
 }
 # how far B is moved to find a challenge's level: as far as the scene is wide, in so many steps
 LEVEL_STEPS, LEVEL_LIMITS = 8, (0.25, 0.05)
@@ -37,25 +37,29 @@ MOVE_SIZES, MOVE_DIRECTIONS = (1, 2, 3, 4, 6, 8), ((1, 0), (0, 1), (-1, 0), (0, 
 
 
 class ChallengeResult(NamedTuple):
-    """A challenge's goal, whether it is reached, the task, the state of the scene, and a hint."""
+    """A challenge's goal, whether the scene meets it, and sentences: the task, the status of the scene, and a hint."""
 
     goal: str
     met: bool
-    asks: str
-    says: str
+    task: str
+    status: str
     hint: str
 
 
 def evaluate_goal(goal: str, shown: Scene) -> ChallengeResult:
     """Return whether a scene meets a goal, with task and hint; InvalidScene for an unknown or unfit goal."""
     if goal not in GOAL_TASKS:
-        raise InvalidScene(f"no challenge {polygon_validation.short_repr(goal)}: choose one of {', '.join(GOAL_TASKS)}")
-    met, says = {ONE_AXIS: _evaluate_one_axis, TOUCH: _evaluate_touch, BREAK: _evaluate_break}[goal](shown)
-    return ChallengeResult(goal, met, GOAL_TASKS[goal], says, GOAL_HINTS[goal])
+        choices = ", ".join(GOAL_TASKS)
+        raise InvalidScene(f"no challenge is called {polygon_validation.short_repr(goal)}: choose one of {choices}")
+    met, status = {ONE_AXIS: _evaluate_one_axis, TOUCH: _evaluate_touch, BREAK: _evaluate_break}[goal](shown)
+    return ChallengeResult(goal, met, GOAL_TASKS[goal], status, GOAL_HINTS[goal])
 
 
 def challenge_start(goal: str, shown: Scene) -> Scene:
-    """Return the scene a challenge begins with: `shown`, unless it meets the goal or never can."""
+    """Return the scene with which a challenge begins: `shown`, unless it meets the goal already or cannot meet it.
+
+    InvalidScene where no such scene is found.
+    """
     if not evaluate_goal(goal, shown).met and not (goal == ONE_AXIS and _has_concave_shape(shown)):
         return shown
     if goal == BREAK:
@@ -68,7 +72,7 @@ def challenge_start(goal: str, shown: Scene) -> Scene:
 
 
 def challenges() -> Iterator[tuple[str, Scene]]:
-    """Return (goal, first scene) of each challenge that the site offers."""
+    """Yield (goal, first scene) of each challenge that the site offers."""
     yield TOUCH, scene("aabb")
     yield ONE_AXIS, replace(scene("triangles"), axes="needed")
     yield TOUCH, scene("circle-polygon")
@@ -79,10 +83,10 @@ def challenges() -> Iterator[tuple[str, Scene]]:
 
 
 def level(goal: str, start: Scene) -> int:
-    """Return how hard a challenge is, from 1 to 3.
+    """Return the level of a challenge, from 1 (easy) to 3.
 
     A shortcut is easy to break if it is wrong in a large part of the places near the start: at least a quarter of
-    them for level 1, a twentieth for level 2.  Of the others the one with upright boxes is easy.
+    them for level 1, a twentieth for level 2.  Of the other challenges the one with upright boxes is easy.
     """
     if goal != BREAK:
         return 1 if start.name == "aabb" else 2
@@ -95,7 +99,7 @@ def level(goal: str, start: Scene) -> int:
 
 
 def start_where_right(shown: Scene) -> Scene | None:
-    """Return a shortcut's scene with B moved so that the shortcut is right; None if nowhere near."""
+    """Return a shortcut's scene with B moved so that the shortcut is right; None if no place nearby is found."""
     x0, y0, x1, y1 = bounding_box([shown.a, shown.b])
     step = float(f"{max(x1 - x0, y1 - y0) / 4:.1g}")
     for size in MOVE_SIZES:
@@ -110,7 +114,7 @@ def start_where_right(shown: Scene) -> Scene | None:
 def _evaluate_one_axis(shown: Scene) -> tuple[bool, str]:
     """Return whether exactly one axis separates the shapes, and a sentence on how many do."""
     if _has_concave_shape(shown):
-        return False, "A shape has a dent, and only convex ones count: drag the corner out, or choose another scene."
+        return False, "A shape has a dent, and only convex shapes count: drag the corner out, or choose another scene."
     trace = record(shown.a, shown.b, axes=needed, every_axis=True)
     count = len({_rounded_line(test.axis.direction) for test in trace.tests if test.separates})
     if count == 1:
@@ -130,7 +134,7 @@ def _rounded_line(direction: Vec) -> tuple[float, float]:
 
 
 def _evaluate_touch(shown: Scene) -> tuple[bool, str]:
-    """Return whether the shapes touch, and a sentence on how they lie now."""
+    """Return whether the shapes touch, and a sentence about their relation."""
     trace = record(shown.a, shown.b, every_axis=True)
     if trace.relation is Relation.TOUCHING:
         return True, "They touch, exactly."
@@ -140,7 +144,7 @@ def _evaluate_touch(shown: Scene) -> tuple[bool, str]:
 
 
 def _evaluate_break(shown: Scene) -> tuple[bool, str]:
-    """Return whether the shortcut's answer is wrong, and a sentence on it; the heading has both answers."""
+    """Return whether the shortcut's answer is wrong, and a sentence that says so."""
     trace = shown.record()
     if trace.shortcut is None:
         raise InvalidScene(f"the axes {shown.axes!r} are not a shortcut: this goal needs a shortcut that can fail")

@@ -1,4 +1,4 @@
-"""The paste box without its page: a text is answered with its shapes, the diagnosis, and what can be sent on."""
+"""The paste box without its page: the reply to a text has its shapes, the diagnosis, and forms to copy or save."""
 
 from typing import Any
 
@@ -19,7 +19,7 @@ MAX_DRAWN_CORNERS = 60  # of an outline that is refused
 def read_paste(content: dict[str, Any]) -> tuple[Scene | None, dict[str, Any]]:
     """Return the scene of the pair that a message asks for, or None, and all that a page shows, as JSON values.
 
-    Nothing raises: a text in which nothing can be read is answered with the reason, `why`.
+    The function raises nothing: if nothing can be read in a text, the reply has the reason, `why`.
     """
     try:
         text = require_type(content.get("text"), "the text", str)

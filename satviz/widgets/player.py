@@ -99,7 +99,7 @@ def play(
     difference: bool = False,
     speed: float = 1.0,
 ) -> Any:
-    """Return a player for a notebook: step, play, scrub, and with `predict` a question before each answer.
+    """Return a player for a notebook; with `predict` it asks the reader for each answer before it shows it.
 
     `what` is a scene (or its name), two shapes, or a trace.  `pen` is "svg" (drawn in the browser) or
     "matplotlib" (plain ipywidgets controls, for places where anywidget does not load).

@@ -13,7 +13,8 @@ from ..pictures.turning_axis import sweep
 class PlayerModel:
     """A trace that is shown, and the answers to its front end.
 
-    It is shown as its steps, or as an axis that turns (`turns`), or as B - A that comes about (`difference`).
+    The trace is shown as its steps, as an axis that turns (`turns`), or as pictures of how B - A comes about
+    (`difference`).
     """
 
     turns = False
@@ -33,7 +34,7 @@ class PlayerModel:
         return None
 
     def pictures_to_save(self, content: dict[str, Any], *, every_step: bool) -> list[Picture]:
-        """Return the pictures a message asks to save: all with `every_step`, else one.
+        """Return the pictures that a message asks to save: all with `every_step`, else one.
 
         The list is empty for a step that the trace does not have.  ValueError for too many steps.
         """

@@ -23,9 +23,9 @@ TRIPLES = (3, 4, 5), (5, 12, 13), (8, 15, 17), (7, 24, 25)
 
 
 def snapped(moved: Shape, other: Shape, reach: float) -> Shape | None:
-    """Return `moved` at the nearest place found, at most `reach` away, where it touches `other`; None if none is found.
+    """Return `moved` translated to the nearest place found where it touches `other`, or None.
 
-    Only translations are tried.  ValueError as `Polygon` and `Circle` raise it is never passed on.
+    The place is at most `reach` away, in scene units.  The function raises no ValueError.
     """
     tried: dict[Vec, float] = {}
     for move in _moves(moved, other):

@@ -270,13 +270,12 @@ def _sweep(bounds: Array, axis: int) -> tuple[Pairs, int]:
     """
     n = len(bounds)
     order = _sorted(bounds[:, axis].copy())
-    low, high = np.full(n + WORD_BYTES, np.inf), np.empty(n)
+    low, high = np.full(n + WORD_BYTES, np.nan), np.empty(n)  # nan beyond the last box: even one without end ends there
     side_low, side_high = np.empty(n + WORD_BYTES), np.empty(n + WORD_BYTES)
     for k in range(n):
         i = order[k]
         low[k], high[k] = bounds[i, axis], bounds[i, axis + 2]
         side_low[k], side_high[k] = bounds[i, 1 - axis], bounds[i, 3 - axis]
-    side_low[n:], side_high[n:] = np.inf, -np.inf  # beyond the last box nothing meets
     mask = np.empty(WORD_BYTES, np.uint8)
     word = mask.view(np.uint64)
     out, found, compared = np.empty((4 * n, 2), np.intp), 0, 0

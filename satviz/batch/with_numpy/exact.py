@@ -14,9 +14,7 @@ from . import circle_polygons
 from .filter import boxes
 
 BLOCK_CORNERS = 1 << 16  # corners of a shape at a time, over all pairs: what bounds the memory, and stays in the cache
-MAX_ALL_EDGES_CORNERS = (
-    4  # corners up to which every edge of all pairs is evaluated; above it most edges are not needed
-)
+MAX_VALUES_AT_ONCE = 1 << 16  # edges times corners, over all pairs, up to which all edges are evaluated at once
 BLOCK_SIGNS = 1 << 15  # exact signs computed at a time: each takes some hundred bytes a term
 RELATION_OF_SIGN = np.array([TOUCHING, APART, OVERLAPPING], np.int8)  # of 0, 1 and -1
 
@@ -78,24 +76,25 @@ class Edges(NamedTuple):
 def relate_edges(a: Edges, b: Edges) -> Signs:
     """Return the exact relations of polygons by their edges, column by column.
 
-    For few corners all edges are evaluated, for many those first that are likeliest to clear the other polygon.
+    All edges at once for few pairs; for many, those edges first that are likeliest to clear the other polygon.
     """
     found = np.full(a.x.shape[1], OVERLAPPING, np.int8)
     factor = (_max_coordinates(a.x, a.y) + _max_coordinates(b.x, b.y)) * ERROR_FACTOR_F64
     most = max(a.edge_count, b.edge_count)
     left = np.arange(len(found))
-    nearest = [] if most <= MAX_ALL_EDGES_CORNERS else [_facing_corner(a, b), _facing_corner(b, a)]
+    if len(found) * most * most <= MAX_VALUES_AT_ONCE:
+        for own, other in ((a, b), (b, a)):
+            edges, columns = np.tile(np.arange(own.edge_count), len(found)), np.repeat(left, own.edge_count)
+            tells = _classify_edges(own, other, edges, columns, factor[columns])
+            np.minimum(found, tells.reshape(len(found), own.edge_count).min(axis=1), out=found)
+        return found
+    nearest = _facing_corner(a, b), _facing_corner(b, a)
     for step in range(most):
         # around from the edges at the corner that lies furthest towards the other shape: -1, 0, -2, 1, -3, ...
         away = step // 2 if step % 2 else -1 - step // 2
-        for k, (own, other) in enumerate(((a, b), (b, a))):
-            if step >= own.edge_count:
-                continue
-            if not nearest:
-                which, tells = _classify_numbered_edge(own, other, step, factor)
-                found[which] = np.minimum(found[which], tells)
-            elif left.size:
-                tells = _classify_edges(own, other, (nearest[k][left] + away) % own.edge_count, left, factor[left])
+        for (own, other), corner in zip(((a, b), (b, a)), nearest, strict=True):
+            if step < own.edge_count and left.size:
+                tells = _classify_edges(own, other, (corner[left] + away) % own.edge_count, left, factor[left])
                 found[left] = tells
                 left = left[tells == OVERLAPPING]
     return found
@@ -110,33 +109,13 @@ def _facing_corner(own: Edges, other: Edges) -> Indices:
     return found
 
 
-def _classify_numbered_edge(own: Edges, other: Edges, e: int, factor: Array) -> tuple[Indices, Signs]:
-    """Return (columns where no corner of `other` certainly lies before edge e, the relation that e proves there).
-
-    `factor`: for each column the sum of both largest absolute coordinates, times ERROR_FACTOR_F64.
-    """
-    f = (e + 1) % len(own.x)
-    ex, ey, fx, fy = own.x[e], own.y[e], own.x[f], own.y[f]
-    nx, ny = fy - ey, ex - fx
-    least, value, part = np.full(len(nx), np.inf), np.empty_like(nx), np.empty_like(nx)
-    for x, y in zip(other.x, other.y, strict=True):
-        np.multiply(nx, x, out=value)
-        np.multiply(ny, y, out=part)
-        value += part
-        np.minimum(least, value, out=least)
-    least -= nx * ex + ny * ey
-    error_bound = np.maximum(np.abs(nx), np.abs(ny)) * factor
-    error_bound[~((error_bound > MIN_ERROR_BOUND) & (error_bound < MAX_ERROR_BOUND))] = np.inf
-    which = np.flatnonzero(~(least < -error_bound))
-    return which, _classify_edges(own, other, np.full(len(which), e), which, factor[which])
-
-
 def _classify_edges(own: Edges, other: Edges, start: Indices, left: Indices, factor: Array) -> Signs:
     """Return the relation that one edge proves for each column in `left`; `start`: the number of the edge there.
 
     APART where all corners of `other` lie beyond the edge.  Where some lie on its line and none before, the shapes can
     meet only on that line: TOUCHING if their ranges on the line meet, else APART.  OVERLAPPING where a corner lies
-    before it, which is no proof while other edges remain.  `factor`: as in `_classify_numbered_edge`.
+    before it, which is no proof while other edges remain.  `factor`: for each of these columns the sum of both largest
+    absolute coordinates, times ERROR_FACTOR_F64.
     """
     end = (start + 1) % len(own.x)
     ex, ey, fx, fy = own.x[start, left], own.y[start, left], own.x[end, left], own.y[end, left]

@@ -330,7 +330,7 @@ def _columns_of(shapes: Shapes) -> ComplexColumns | None:
 def _columns_of_runs(runs: Sequence[CornerColumns]) -> ComplexColumns | None:
     """Return the shapes of groups as columns, group after group; None for many shapes or corners."""
     if len(runs) == 1 and (columns := runs[0].as_complex) is not None:
-        return columns if len(runs[0]) > 1 else None
+        return columns  # one circle, too: it has no pairs
     most, n = max([run.corners for run in runs]), sum([len(run) for run in runs])  # lists are quicker for few
     if not 1 < n <= MAX_SHAPES or _are_many_corners(most, n):
         return None

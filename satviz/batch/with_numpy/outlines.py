@@ -118,7 +118,8 @@ def certified_padded(corners: Array, counts: Indices, radii: Array) -> Shapes | 
             and np.count_nonzero(_changes_along_x(edges) & (row[:most] < counts)) == 2 * polygons
             and np.count_nonzero(np.isfinite(closed[0])) == n
         ):
-            columns = ComplexColumns(closed[:-1], edges[:-1], radii + 0.0 if circles else None)
+            edges = edges[: most if polygons else 0]
+            columns = ComplexColumns(closed[: len(edges) + 1], edges, radii + 0.0 if circles else None)
             return Shapes(as_complex=(columns, counts.astype(np.int64)))
     return None
 
@@ -142,7 +143,7 @@ def _turns_one_way(xy: Array) -> tuple[Mask, Mask] | None:
     if not (size.min(initial=1.0) > MIN_SAFE_PRODUCT and size.max(initial=1.0) < MAX_SAFE_PRODUCT):
         certified = ((size > MIN_SAFE_PRODUCT) & (size < MAX_SAFE_PRODUCT)).all(axis=0)
     if corners > 4:  # with 3 or 4 turns of one sign there is no going round twice
-        rises = (dx > 0) | ((dx == 0) & (dy > 0))
+        rises = dx > 0  # each turn is less than 180 degrees, so each time round some edge rises and some edge does not
         once = np.count_nonzero(rises[1:] != rises[:-1], axis=0) == 2
         certified = once if certified is None else certified & once
     size *= ERRBOUND_A

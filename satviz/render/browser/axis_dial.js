@@ -19,7 +19,7 @@ export class AxisDial {
     this.turning = false; // by hand
     this.frame = 0; // of the turn by itself; 0: it stands
     this.play = button("turn the axis", () => (this.frame ? this.stop() : this.start()), { pressed: "false" });
-    this.element = element("div", { class: "sv-dial", hidden: true }, this.svg, element("div", {}, element("p", { class: "sv-note" }, "Green: directions with a gap. Drag the needle."), this.play));
+    this.element = element("div", { class: "sv-dial", hidden: true }, this.svg, element("div", {}, element("p", { class: "sv-note" }, "In the green directions there is a gap. Drag the needle."), this.play));
     this.svg.addEventListener("pointerdown", (event) => this.pointerDown(event));
     this.svg.addEventListener("pointermove", (event) => this.turning && this.turnTo(event));
     for (const end of ["pointerup", "pointercancel"]) this.svg.addEventListener(end, () => this.letGo());

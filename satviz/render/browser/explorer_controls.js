@@ -25,10 +25,10 @@ export class ExplorerControls {
     this.redo = toolButton("redo", "redo", () => explorer.redo(), { keys: "Control+Shift+Z" });
     const reset = toolButton("reset", "reset", () => explorer.reset());
     this.freeAxis = toolToggle("axis", "free axis", (on) => explorer.change({ degree: on ? 30 : null, pinned: null }));
-    this.wayOut = toolToggle("way", "way out", (on) => explorer.change({ wayOut: on }));
-    this.difference = toolToggle("difference", "B − A", (on) => explorer.change({ against: on }));
+    this.mtv = toolToggle("way", "way out", (on) => explorer.change({ mtv: on }));
+    this.difference = toolToggle("difference", "B − A", (on) => explorer.change({ difference: on }));
     this.snap = toolToggle("snap", "snap", () => {});
-    this.snap.toggle.title = "Where a shape is let go close to the other, it is moved until both touch exactly.";
+    this.snap.toggle.title = "If you let a shape go near the other one, it moves until both touch exactly.";
     /** @type {import("./save_menu.js").Kernel | null} */
     const kernel = model.get("alone") ? null : { formats: model.get("formats"), request: (form) => model.send({ kind: "save", form }) };
     const copies = { "copy JSON": () => explorer.state.json, "copy link": () => sceneLink(model.get("site"), explorer.state.link) };
@@ -39,7 +39,7 @@ export class ExplorerControls {
     this.scenes = element("div", { class: "sv-controls sv-scenes", role: "group", "aria-label": "scene" }, this.presets, this.goals);
     this.status = status;
     this.element = element("div", { class: "sv-controls sv-bar", role: "group", "aria-label": "explorer" },
-      group("shown", this.viewGroup, this.freeAxis.toggle, this.wayOut.toggle, this.difference.toggle),
+      group("shown", this.viewGroup, this.freeAxis.toggle, this.mtv.toggle, this.difference.toggle),
       group("do", this.snap.toggle, this.undo, this.redo, reset),
       this.drawing, group("share", menu), status);
     this.scene = "";
@@ -66,7 +66,7 @@ export class ExplorerControls {
     this.undo.disabled = !history.past.length;
     this.redo.disabled = !history.future.length;
     this.freeAxis.box.checked = pose.degree !== null;
-    this.wayOut.box.checked = pose.wayOut;
-    this.difference.box.checked = pose.against;
+    this.mtv.box.checked = pose.mtv;
+    this.difference.box.checked = pose.difference;
   }
 }

@@ -1,4 +1,4 @@
-// A challenge: what it asks, how the scene stands to it, and a hint for readers who want one.
+// A challenge: its task, the state of the scene, and a hint for readers who want one.
 
 import { button, element } from "./elements.js";
 
@@ -7,12 +7,12 @@ import { button, element } from "./elements.js";
 export class GoalPanel {
   /** @param {() => void} giveUp */
   constructor(giveUp) {
-    this.asks = element("b");
-    this.says = element("span");
+    this.task = element("b");
+    this.status = element("span");
     this.hint = element("p");
     const hint = element("details", {}, element("summary", {}, "a hint"), this.hint);
     this.giveUp = button("give up", giveUp);
-    this.element = element("div", { class: "sv-goal", hidden: true }, this.asks, this.says, hint, this.giveUp);
+    this.element = element("div", { class: "sv-goal", hidden: true }, this.task, this.status, hint, this.giveUp);
   }
 
   /** @param {Goal | undefined} goal */
@@ -21,18 +21,18 @@ export class GoalPanel {
     if (!goal) return;
     this.element.classList.toggle("sv-met", goal.met);
     this.giveUp.hidden = goal.met;
-    for (const name of /** @type {const} */ (["asks", "says", "hint"])) {
+    for (const name of /** @type {const} */ (["task", "status", "hint"])) {
       if (this[name].textContent !== goal[name]) this[name].textContent = goal[name];
     }
   }
 
   /**
-   * What is said aloud: what the challenge asks when it is new, then how the scene stands to it.
+   * What is read aloud: the task of a new challenge, then the state of the scene.
    * @param {Goal | undefined} goal
    */
   announcement(goal) {
     if (!goal) return [];
-    const isNew = this.element.hidden || goal.asks !== this.asks.textContent;
-    return [...(isNew ? [goal.asks] : []), ...(goal.met ? ["Done."] : []), goal.says];
+    const isNew = this.element.hidden || goal.task !== this.task.textContent;
+    return [...(isNew ? [goal.task] : []), ...(goal.met ? ["Done."] : []), goal.status];
   }
 }

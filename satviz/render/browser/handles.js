@@ -57,13 +57,13 @@ export class Handles {
    * @param {Picture | null} picture
    */
   findObstacles(picture) {
-    const { marks, looks } = picture ?? { marks: [], looks: [] };
+    const { marks, styles } = picture ?? { marks: [], styles: [] };
     const axes = marks.filter(({ part }) => part === "axis" || part === "normal").map(({ points }) => points);
-    const dots = marks.filter(({ part, look }) => looks[look].kind === "dot" && part !== "vertex").map(({ part, points }) => ({ at: points[0], movesB: part === "reference" }));
-    const labels = marks.filter(({ look }) => looks[look].kind === "label");
-    const words = labels.map(({ points, text = "", look }) => {
+    const dots = marks.filter(({ part, style }) => styles[style].kind === "dot" && part !== "vertex").map(({ part, points }) => ({ at: points[0], movesB: part === "reference" }));
+    const labels = marks.filter(({ style }) => styles[style].kind === "label");
+    const words = labels.map(({ points, text = "", style }) => {
       const lines = text.split("\n");
-      const { size = 0 } = looks[look];
+      const { size = 0 } = styles[style];
       return { at: this.pen.toPicture(points[0]), halfWidth: Math.max(...lines.map(({ length }) => length)) * size * 0.32, halfHeight: lines.length * size * 0.6 };
     });
     return { axes, dots, words };

@@ -13,10 +13,10 @@
  * @property {string | null} goal The challenge.
  * @property {number | null} pinned The row of the axis that is shown.
  * @property {number | null} degree The direction of a free axis.
- * @property {boolean} wayOut
- * @property {boolean} against Is the difference B − A shown?
+ * @property {boolean} mtv Is the MTV shown?
+ * @property {boolean} difference Is the difference B − A shown?
  */
-/** @typedef {{ goal: string, met: boolean, asks: string, says: string, hint: string }} Goal */
+/** @typedef {{ goal: string, met: boolean, task: string, status: string, hint: string }} Goal */
 /**
  * Everything that an explorer shows.
  * @typedef {object} State

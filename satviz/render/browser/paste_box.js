@@ -1,4 +1,4 @@
-// The paste box: shapes as text go to Python, which says how they were read, how they lie, why, and what can be sent on.
+// The paste box: shapes as text go to Python, which replies with the readings, the relation, its reason, and forms to copy or save.
 // What comes back is shown as text, and the box keeps what was pasted.
 
 import { PAGE_FORMATS, savePictures } from "./download.js";
@@ -26,7 +26,7 @@ export class PasteBox {
     this.text = element("textarea", { class: "sv-text", rows: 7, spellcheck: "false", autocomplete: "off", "aria-label": "shapes as text", placeholder: PLACEHOLDER, onkeydown });
     this.why = element("p", { class: "sv-unread", role: "alert", hidden: true });
     this.answer = element("div", { class: "sv-answer", "aria-live": "polite" });
-    const what = element("p", { class: "sv-note" }, "WKT, GeoJSON, JSON, or lines of code with two shapes or more. Nothing in it is run.", element("span", { class: "sv-of-keys" }, " Control and Enter explain it too."));
+    const what = element("p", { class: "sv-note" }, "Paste WKT, GeoJSON, JSON, or lines of code with two or more shapes. No code is run.", element("span", { class: "sv-of-keys" }, " Control and Enter together do the same as the button explain."));
     this.element = element("details", { class: "sv-paste" }, element("summary", {}, "paste your own shapes"), what, this.text, element("div", { class: "sv-controls" }, button("explain", () => this.explain([])), button("take the shapes above", () => this.take())), this.why, this.answer);
     if (explorer.model.get("pasting")) this.element.open = true;
     /** @type {Listener} */
@@ -82,7 +82,7 @@ export class PasteBox {
    */
   question({ asks, answers }, sentence, open) {
     const buttons = answers.map(({ choice, meaning, gives }) => button(`${meaning}: ${gives}`, () => this.explain([...this.chosen, choice])));
-    const taken = open ? [] : [element("span", { class: "sv-note" }, `The first was taken: the relation is the same.`)];
+    const taken = open ? [] : [element("span", { class: "sv-note" }, "satviz took the first answer. With the others the relation is the same.")];
     return element("div", { class: "sv-question", role: "group", "aria-label": asks }, ...(sentence.startsWith(asks) ? [] : [element("b", {}, asks)]), ...buttons, ...taken);
   }
 

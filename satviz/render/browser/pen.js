@@ -7,7 +7,7 @@ import { element } from "./elements.js";
 /**
  * @typedef {object} Mark
  * @property {string} id
- * @property {number} look The mark's row in the table of looks.
+ * @property {number} style The mark's row in the table of styles.
  * @property {string} part What the mark is: "outline", "vertex", "axis".
  * @property {Point[]} points In scene units.
  * @property {Point[]} [start] Where the points come from: a point each, or one for all.
@@ -17,7 +17,7 @@ import { element } from "./elements.js";
  * @property {string} [text]
  */
 /**
- * @typedef {object} Look
+ * @typedef {object} Style
  * @property {"outline" | "disc" | "segment" | "arrow" | "interval" | "bracket" | "dot" | "label"} kind
  * @property {string} role
  * @property {number} [layer] Of its line.
@@ -33,12 +33,12 @@ import { element } from "./elements.js";
 /**
  * @typedef {object} Picture
  * @property {Mark[]} marks
- * @property {Look[]} looks
+ * @property {Style[]} styles
  * @property {[number, number, number, number]} limits In scene units: x0, y0, x1, y1.
  * @property {Point} size In points.
  * @property {string} sentence
  */
-/** @typedef {{ mark: Mark, look: Look, parts: SVGElement[] }} Drawn */
+/** @typedef {{ mark: Mark, style: Style, parts: SVGElement[] }} Drawn */
 /** @typedef {{ drawn: Drawn, from: Point[] | "fade" }} Move */
 
 const MOVE_MS = 450;
@@ -81,16 +81,16 @@ export class Pen {
     const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
     for (const mark of picture.marks) {
       const old = before.get(mark.id);
-      const look = picture.looks[mark.look];
-      const kept = old && JSON.stringify(old.look) === JSON.stringify(look) ? old.parts : null;
-      const drawn = { mark, look, parts: kept ?? this.makeParts(mark, look) };
+      const style = picture.styles[mark.style];
+      const kept = old && JSON.stringify(old.style) === JSON.stringify(style) ? old.parts : null;
+      const drawn = { mark, style, parts: kept ?? this.makeParts(mark, style) };
       this.unfade(drawn); // a move may have been cut short
       if (!kept && old) for (const part of old.parts) part.remove();
       // The elements follow the order of the picture: later marks lie on top.
       for (const part of drawn.parts) part.parentNode?.append(part);
       this.drawn.set(mark.id, drawn);
       before.delete(mark.id);
-      if (look.kind === "label") this.write(drawn);
+      if (style.kind === "label") this.write(drawn);
       const from = animate && !still ? startOfMove(drawn, old) : null;
       this.place(drawn, mark);
       if (from) moves.push({ drawn, from });
@@ -137,7 +137,7 @@ export class Pen {
 
   /**
    * @param {Mark} mark
-   * @param {Look} look
+   * @param {Style} style
    */
   makeParts({ id }, { kind, role, layer, width, dash, opacity, fill, size, bold }) {
     /** @type {SVGElement[]} */
@@ -171,14 +171,14 @@ export class Pen {
    * @param {Drawn} drawn
    * @param {Mark} mark The same mark, perhaps on its way to its points.
    */
-  place({ look, parts }, mark) {
-    const { size = 0 } = look;
+  place({ style, parts }, mark) {
+    const { size = 0 } = style;
     const points = mark.points.map((p) => this.toPicture(p));
     /** @param {string} path */
     const setPath = (path) => {
       for (const part of parts) part.setAttribute("d", path);
     };
-    if (look.kind === "label") {
+    if (style.kind === "label") {
       const [[x, y]] = points;
       const [text] = parts;
       const lines = [...text.children];
@@ -188,17 +188,17 @@ export class Pen {
         line.setAttribute("y", String(round(y + (i - (lines.length - 1) / 2) * size * 1.2 + size * 0.35)));
       });
       text.dataset.at = points[0].map(round).join(" ");
-    } else if (look.kind === "dot") {
-      setPath((look.square ? squarePath : circlePath)(points[0], size / 2));
-    } else if (look.kind === "disc") {
+    } else if (style.kind === "dot") {
+      setPath((style.square ? squarePath : circlePath)(points[0], size / 2));
+    } else if (style.kind === "disc") {
       setPath(circlePath(points[0], (mark.radius ?? 0) * this.scale));
-    } else if (look.kind === "outline") {
+    } else if (style.kind === "outline") {
       setPath(`${linePath(points)}Z`);
-    } else if (look.kind === "arrow") {
-      const [shaft, head] = arrowPaths(points, look.head ?? [0, 0]);
+    } else if (style.kind === "arrow") {
+      const [shaft, head] = arrowPaths(points, style.head ?? [0, 0]);
       parts[0].setAttribute("d", shaft);
       parts[1].setAttribute("d", head);
-    } else if (look.kind === "segment") {
+    } else if (style.kind === "segment") {
       setPath(linePath(points, 2));
     } else {
       setPath(linePath(points));
@@ -252,8 +252,8 @@ export class Pen {
  * @param {Drawn | undefined} old
  * @returns {Point[] | "fade" | null}
  */
-function startOfMove({ mark: { points, start }, look }, old) {
-  if (look.kind === "label") return old ? null : "fade";
+function startOfMove({ mark: { points, start }, style }, old) {
+  if (style.kind === "label") return old ? null : "fade";
   if (!old) return start ? points.map((_, i) => start[i] ?? start[0]) : "fade";
   const from = old.mark.points;
   return from.length === points.length && String(from) !== String(points) ? from : null;

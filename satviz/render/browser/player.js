@@ -7,7 +7,7 @@ import { saveMenu, sceneLink } from "./save_menu.js";
 import { Table } from "./table.js";
 import { followTheme } from "./theme.js";
 
-/** @import { Look, Mark, Picture, Point } from "./pen.js" */
+/** @import { Style, Mark, Picture, Point } from "./pen.js" */
 /** @import { Row } from "./table.js" */
 /**
  * @typedef {object} Step
@@ -23,7 +23,7 @@ import { followTheme } from "./theme.js";
  * A run of the algorithm.
  * @typedef {object} Show
  * @property {Point} size
- * @property {Look[]} looks
+ * @property {Style[]} styles
  * @property {Mark[]} marks
  * @property {Step[]} steps
  * @property {string[]} names
@@ -83,7 +83,7 @@ export class Player {
     this.predictLabel = element("label", {}, this.predict, " predict");
     this.score = element("output", { class: "sv-score" });
     this.rest = button("test the rest", () => this.switchShow(), { pressed: "false" });
-    const copy = () => sceneLink(site, `${link}&step=${this.at}${this.predict.checked ? "&predict=1" : ""}${this.which ? "&rest=1" : ""}`);
+    const copy = () => sceneLink(site, `${link}&step=${this.at}${this.predict.checked ? "&predict=1" : ""}${this.which ? "&every-axis=1" : ""}`);
     const kernel = requestFile && { formats, request: (/** @type {string} */ form) => requestFile(form, this.at, this.which) };
     const { menu, status } = saveMenu([this.pen], kernel, link ? { "copy link": copy } : {});
     this.status = status; // says what became of a file
@@ -156,9 +156,9 @@ export class Player {
    * @returns {Picture}
    */
   picture(i) {
-    const { size, looks, marks, steps } = this.show;
+    const { size, styles, marks, steps } = this.show;
     const { limits, sentence } = steps[i];
-    return { limits, size, looks, sentence, marks: steps[i].marks.map((m) => marks[m]) };
+    return { limits, size, styles, sentence, marks: steps[i].marks.map((m) => marks[m]) };
   }
 
   /**
@@ -210,7 +210,7 @@ export class Player {
     const right = yes === ("gap" in asked && asked.gap > 0);
     this.answered.set(row, right);
     this.go(this.knownAt[row]);
-    this.sentence.textContent = (right ? "Right. " : "Not so. ") + this.sentence.textContent;
+    this.sentence.textContent = (right ? "Right. " : "Not right. ") + this.sentence.textContent;
     this.svg.focus();
   }
 

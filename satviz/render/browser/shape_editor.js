@@ -18,10 +18,10 @@ const CROSS_STEP = 8; // points that an arrow key moves the cross; with Shift a 
 const CROSS_MOVES = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 /** @type {Record<Tool, string>} */
 const TOOL_HELP = {
-  polygon: "Click each corner in turn; click the first one again, or done, to close. Keys: arrows move the cross, Enter sets a corner, Backspace takes the last one back, Escape ends.",
+  polygon: "Click each corner in turn. To close the polygon, click the first corner again, or press done. Keys: arrows move the cross, Enter sets a corner, Backspace removes the last one, Escape ends.",
   circle: "Click the center, then a point of the border. Keys: arrows move the cross, Enter sets it, Escape ends.",
   add: "Click an edge where the new corner belongs. Keys: arrows move the cross, Enter sets it, Escape ends.",
-  take: "Click the corner that is to go. Keys: arrows move the cross, Enter takes the nearest corner, Escape ends.",
+  take: "Click the corner to remove. Keys: arrows move the cross, Enter removes the nearest corner, Escape ends.",
 };
 
 export class ShapeEditor {

@@ -17,7 +17,7 @@ from .wrong_steps import is_closing_edge, measured_test, raw_normals
 
 
 def normals_of_every_edge(a: Shape, b: Shape) -> Choice:
-    """Return the normals of all edges as a Choice, with (0, 0) for an edge of length 0."""
+    """Return the normals of all edges as a Choice; an edge of length 0 has the normal (0, 0)."""
     axes = list(edge_normals(a, b).axes)
     for role, points in ("B", b.vertices), ("A", a.vertices):
         for i, (p, q) in enumerate(pairwise(points)):
@@ -27,7 +27,7 @@ def normals_of_every_edge(a: Shape, b: Shape) -> Choice:
 
 
 def normals_of_open_outlines(a: Shape, b: Shape) -> Choice:
-    """Return all edge normals but those of the edges from the last vertex to the first."""
+    """Return all edge normals, except those of the edges from the last vertex to the first, as a Choice."""
     return Choice(tuple(axis for axis in edge_normals(a, b).axes if not is_closing_edge(axis, a, b)))
 
 
@@ -49,8 +49,8 @@ def edge_vectors(points: RawOutline) -> list[Vec]:
     return [Vec(q[0] - p[0], q[1] - p[1]) for p, q in zip(points, (*points[1:], points[0]))]
 
 
-def largest_gap_of_rods(a: RawOutline, b: RawOutline) -> float:
-    """Return the largest gap over all edge normals of two unchecked outlines."""
+def largest_gap_unchecked(a: RawOutline, b: RawOutline) -> float:
+    """Return the largest gap on all edge normals of two outlines that nobody has checked."""
 
     def interval(points: RawOutline, dx: float, dy: float) -> Interval:
         """Return the range of the points on the normal of the edge (dx, dy)."""
@@ -61,7 +61,7 @@ def largest_gap_of_rods(a: RawOutline, b: RawOutline) -> float:
 
 
 def least_turn(a: RawOutline, b: RawOutline) -> float:
-    """Return the smallest cross product of neighbouring edges of A; positive means "convex" to the shortcut."""
+    """Return the smallest cross product of neighbouring edges of A, which the shortcut takes for convex if positive."""
     edges = edge_vectors(a)
     return min(p.x * q.y - p.y * q.x for p, q in zip(edges, (*edges[1:], edges[0])))
 
@@ -73,7 +73,7 @@ CASES = (
         Shortcut("no-area", "a rod is a polygon like any other"),
         REFUSED,
         ([(0, 0), (1, 0), (0.5, 0)], [(2, 0), (3, 0), (2.5, 0)]),
-        unchecked_value=largest_gap_of_rods,
+        unchecked_value=largest_gap_unchecked,
         unchecked_words="all edges have one normal, on which all points land in one place: {}, a hit",
     ),
     FailureCase(

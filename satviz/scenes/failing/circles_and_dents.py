@@ -20,13 +20,13 @@ from .wrong_steps import measured_test
 
 
 def reversed_gap(a: Shape, b: Shape, axis: Axis) -> AxisTest:
-    """Return the test of an axis with the sign of its gap reversed, as a comparison the wrong way round."""
+    """Return the test of an axis with the sign of its gap reversed, like a comparison with < in place of >."""
     test = measured_test(axis, project(a, axis), project(b, axis))
     return test._replace(gap=-test.gap)
 
 
 def region_everywhere(a: Shape, b: Shape, window: Window) -> RegionOrReason:
-    """Return the error region of `reversed_gap` for two circles: every move but touching; else why none."""
+    """Return the error region of `reversed_gap` for two circles: every move but touching; or why none is shown."""
     if not (a.core_is_point and b.core_is_point):
         return TURNING
     hits = hits_in_window(a, b, window)
@@ -34,13 +34,13 @@ def region_everywhere(a: Shape, b: Shape, window: Window) -> RegionOrReason:
 
 
 def gap_on_hull(a: Shape, b: Shape) -> float:
-    """Return the largest gap on those hull edges that bridge a dent; without any, the engine's gap."""
+    """Return the largest gap on those hull edges that bridge a dent; if there is no such edge, the engine's gap."""
     tests = record(a, b, axes=hull_normals, every_axis=True).tests
     return max((test.gap for test in tests if test.source.kind == HULL), default=gap(a, b))
 
 
 def halves(shape: Shape) -> Sequence[Shape]:
-    """Return the two pieces of a convex polygon cut along a diagonal; of any other shape the convex parts."""
+    """Return the two pieces of a convex polygon cut along a diagonal, and the convex parts of any other shape."""
     if isinstance(shape, Circle) or not shape.is_convex:
         return parts(shape)
     points, k = shape.corners, len(shape.corners) // 2
@@ -84,6 +84,6 @@ CASES = (
         (box(0, 0, 4, 4), box(1.5, 1.5, 2.5, 2.5)),
         **DEPTH,
         error_region=partial(region_of_pieces, split=halves, error=excess_length),
-        panels=Panels(actual="way out"),
+        panels=Panels(actual="MTV"),
     ),
 )

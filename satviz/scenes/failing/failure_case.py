@@ -16,7 +16,7 @@ from .true_value import Answer
 
 FALSE_HIT, MISSED_HIT, WRONG_NUMBER, REFUSED = "false hit", "missed hit", "wrong number", "refused input"
 
-RawOutline = Sequence[tuple[float, float]]  # vertices that nobody has checked
+RawOutline = Sequence[tuple[float, float]]  # vertices that are not validated
 
 
 class Panels(NamedTuple):
@@ -35,12 +35,12 @@ def largest_gap(trace: Trace) -> float:
 
 
 def push_length(trace: Trace) -> float:
-    """Return how far the run would push B; NaN if it makes no push."""
+    """Return the length of the run's push of B; NaN if it makes no push."""
     return hypot(*(trace.push or (nan, nan)))
 
 
 class FailureCase(NamedTuple):
-    """A shortcut, the smallest shapes on which it fails, and both answers.
+    """A shortcut, the smallest shapes on which it fails, and what computes both answers.
 
     `shortcut`: the claim as people say it, and the one step that is done wrongly.
     `how`: the way in which it fails, one of FALSE_HIT, MISSED_HIT, WRONG_NUMBER and REFUSED.
@@ -54,7 +54,7 @@ class FailureCase(NamedTuple):
     `is_about_push`: the number depends on where the shortcut pushes B.
     `error_region`: the moves of B for which the answer is wrong, or the reason why no area shows them;
     None for a verdict that follows from the shortcut's axes alone.
-    `panels`: how it is drawn; `verdicts`: the words above both panels, where the relation is not what it is about.
+    `panels`: how it is drawn; `verdicts`: the words above both panels, if the case is not about the relation.
     `direction_name`: the label of an axis that the shortcut gives as a direction, in which {} stands for its vector.
     `number`: the place in the list of all cases, counted by satviz/scenes/failing/__init__.py.
     """

@@ -104,7 +104,7 @@ def subtract(ring: ConvexRing, others: Sequence[ConvexRing]) -> list[ConvexRing]
 
 
 def _subtract_one(ring: ConvexRing, other: ConvexRing) -> Iterator[ConvexRing]:
-    """Yield convex pieces of a ring outside another: what lies beyond each of its edges in turn."""
+    """Yield convex pieces that make up the part of a ring outside another: one beyond each edge of the other."""
     rest = ring
     for p, q in zip(other, (*other[1:], other[0]), strict=True):
         n = Vec(q.y - p.y, p.x - q.x)

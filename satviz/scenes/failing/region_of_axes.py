@@ -29,7 +29,7 @@ from .move_space import (
 
 ROUNDING = "only rounding makes it wrong, at single places that no area can show"
 TURNING = "its axes turn as B moves, so the region where it is wrong has no straight edges"
-OWN_PUSH = "its answer is a push of its own, which no formula is known for"
+OWN_PUSH = "it pushes B by a rule of its own, for which satviz knows no formula"
 FIXED_AXES = EDGE, GIVEN, HULL, SLIP, WORLD  # kinds of axes that stay where they are while B moves
 
 

@@ -1,8 +1,8 @@
 """The error region of a push or a depth, as polygons in the plane of B's moves.
 
-How far B has to move out across an edge of A - B is linear in the move that it has made, and the nearest edge
-changes along straight lines.  So in every cell between these lines the claimed number and the true number are one
-formula each: they are the same formula, or they differ everywhere but on a line or a curve without an area.
+The distance from B's move to an edge of A - B is a linear function of that move, and the nearest edge changes along
+straight lines.  So in every cell between these lines the claimed number and the true number are one formula each.
+The two formulas are equal, or they differ everywhere but on a line or a curve, which has no area.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -31,21 +31,21 @@ from .move_space import (
 
 MAX_CORNERS, MAX_CORNERS_IN_PIECES = 32, 12  # of both shapes: more make too many cells to work out during a drag
 
-ROUND = "the way out of a circle turns as B moves, so the region where the number is wrong has no straight edges"
+ROUND = "the shortest way out of a circle turns as B moves, so the region of wrong numbers has no straight edges"
 DENT = "a shape has a dent, so its shortest way out does not change along straight lines"
 OVERFLOW = "the squares of these lengths are too large for float64"
 MANY_CORNERS = "both shapes together have more than {} corners, too many to work it out while you drag"
 
 
 class Linear(NamedTuple):
-    """A linear function of the move d of B: `rest` - `down` . d."""
+    """The linear function `constant` - `slope` . d of the move d of B."""
 
-    rest: float
-    down: Vec
+    constant: float
+    slope: Vec
 
     def at(self, d: Vec) -> float:
         """Return the value of this linear function when B is moved by d."""
-        return self.rest - self.down.x * d.x - self.down.y * d.y
+        return self.constant - self.slope.x * d.x - self.slope.y * d.y
 
 
 ZERO = Linear(0.0, Vec(0.0, 0.0))
@@ -69,9 +69,9 @@ def why_no_cells(a: Shape, b: Shape) -> str:
 
 
 def overlaps(a: Shape, b: Shape, axis: Axis) -> Iterator[tuple[Linear, Vec]]:
-    """Yield (distance, direction) of both moves of B along an axis that part the ranges.
+    """Yield (distance, direction) of the two pushes of B along an axis that end the overlap, one to each side.
 
-    The distance is a linear function of the move that B made before.
+    The distance is a linear function of the move that B made before the push.
     """
     p, q, n = project(a, axis).interval, project(b, axis).interval, axis.direction
     yield Linear(p.hi - q.lo, n), n
@@ -80,9 +80,9 @@ def overlaps(a: Shape, b: Shape, axis: Axis) -> Iterator[tuple[Linear, Vec]]:
 
 
 def overlaps_in_raw_units(a: Shape, b: Shape, axis: Axis) -> list[Linear]:
-    """Return both overlaps on an axis as if its normal had length 1, as functions of B's move."""
+    """Return both overlaps on an axis in units of its normal's length, as functions of B's move."""
     k = axis.length
-    return [Linear(rest * k, Vec(n.x * k, n.y * k)) for (rest, n), _ in overlaps(a, b, axis)]
+    return [Linear(constant * k, Vec(n.x * k, n.y * k)) for (constant, n), _ in overlaps(a, b, axis)]
 
 
 def shared_lengths(a: Shape, b: Shape, axis: Axis) -> list[Linear]:
@@ -94,7 +94,10 @@ def shared_lengths(a: Shape, b: Shape, axis: Axis) -> list[Linear]:
 def region_of_depth(
     a: Shape, b: Shape, window: Window, choose: Chooser, measure: Callable[[Shape, Shape, Axis], list[Linear]]
 ) -> RegionOrReason:
-    """Return the moves where the least number from `measure` is not the depth, or why none is shown."""
+    """Return the moves for which a shortcut's depth is wrong, or why none is shown.
+
+    Its depth is the least value of all functions from `measure` on all axes from `choose`.
+    """
     if why := why_no_cells(a, b):
         return why
     claimed = [one for axis in choose(a, b).axes for one in measure(a, b, axis)]
@@ -107,7 +110,7 @@ def region_of_depth(
 
 
 def region_of_every_overlap(a: Shape, b: Shape, window: Window) -> RegionOrReason:
-    """Return the moves for which two polygons overlap: all but a line of them have the wrong push; or say why none."""
+    """Return the moves for which two polygons overlap, where a wrong push is right on a line at most; or why none."""
     if why := why_no_cells(a, b):
         return why
     (ring,) = minkowski_difference(a, b)
@@ -141,7 +144,7 @@ def region_of_pieces(
 ) -> RegionOrReason:
     """Return the moves where the summed pushes of A's pieces differ from the MTV, or why none is shown.
 
-    `error` of (sum of pushes, MTV) is quadratic in both, and 0 where the sum counts as right.
+    `error(sum of pushes, MTV)` is a quadratic function of both, and 0 where the sum counts as right.
     """
     if why := why_no_cells(a, b):
         return why
@@ -151,7 +154,7 @@ def region_of_pieces(
     layers = [[*_push_cells(a, b, window)]]
     for piece in split(a):
         (own,) = minkowski_difference(piece, b)
-        beyond = (PushRegion(rest, ZERO, ZERO.down) for rest in subtract(clip_to_window(ring, window), [own]))
+        beyond = (PushRegion(outside, ZERO, ZERO.slope) for outside in subtract(clip_to_window(ring, window), [own]))
         layers.append([*_push_cells(piece, b, window), *beyond])
     far = max(abs(u) for p in (*ring, *window_ring(window)) for u in p)
     if not isfinite(far * far):
@@ -162,7 +165,7 @@ def region_of_pieces(
 
 
 def _push_cells(a: Shape, b: Shape, window: Window) -> Iterator[PushRegion]:
-    """Yield the moves for which the shapes meet, cut into cells: one for each edge of A - B, nearest to it."""
+    """Yield the moves for which the shapes meet, cut into cells: one for each edge of A - B that is nearest there."""
     every = [side for axis in needed(a, b).axes for side in overlaps(a, b, axis)]
     (ring,) = minkowski_difference(a, b)
     inside = clip_to_window(ring, window)
@@ -174,7 +177,8 @@ def _push_cells(a: Shape, b: Shape, window: Window) -> Iterator[PushRegion]:
 def _where_least(ring: ConvexRing, one: Linear, others: Sequence[Linear]) -> ConvexRing:
     """Return the part of a convex ring of moves where the linear function `one` is the smallest of all."""
     for other in others:
-        n, limit = Vec(other.down.x - one.down.x, other.down.y - one.down.y), other.rest - one.rest
+        n = Vec(other.slope.x - one.slope.x, other.slope.y - one.slope.y)
+        limit = other.constant - one.constant
         if _is_same(one, other):
             continue
         if not ring:
@@ -188,8 +192,9 @@ def _where_least(ring: ConvexRing, one: Linear, others: Sequence[Linear]) -> Con
 
 def _is_same(p: Linear, q: Linear) -> bool:
     """Return whether two linear functions of B's move are equal up to rounding."""
-    size = max(abs(p.rest), abs(q.rest), hypot(*p.down), hypot(*q.down))
-    return max(abs(p.rest - q.rest), *(abs(u - v) for u, v in zip(p.down, q.down, strict=True))) <= TOLERANCE * size
+    size = max(abs(p.constant), abs(q.constant), hypot(*p.slope), hypot(*q.slope))
+    difference = abs(p.constant - q.constant), *(abs(u - v) for u, v in zip(p.slope, q.slope, strict=True))
+    return max(difference) <= TOLERANCE * size
 
 
 def _overlay(layers: Sequence[Sequence[PushRegion]]) -> list[tuple[ConvexRing, list[PushRegion]]]:

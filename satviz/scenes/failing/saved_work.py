@@ -65,7 +65,7 @@ def region_of_far_centers(a: Shape, b: Shape, window: Window) -> RegionOrReason:
 
 
 def normals_of_upright_faces(a: Shape, b: Shape) -> Choice:
-    """Return the normals of the upright faces of two boxes in space, seen from above."""
+    """Return the normals of those edges that are upright faces of two boxes in space, seen from above, as a Choice."""
     of_b = (axis for axis in edge_normals(a, b).axes if axis.source[1:] in (("B", (0, 1)), ("B", (2, 3))))
     return Choice((*edge_normals_of_a(a, b).axes, *of_b))
 
@@ -96,17 +96,17 @@ def region_of_few_evaluations(a: Shape, b: Shape, window: Window) -> RegionOrRea
         return why
     axes, (ring,) = needed(a, b).axes, minkowski_difference(a, b)
     sides = [side for side, _ in overlaps(a, b, axes[0])]
-    found = [clip_to_half_plane(window_ring(window), Vec(-side.down.x, -side.down.y), -side.rest) for side in sides]
+    found = [clip_to_half_plane(window_ring(window), Vec(-f.slope.x, -f.slope.y), -f.constant) for f in sides]
     if len(axes) <= MIN_SUPPORT_POINTS:
         found.append(clip_to_window(ring, window))
     return wrong_number_region(a, b, window, found)
 
 
 def corner_tests(a: Shape, b: Shape) -> list[AxisTest]:
-    """Return a test for each corner of two polygons: of the other's edge normals, the one that it lies furthest out on.
+    """Return a test for each corner of two polygons: on the edge normal of the other with the largest gap.
 
-    One side of a test is the corner alone.  A corner lies in the other polygon, if that is convex, where the gap is
-    not positive.  Empty beside a circle.
+    One side of the test is the corner alone.  A corner lies in the other polygon, if that is convex, where the gap is
+    not positive.  The list is empty if a shape is a circle.
     """
     if a.core_is_point or b.core_is_point:
         return []
@@ -121,19 +121,19 @@ def corner_tests(a: Shape, b: Shape) -> list[AxisTest]:
 
 
 def _at(side: Projection, i: int) -> Projection:
-    """Return the projection of one corner alone."""
+    """Return the part of a projection that belongs to corner i alone, counted from 0."""
     return Projection(side.points[i : i + 1], side.landings[i : i + 1])
 
 
 def innermost_corner(a: Shape, b: Shape) -> AxisTest | None:
-    """Return the test of the corner that lies deepest in the other polygon; None beside a circle."""
+    """Return the test of the corner that lies deepest in the other polygon; None if a shape is a circle."""
     return min(corner_tests(a, b), key=lambda test: test.gap, default=None)
 
 
 def least_clearance(a: Shape, b: Shape) -> AxisTest | None:
-    """Return the test of the edge of one convex polygon that the other, strictly inside it, comes nearest to.
+    """Return the test of the edge nearest to the polygon that lies strictly inside the other; None if neither does.
 
-    Its gap is how far that is.  None where neither lies strictly inside the other.
+    The gap of this test is the distance from that edge.
     """
     for edges_of in "AB" if a.is_convex and b.is_convex else "":
         found = []
@@ -151,15 +151,15 @@ def least_clearance(a: Shape, b: Shape) -> AxisTest | None:
 
 
 def by_one_test(name: str, claim: str, find: Callable[[Shape, Shape], AxisTest | None]) -> Shortcut:
-    """Return the shortcut that knows one test alone, the one that `find` returns; without it all needed axes."""
+    """Return a shortcut that makes only the test which `find` returns; where that is None, it tests all needed axes."""
 
     def axes(a: Shape, b: Shape) -> Choice:
-        """Return the axis of that test, else all needed axes, as a Choice."""
+        """Return the axis of the found test, else all needed axes, as a Choice."""
         test = find(a, b)
         return Choice((test.axis,)) if test else needed(a, b)
 
     def measure(a: Shape, b: Shape, axis: Axis) -> AxisTest:
-        """Return that test, else the test of an axis with both whole shapes."""
+        """Return the found test, else the test of an axis with both whole shapes."""
         return find(a, b) or measured_test(axis, project(a, axis), project(b, axis))
 
     return Shortcut(name, claim, axes, measure)
@@ -184,21 +184,21 @@ def region_inside(a: Shape, b: Shape, window: Window) -> RegionOrReason:
     return ErrorRegion((), tuple(missed), hits_in_window(a, b, window))
 
 
-def circle_round(shape: Shape) -> Circle:
+def circle_around(shape: Shape) -> Circle:
     """Return the circle about a shape's centroid through the vertex that is furthest from it."""
     middle = centroid(shape)
     return Circle(middle, max((dist(middle, vertex) for vertex in shape.vertices), default=shape.radius))
 
 
-def circles_round(a: Shape, b: Shape, axis: Axis) -> AxisTest:
+def circles_around(a: Shape, b: Shape, axis: Axis) -> AxisTest:
     """Return the test of an axis with the circles round both shapes."""
-    return measured_test(axis, *(project(circle_round(shape), axis) for shape in (a, b)))
+    return measured_test(axis, *(project(circle_around(shape), axis) for shape in (a, b)))
 
 
-def region_of_circles_round(a: Shape, b: Shape, window: Window) -> RegionOrReason:
+def region_of_circles_around(a: Shape, b: Shape, window: Window) -> RegionOrReason:
     """Return the moves for which the circles round both shapes meet, and the shapes do not."""
     hits = hits_in_window(a, b, window)
-    (ring,) = hits_in_window(circle_round(a), circle_round(b), window)
+    (ring,) = hits_in_window(circle_around(a), circle_around(b), window)
     return ErrorRegion(tuple(subtract(ring, hits)), (), hits)
 
 
@@ -249,10 +249,10 @@ CASES = (
         panels=Panels(claimed="edges"),
     ),
     FailureCase(
-        Shortcut("bounding-circles", "the circles round the shapes meet, so the shapes do", centers, circles_round),
+        Shortcut("bounding-circles", "the circles round the shapes meet, so the shapes do", centers, circles_around),
         FALSE_HIT,
         (box(0, 0, 4, 1), box(0, 2, 4, 3)),
-        error_region=region_of_circles_round,
+        error_region=region_of_circles_around,
     ),
     FailureCase(
         Shortcut("many-pairs", "a thousand shapes, a thousand tests: threads will do it"),

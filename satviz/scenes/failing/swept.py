@@ -1,7 +1,7 @@
-"""SAT for a moving shape: on each axis the stretch of time in which the ranges overlap.
+"""SAT for a moving shape: on each axis the interval of time in which the ranges overlap.
 
-All numbers may be Fractions, and then all times are exact.  The shapes meet while
-the ranges overlap on every axis: from the last entry to the first exit.
+All numbers may be Fractions, and then all times are exact.  The shapes meet while the ranges overlap on every axis:
+from the last time at which they enter to the first at which they leave (swept SAT, as in Ericson).
 """
 
 from collections.abc import Sequence
@@ -13,7 +13,7 @@ ExactPoint = tuple[ExactNumber, ExactNumber]
 
 
 class OverlapTime(NamedTuple):
-    """When the ranges on one axis begin to overlap and when they end, in parts of the way; `never` if they do not."""
+    """The times, from 0 to 1, at which the ranges on one axis begin and end to overlap; `never` if they do not."""
 
     enter: ExactNumber
     leave: ExactNumber

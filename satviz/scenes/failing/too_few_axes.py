@@ -14,13 +14,13 @@ from .wrong_steps import only_y
 
 
 def spread_of_found_axes(trace: Trace) -> float:
-    """Return the angle in degrees between the separating axes found, at most one: 0; NaN if none."""
+    """Return 0, the angle in degrees that one separating axis spans, if the run found one; NaN if not."""
     found = [degrees(atan2(*reversed(test.axis.normal))) for test in trace.tests if test.separates][:1]
     return max(found) - min(found) if found else nan
 
 
 def width_of_separating_angles(a: Shape, b: Shape) -> float:
-    """Return the width in degrees of the range of separating directions; NaN if it is empty."""
+    """Return the width in degrees of the range of separating directions; NaN if no direction separates."""
     lo, hi = separating_angles(a, b)
     return hi - lo or nan
 

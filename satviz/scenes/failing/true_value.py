@@ -18,7 +18,7 @@ FLIGHT = Fraction(4), Fraction(0)  # how far A flies in one frame, in the cases 
 
 
 def gap(a: Shape, b: Shape) -> float:
-    """Return the largest gap on all needed axes; for concave outlines, the least such gap of all pairs of parts."""
+    """Return the largest gap on all needed axes; for concave outlines, the smallest such gap of all pairs of parts."""
     trace = record(a, b, every_axis=True)
     return min(max(test.gap for test in run.tests) for run in trace.pairs or (trace,))
 
@@ -50,9 +50,9 @@ def _convex_distance(a: Shape, b: Shape) -> float:
 
 
 def separating_angles(a: Shape, b: Shape) -> tuple[float, float]:
-    """Return the range (lo, hi), in degrees from the best axis, of directions that separate the shapes.
+    """Return the range (lo, hi) of directions that separate two shapes apart, in degrees from the axis of largest gap.
 
-    Each end is found by halving, to a rounding.
+    Each end is found by bisection, to a rounding; both are 0 where that axis does not separate.
     """
     best = max(axis_tests(a, b), key=lambda test: test.gap).axis.direction
 
@@ -72,9 +72,10 @@ def separating_angles(a: Shape, b: Shape) -> tuple[float, float]:
 
 
 def contact_times(a: Shape, b: Shape) -> tuple[swept.ExactNumber, swept.ExactNumber]:
-    """Return (first, last) time at which A, moving by FLIGHT in time 0 to 1, meets B; NaN if never or for a circle.
+    """Return the (first, last) time at which A, moving by FLIGHT in time 0 to 1, meets B.
 
-    The times are exact for the decimals in which the scene is written.
+    The times are exact for the decimals in which the scene is written.  Both are NaN if the shapes never meet, or if
+    one is a circle.
     """
     if a.core_is_point or b.core_is_point:
         return nan, nan

@@ -67,7 +67,7 @@ def push_along_largest(a: Shape, b: Shape, tests: Sequence[AxisTest]) -> Vec:
 
 
 def push_half_the_way(a: Shape, b: Shape, tests: Sequence[AxisTest]) -> Vec:
-    """Return half of the right push of B, as if A moved by the other half."""
+    """Return half of the right push of B, which would be enough if A moved by the other half."""
     test = max(tests, key=lambda test: test.gap, default=None)
     return move_along_axis(test, -test.gap / 2) if test else Vec(0.0, 0.0)
 
@@ -84,13 +84,16 @@ def overlap_after_mtv(a: Shape, b: Shape) -> float:
 
 
 def flat_overlap(a: Shape, b: Shape, axis: Axis) -> AxisTest:
-    """Return the test of an axis whose depth is the shared length: too short if one range holds the other."""
+    """Return the test of an axis whose depth is the length that both ranges share.
+
+    This is too short where one range lies inside the other.
+    """
     p, q = project(a, axis), project(b, axis)
     return AxisTest(axis, p, q, max(p.interval.lo, q.interval.lo) - min(p.interval.hi, q.interval.hi))
 
 
 def tiles(shape: Shape) -> Sequence[Shape]:
-    """Return the left and right half of an upright box; of any other shape the convex parts."""
+    """Return the left and the right half of an upright box, and the convex parts of any other shape."""
     if not shape.is_upright_box:
         return parts(shape)
     x0, y0, x1, y1 = shape.bounds
@@ -140,7 +143,7 @@ def region_not_beside(a: Shape, b: Shape, window: Window) -> ErrorRegion:
 
 
 def gap_in_both_frames(trace: Trace) -> float:
-    """Return the smaller of the largest gaps before and after A is moved by FLIGHT."""
+    """Return the largest gap before A is moved by FLIGHT or the largest gap after, whichever is smaller."""
     after = translated(trace.a, Vec(*map(float, true_value.FLIGHT)))
     run = record(after, trace.b, axes=trace.shortcut or needed)
     return min(max(test.gap for test in one.tests) for one in (trace, run))
@@ -149,7 +152,7 @@ def gap_in_both_frames(trace: Trace) -> float:
 def region_on_the_way(a: Shape, b: Shape, window: Window) -> RegionOrReason:
     """Return the moves for which A hits B only between two frames, or why none is shown."""
     if a.core_is_point or b.core_is_point:
-        return "the flight of a circle is not worked out"
+        return "satviz does not compute the flight of a circle"
     if not (a.is_convex and b.is_convex):
         return "a shape has a dent, and both frames are tested without its convex parts"
     x, y = map(float, true_value.FLIGHT)
@@ -163,7 +166,7 @@ def region_on_the_way(a: Shape, b: Shape, window: Window) -> RegionOrReason:
 
 
 def slipped_normals(a: Shape, b: Shape) -> Choice:
-    """Return, for each edge (dx, dy), the axis along (dx, -dy) instead of the normal (dy, -dx)."""
+    """Return for each edge (dx, dy) the axis along (dx, -dy) instead of the normal (dy, -dx), as a Choice."""
     found = []
     for axis in edge_normals(a, b).axes:
         x, y = axis.normal.y, axis.normal.x  # the normal is (dy, -dx) or its opposite
@@ -173,26 +176,26 @@ def slipped_normals(a: Shape, b: Shape) -> Choice:
 
 
 def rounded_normals(a: Shape, b: Shape) -> Choice:
-    """Return, for each edge, the axis along its unit normal with both numbers rounded to whole ones."""
+    """Return for each edge the axis along its unit normal with both numbers rounded to whole ones, as a Choice."""
     normals = (axis.direction for axis in edge_normals(a, b).axes)
     return directions(*(Vec(float(round(n.x)), float(round(n.y))) for n in normals))(a, b)
 
 
 def turned_by_90_radians(a: Shape, b: Shape) -> Choice:
-    """Return, for each edge, the axis at the edge's angle in radians plus 90."""
+    """Return for each edge the axis at the edge's angle in radians plus 90 (not plus pi / 2), as a Choice."""
     angles = [atan2(-axis.normal.x, axis.normal.y) + 90 for axis in edge_normals(a, b).axes]
     return directions(*(Vec(cos(angle), sin(angle)) for angle in angles))(a, b)
 
 
 def slanted_bar(y: float) -> Polygon:
-    """Return a slanted bar whose lower left corner is at (0, y)."""
+    """Return a slanted bar, 6 wide and 1 high, whose lower left corner is at (0, y)."""
     return Polygon([(0, y), (6, y + 2), (6, y + 3), (0, y + 1)])
 
 
 # the fields of a case whose push leaves an overlap
 REMAINING_OVERLAP: dict[str, Any] = {
     "quantity": "overlap after the push:", "claimed_value": overlap_after_push, "true_value": overlap_after_mtv,
-    "is_about_push": True, "panels": Panels("push", "way out"),
+    "is_about_push": True, "panels": Panels("push", "MTV"),
 }  # fmt: skip
 
 CASES = (
@@ -200,7 +203,7 @@ CASES = (
         Shortcut("push-from-center", "the way out is away from the other's center", push=push_from_center),
         WRONG_NUMBER,
         (Polygon([(6, 0), (12, 4), (0, 4)]), Polygon([(5, 1), (7, 1), (6, 4)])),
-        **REMAINING_OVERLAP | {"panels": Panels("push from center", "way out")},
+        **REMAINING_OVERLAP | {"panels": Panels("push from center", "MTV")},
         error_region=region_of_push_to_mean,
     ),
     FailureCase(
@@ -258,7 +261,7 @@ CASES = (
         true_value=lambda a, b: 0.0,
         is_about_push=True,
         error_region=partial(region_of_pieces, split=tiles, error=squared_distance),
-        panels=Panels(actual="way out"),
+        panels=Panels(actual="MTV"),
     ),
     FailureCase(
         Shortcut("rounded-normals", "a rounded normal still points the right way", rounded_normals),
@@ -283,7 +286,7 @@ CASES = (
         Shortcut("half-the-way", "half of the way is enough, for the other shape moves too", push=push_half_the_way),
         WRONG_NUMBER,
         (box(0, 0, 4, 4), box(3, 1, 6, 3)),
-        **REMAINING_OVERLAP | {"panels": Panels("push while A stays", "way out")},
+        **REMAINING_OVERLAP | {"panels": Panels("push while A stays", "MTV")},
         error_region=region_of_every_overlap,
     ),
 )

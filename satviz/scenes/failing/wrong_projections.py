@@ -30,13 +30,13 @@ def a_before_b(a: Shape, b: Shape, axis: Axis) -> AxisTest:
 
 
 def without_signs(a: Shape, b: Shape, axis: Axis) -> AxisTest:
-    """Return the test of an axis with the absolute value of every landing."""
+    """Return the test of an axis that uses the absolute value of every landing."""
     p, q = (side._replace(landings=tuple(map(abs, side.landings))) for side in (project(a, axis), project(b, axis)))
     return measured_test(axis, p, q)
 
 
 def largest_from_zero(a: Shape, b: Shape, axis: Axis) -> AxisTest:
-    """Return the test of an axis with ranges that reach up to 0 where every landing is negative."""
+    """Return the test of an axis that searches each largest landing from 0, so no range ends below 0."""
     origin = Vec(0.0, 0.0)
     p, q = (
         Projection((*side.points, origin), (*side.landings, 0.0)) if side.interval.hi < 0 else side
@@ -58,7 +58,10 @@ def as_written(a: Shape, b: Shape, axis: Axis) -> AxisTest:
 
 
 def whole_halves(ends: Interval, whole_middle: bool = True) -> Interval:
-    """Return a range after it was kept as its middle and half of its length, both rounded down to a whole number."""
+    """Return the range that is left when its middle and half of its length are rounded down to whole numbers.
+
+    Without `whole_middle` only half of the length is rounded.
+    """
     middle, half = (ends.lo + ends.hi) / 2, (ends.hi - ends.lo) // 2
     middle = floor(middle) if whole_middle else middle
     return Interval(middle - half, middle + half)
@@ -68,7 +71,7 @@ def by_whole_halves(a: Shape, b: Shape, axis: Axis) -> AxisTest:
     """Return the test of an axis for ranges that are kept as their middle and half of their length, in integers."""
 
     def halved(side: Projection) -> Projection:
-        """Return the projection whose first and last point land at the ends of the new range, and no other outside."""
+        """Return the projection whose outermost points land at the ends of the new range, and no other outside it."""
         low, high = map(float, whole_halves(side.interval))
         ends = {side.interval.lo: low, side.interval.hi: high}
         return Projection(side.points, tuple(ends.get(at, min(max(at, low), high)) for at in side.landings))
@@ -80,7 +83,7 @@ FIRST_EDGE_OF_B = Source(EDGE, "B", (0, 1))
 
 
 def claimed_furthest_vertices(trace: Trace) -> float:
-    """Return how many vertices of B land furthest on its first edge's normal in this run, or NaN."""
+    """Return how many vertices of B land furthest on its first edge's normal in this run; NaN without that test."""
     found = [test.b.landings for test in trace.tests if test.source == FIRST_EDGE_OF_B]
     return found[0].count(max(found[0])) if found else nan
 
@@ -116,7 +119,7 @@ CASES = (
         (box(0, 0, 2, 1), box(1, 0.25, 3, 2.25)),
         **DEPTH,
         error_region=partial(region_of_depth, choose=edge_normals, measure=overlaps_in_raw_units),
-        panels=Panels("raw ways out", "true ways out"),
+        panels=Panels("raw pushes", "true pushes"),
     ),
     FailureCase(
         Shortcut("lengths", "a landing place is a length, so it has no sign", needed, without_signs),

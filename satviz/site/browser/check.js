@@ -133,7 +133,7 @@ export class CheckPage {
     this.run.textContent = "Stop";
     this.reader?.stop();
     this.live.hidden = this.printed.hidden = this.report.hidden = this.found.hidden = true;
-    this.say(this.language === "python" ? "Python starts for your code." : "Your code starts.");
+    this.say(this.language === "python" ? "Python is starting for your code." : "Your code is starting.");
     const reader = new Reader(this.language, this.editor.value, this.pythonScript);
     this.reader = reader;
     try {

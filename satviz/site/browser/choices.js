@@ -11,7 +11,7 @@ export function judgedChoices(list) {
     const right = "right" in item.dataset;
     const choose = () => {
       item.classList.add(right ? "right" : "wrong");
-      said.replaceChildren(element("b", {}, right ? "Right. " : "Not so. "), ...why.cloneNode(true).childNodes);
+      said.replaceChildren(element("b", {}, right ? "Right. " : "Not right. "), ...why.cloneNode(true).childNodes);
       if (right && answer) answer.open = true;
     };
     item.replaceChildren(element("button", { type: "button", onclick: choose }, ...words.childNodes));

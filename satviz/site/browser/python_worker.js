@@ -5,7 +5,7 @@
 /** @typedef {{ progress?: number, ready?: string, failed?: string }} Start How far the start of Python is: from 0 to 1, done, or failed. */
 /** @typedef {Record<string, any> & { kind?: string }} Content */
 /** @typedef {{ kind: "opened", first: State, pose: Partial<Pose>, presets: string[], failing: string[], challenges: Record<string, string> }} OpenedExplorer */
-/** @typedef {{ kind: "opened", shows: Show[], narrow: Show[], step: number, predict: boolean, rest: boolean, range: [number, number] | null, link: string }} OpenedPlayer */
+/** @typedef {{ kind: "opened", shows: Show[], narrow: Show[], step: number, predict: boolean, everyAxis: boolean, range: [number, number] | null, link: string }} OpenedPlayer */
 /** @typedef {{ kind: "refused", n?: undefined, why: string }} NotOpened */
 /** @typedef {OpenedExplorer | OpenedPlayer} Opened */
 

@@ -74,7 +74,7 @@ export class ScenePlace {
       this.root.dataset.from = ready; // "memory" or "nothing"
       this.say("");
     } else if (failed) this.say("This picture stays still: Python could not start in this browser.");
-    else if (progress < 1) this.say(`Python is on its way: ${Math.floor(progress * 10) * 10} %. Then you can drag.`);
+    else if (progress < 1) this.say(`Python is loading: ${Math.floor(progress * 10) * 10} %. Then you can drag.`);
     else this.say("Python is starting. Then you can drag.");
   }
 
@@ -121,7 +121,7 @@ export class ScenePlace {
     this.widget?.remove();
     if ("shows" in content) {
       const player = new Player(made, content.shows, { ...content, site: SITE });
-      if (content.rest) player.switchShow();
+      if (content.everyAxis) player.switchShow();
       player.go(content.step, { animate: false });
       arrowKeys(player);
       this.link.hash = `${content.link}&step=${content.step}${content.predict ? "&predict=1" : ""}`;

@@ -1,0 +1,484 @@
+"""Scenes of up to some twenty shapes: every way through the kernels for few shapes, and how much work it takes.
+
+Kernels run as Python where a test replaces a limit of theirs or counts what they read.
+"""
+
+from fractions import Fraction
+from functools import cache
+from itertools import combinations, groupby, pairwise, product
+
+import numpy as np
+import pytest
+from batches import ENGINES, RNG, in_python, kernels_of, numba_modules, regular
+from oracle import relation
+from test_batch_few import any_bounds, meeting
+from test_batch_padded import padded
+
+import satviz as sv
+from satviz import batch
+from satviz.batch import arrays, broad_rule, constructors, engines
+from satviz.batch.codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
+
+
+@pytest.fixture
+def few(monkeypatch):
+    """The kernels for few shapes, all kernels of numba as Python."""
+    for m in numba_modules():
+        for name, value in [*vars(m).items()]:
+            monkeypatch.setattr(m, name, in_python(value))
+    filters = kernels_of("filter")
+    for name in "_unrolled_kernel", "_circle_unrolled":
+        made = getattr(filters, name).__wrapped__
+        monkeypatch.setattr(filters, name, lambda *corners, made=made: in_python(made(*corners)))
+    with np.errstate(all="ignore"):
+        yield kernels_of("few")
+
+
+# -- the broad phase
+
+
+def set_limits(monkeypatch, few, limits):
+    """Replace the limits by which the broad phase is chosen, in the order of `rule`."""
+    names = "MAX_ALL_PAIRS", "MAX_SWEEP_NUMBA", "MAX_SWEEP_COMPARISONS", "MAX_CANDIDATES_PER_BOX"
+    for name, value in zip(names, limits, strict=True):
+        monkeypatch.setattr(few, name, value)
+
+
+def rule(bounds, limits, candidates):
+    """Return (broad phase, its comparisons or -1, are the pairs found?) by the rule of broad_rule, counting naively."""
+    n, (all_pairs, sweep, comparisons, per_box) = len(bounds), limits
+    if n <= all_pairs:
+        return broad_rule.ALL_PAIRS, n * (n - 1) // 2, True
+    low, high = bounds[:, :2], bounds[:, 2:]
+    i, j = np.triu_indices(n, 1)
+    compared = ((low[i] <= high[j]) & (low[j] <= high[i])).sum(axis=0)
+    farthest, spread, size = np.abs(bounds).max(), np.ptp(low, axis=0), (high - low).max(axis=0)
+    if n > sweep and 2.0**-900 < farthest < 2.0**900 and candidates <= per_box * n:
+        return broad_rule.GRID, -1, True
+    axis = 0 if spread[0] * size[1] >= spread[1] * size[0] else 1
+    if compared[axis] > comparisons * n and compared[1 - axis] < compared[axis]:
+        axis = 1 - axis
+    if n > sweep and compared[axis] > comparisons * n:
+        return broad_rule.GRID, compared[axis], False
+    return broad_rule.SWEEP, compared[axis], True
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_numba_chooses_the_broad_phase_by_its_rule_whatever_the_limits(seed, few, monkeypatch):
+    rng, ways, build_table = RNG(seed), set(), few.build_table
+    for k in range(60):
+        n = int(rng.integers(2, 26)) if k else 0
+        bounds, limits = (
+            any_bounds(rng, n),
+            [int(rng.choice(some)) for some in ((0, 4, 11), (0, 9, 18), *[range(6)] * 2)],
+        )
+        set_limits(monkeypatch, few, limits)
+        candidates = limits[3] * n + int(rng.integers(2))
+        monkeypatch.setattr(few, "count_candidates", lambda *_: candidates)  # noqa: B023
+        right, cells = rule(bounds, limits, candidates), []
+        monkeypatch.setattr(few, "build_table", lambda *given: cells.append(given[2:4]) or build_table(*given))  # noqa: B023
+        pairs, *way = few.candidate_pairs(bounds)
+        assert tuple(way) == right[:2], (bounds.tolist(), limits)
+        assert (pairs is not None) == right[2]
+        assert pairs is None or sorted(pairs.tolist()) == meeting(bounds).tolist()
+        assert right[0] != broad_rule.ALL_PAIRS or pairs.tolist() == meeting(bounds).tolist()
+        ways.add((right[0], right[2]))
+        if cells:  # as large as the largest box, but never so small that they run together
+            size = np.maximum((bounds[:, 2:] - bounds[:, :2]).max(axis=0), np.abs(bounds).max() * 2.0**-48)
+            assert cells == [tuple(size)]
+    assert len(ways) == 4
+
+
+@pytest.mark.parametrize("limits", [(99, 99, 0, 9), (0, 99, 0, 9), (0, 0, 99, 9), (0, 0, 0, 9)])
+def test_boxes_of_circles_that_reach_beyond_float64_meet_what_they_reach_in_every_broad_phase(limits, few, monkeypatch):
+    """A box without end has none where the boxes that are compared end."""
+    set_limits(monkeypatch, few, limits)
+    far = np.finfo(float).max
+    for n, place, center in product((2, 10), (0, 1, -1), product((0.0, far, -far, far / 2), repeat=2)):
+        centers, radii = np.stack([4.0 * np.arange(n), np.zeros(n)], axis=1), np.ones(n)
+        centers[place], radii[place] = center, far
+        bounds = batch.Circles(centers, radii).bounds
+        pairs, _, comparisons = few.candidate_pairs(bounds)
+        assert pairs is None or sorted(pairs.tolist()) == meeting(bounds).tolist()
+        assert pairs is not None or comparisons > 0 == max(limits[:3])
+
+
+def test_shapes_beyond_the_most_for_one_call_are_not_even_copied(few, monkeypatch):
+    boxes, box = (batch.Polygons(np.array([UNIT] * n, float)) for n in (3, 1))
+    circles = batch.Circles(np.zeros((2, 2)), 1.0)
+    taken = []
+    monkeypatch.setattr(few, "_collide", lambda *given: taken.append(len(given[3])) or (None, True))
+    for most in 3, 2:
+        monkeypatch.setattr(few, "MAX_SHAPES", most)
+        few.colliding_pairs(boxes)
+        few.colliding_pairs(batch.concat([box, circles]))
+    assert taken == [3, 3]
+
+
+class Counted:
+    """Values as the kernels read them, and how often one was read."""
+
+    def __init__(self, values):
+        self.values, self.size, self.reads = values, len(values), 0
+
+    def __iter__(self):
+        return iter(self.values)
+
+    def __getitem__(self, i):
+        self.reads += 1
+        return self.values[i]
+
+
+def test_values_are_sorted_without_merging_if_they_lie_evenly_and_never_in_quadratic_time(few, monkeypatch):
+    rng, n, merged = RNG(4), 300, []
+    monkeypatch.setattr(
+        few, "_merge_sorted", lambda values: merged.append(len(values.values)) or np.argsort(values.values)
+    )
+    even = [rng.permutation(n) * 1.0, rng.uniform(-3, 5, n), np.arange(n)[::-1] * 0.5, rng.permutation(n) % 10 * 1.0]
+    for values in even:
+        few._sorted(counted := Counted(values))
+        assert not merged and counted.reads < 12 * n
+    for values in np.append(even[1], 1e9), np.zeros(n), np.arange(n) * 5e-324, np.array([-1.7e308, 1.7e308] * 9):
+        few._sorted(counted := Counted(values))
+        assert merged.pop() == len(values) and counted.reads < 12 * n
+
+
+# -- boxes along x and y, or nearly
+
+
+def test_a_box_with_one_corner_slid_along_a_side_is_not_taken_for_a_box(few):
+    """Each such outline of four corners breaks one of the four conditions; a shape stands where the box would be."""
+    for turn, start, corner, d in product((1, -1), range(4), range(4), range(2)):
+        box = np.array([(0.0, 0), (8, 0), (8, 8), (0, 8)])
+        other = box / 8 + box[corner] * (7 / 8)
+        box[corner, d] += 3 * (-1 if box[corner, d] else 1)
+        box, other = (np.roll(ring[::turn], start, axis=0) for ring in (box, other))
+        for rings, upright in ([box, other], [False, True]), ([other, box], [True, False]):
+            apart = sv.relate(sv.Polygon(box), sv.Polygon(other)) == sv.Relation.APART
+            made = [batch.Polygons(np.array(rings)), batch.concat([batch.Polygons([ring]) for ring in rings])]
+            for shapes in made:
+                assert len(few.colliding_pairs(shapes)) == (not apart)
+                assert few.flatten(shapes).upright.tolist() == upright
+
+
+# -- scenes answered by rationals
+
+KINDS = {
+    1: lambda rng: (rng.integers(0, 12, 2) * 1.0, float(rng.choice([0.5, 1, 2, 2.5, 5]))),
+    3: lambda rng: rng.choice([1, 2, 4]) * np.array(TRIANGLES[rng.integers(len(TRIANGLES))], float),
+    4: lambda rng: rng.choice([1, 2, 4]) * np.array(FOURS[rng.integers(len(FOURS))], float),
+    5: lambda rng: rng.choice([0.5, 1]) * np.array([(0.0, 0), (4, 0), (4, 2), (2, 4), (0, 4)]) @ turned(rng),
+    8: lambda rng: np.array([(2.0, 0), (4, 0), (6, 2), (6, 4), (4, 6), (2, 6), (0, 4), (0, 2)]) @ turned(rng),
+    9: lambda rng: np.array([(x, x * x) for x in range(-4, 5)]) * rng.choice([0.25, 0.5]) @ turned(rng),
+    13: lambda rng: np.array([(x, x * x) for x in range(-6, 7)]) * 0.25 @ turned(rng),
+}
+TRIANGLES = [(0, 0), (4, 0), (1, 3)], [(0, 0), (3, 0), (0, 3)], [(0, 2), (1, 0), (3, 3)], [(0, 0), (9, 1), (4, 1)]
+UNIT = [(0, 0), (1, 0), (1, 1), (0, 1)]
+FOURS = UNIT, UNIT, [(0, 0), (3, 0), (3, 1), (0, 1)], [(1, 0), (2, 1), (1, 2), (0, 1)], [(0, 0), (3, 0), (2, 1), (0, 1)]
+JOINS = [
+    [4],
+    [3],
+    [1],
+    [8],
+    [3, 4],
+    [1, 3],
+    [1, 4, 5],
+    [3, 4, 8],
+    [1, 3, 4, 8],
+    [1, 3, 4, 5, 8],
+    [1, 9, 13],
+    [3, 9],
+    [1, 5, 9],
+]
+
+
+def turned(rng):
+    """Return a matrix that turns by some quarters, and may mirror."""
+    turn = np.array([[1, 0], [0, 1]] if rng.random() < 0.5 else [[0, 1], [-1, 0]])
+    return turn * rng.choice([-1, 1], 2)
+
+
+def some_shapes(rng, kinds, n):
+    """Return n shapes, sorted by their numbers of corners; many touch, and some are a float off from that."""
+    found = []
+    for v in np.sort(rng.choice(kinds, n)).tolist():
+        shape, at = KINDS[v](rng), rng.integers(0, 8, 2)
+        if v > 1:
+            shape = np.roll(shape, rng.integers(v), axis=0)[:: rng.choice([1, -1])] + at
+        if v > 1 and rng.random() < 0.3:  # all corners of an extreme side, so that straight sides stay straight
+            d = rng.integers(2)
+            side = shape[:, d] == shape[:, d].max()
+            shape[side, d] = np.nextafter(shape[side, d], rng.choice([-1, 99]))
+        elif v == 1 and rng.random() < 0.3:
+            shape = shape[0], np.nextafter(shape[1], rng.choice([0, 99]))
+        found.append(shape)
+    return found
+
+
+def scaled(shapes, scale):
+    """Return shapes made larger."""
+    return [(s[0] * scale, s[1] * scale) if isinstance(s, tuple) else s * scale for s in shapes]
+
+
+def joined(shapes):
+    """Return a batch joined of one array for each number of corners."""
+    made = []
+    for v, same in groupby(shapes, lambda s: 1 if isinstance(s, tuple) else len(s)):
+        same = list(same)
+        if v == 1:
+            made.append(batch.Circles(np.array([c for c, _ in same]), np.array([r for _, r in same])))
+        else:
+            made.append(batch.Polygons(np.array(same)))
+    return batch.concat(made)
+
+
+@cache
+def small_scenes(seed):
+    """Return (shapes, relation of each pair i < j in rationals) of some scenes."""
+    rng, found = RNG(seed), []
+    for kinds in JOINS:
+        shapes = some_shapes(rng, kinds, int(rng.integers(2, 9)))
+        known = [sv.Circle(*s) if isinstance(s, tuple) else sv.Polygon(s) for s in shapes]
+        found.append((shapes, [int(relation(p, q)) for p, q in combinations(known, 2)]))
+    return found
+
+
+@pytest.mark.parametrize("limits", [(99, 99, 99, 99), (0, 99, 99, 99), (0, 0, 0, 99), (0, 0, 99, 0), (0, 0, 0, 0)])
+def test_small_scenes_are_answered_by_every_broad_phase_as_in_rationals(limits, few, monkeypatch):
+    set_limits(monkeypatch, few, limits)
+    for shapes, right in small_scenes(1)[2::3]:
+        index = np.stack(np.triu_indices(len(shapes), 1), axis=1)
+        made = joined(shapes)
+        for form in made, made[np.arange(len(made))]:
+            assert batch.colliding_pairs(form, engine="numba").tolist() == index[np.array(right) > 0].tolist()
+            found = few.colliding_pairs(form)
+            assert found is None or limits != (0, 0, 0, 0) or not len(made)
+
+
+@pytest.mark.parametrize("e", [-500, -300, 0, 300, 500])
+@pytest.mark.parametrize("engine", ENGINES)
+def test_small_scenes_are_answered_as_in_rationals_at_every_scale(engine, e):
+    for shapes, right in small_scenes(e + 500)[:: 6 if abs(e) == 500 else 1]:  # there integers decide
+        index = np.stack(np.triu_indices(len(shapes), 1), axis=1)
+        shapes = scaled(shapes, 2.0**e)
+        made = joined(shapes)
+        for form in made, batch.concat([made, made[:0]]), batch.from_padded(*padded(shapes, RNG(0))):
+            assert batch.colliding_pairs(form, engine=engine).tolist() == index[np.array(right) > 0].tolist()
+            assert batch.relate(form, form, index, engine=engine).tolist() == right
+
+
+# -- the float filter, column by column
+
+
+def clearance(p, q):
+    """Return the largest exact clearance of an edge of two outlines of whole numbers, above 0 if they are apart."""
+    best = []
+    for ring, other in (p, q), (q, p):
+        for (x, y), (u, z) in pairwise([*ring, ring[0]]):
+            best.append(min((z - y) * (s - x) + (x - u) * (t - y) for s, t in other))
+    return max(best)
+
+
+def columns_of(rng, v, n, odd):
+    """Return n outlines of v corners in whole numbers, one of them `odd` times as large."""
+    rings = np.array([np.roll(KINDS[v](rng) * 4, rng.integers(v), axis=0) + rng.integers(-9, 9, 2) for _ in range(n)])
+    rings[rng.integers(n)] *= odd
+    return batch.Polygons(rings)
+
+
+@pytest.mark.parametrize("v", [3, 4, 5, 8])
+def test_the_filter_decides_columns_by_the_error_bound_of_their_tile_and_no_others(v, few, monkeypatch):
+    """Tiles have four columns here.  The bound is 32 * 2**-53 * width * reach; near it both answers are right."""
+    tile, kernels, found = 4, kernels_of("filter"), set()
+    for module in kernels_of("filter"), kernels_of("outlines"), arrays:
+        monkeypatch.setattr(module, "TILE_SHAPES", tile)
+    for w, odd, first in product((3, 4, 5, 8), (1.0, 2.0**20, 2.0**38), (0, 3, 5)):
+        monkeypatch.setattr(kernels, "MAX_DIRECT_SHAPES", 99 * (odd > 1))  # which way 8-gons take
+        rng = RNG([v, w, first])
+        a, b = columns_of(rng, v, 11, odd).uniform, columns_of(rng, w, 11, 1.0).uniform
+        out = np.full(11 - first, 9, np.int8)
+        kernels.polygons(a, b, first, out)
+        rings = [np.stack([g.x, g.y], axis=2).transpose(1, 0, 2).astype(np.int64).tolist() for g in (a, b)]
+        for k, got in enumerate(out.tolist(), first):
+            own = [np.array(ring[k // tile * tile : (k // tile + 1) * tile]) for ring in rings]
+            width = sum(np.abs(ring - np.roll(ring, 1, axis=1)).max() for ring in own)
+            bound = 2.0**-48 * float(width) * float(sum(np.abs(ring).max() for ring in own))
+            gap = clearance(rings[0][k], rings[1][k])
+            if not bound / 2 < abs(gap) < 2 * bound:
+                assert got == (UNDECIDED if abs(gap) <= bound else APART if gap > 0 else OVERLAPPING), (w, odd, k)
+            found.add((got, gap == 0))
+    assert found == {(UNDECIDED, True), (UNDECIDED, False), (APART, False), (OVERLAPPING, False)}
+
+
+@pytest.mark.parametrize("v", [3, 4, 8, 9, 13])
+def test_the_filter_decides_circles_and_polygons_beyond_its_error_bound(v, few):
+    """The bound is 2**-46 times the square of the farthest corner or the radius; near it both answers are right."""
+    kernels, n, found = kernels_of("filter"), 24, set()
+    for e, first in product((-120, 0, 120), (0, 7)):
+        rng = RNG([v, e + 120, first])
+        rings = [np.roll(KINDS[v](rng), rng.integers(v), axis=0) for _ in range(n)]
+        polygons = batch.Polygons(np.array(rings)[:, :: rng.choice([1, -1])] * 2.0**e)
+        centers, radii = rng.integers(-8, 16, (n, 2)) / 2, rng.choice([0.5, 1, 1.5, 2, 2.5, 5], n)
+        for k in range(0, n, 2):  # touching the rightmost corner, or a side
+            centers[k] = max(rings[k].tolist()) + np.array([radii[k], 0])
+        radii += rng.choice([0, 0, 2.0**-49, -(2.0**-49), 2.0**-38, -(2.0**-38)], n)
+        group, out = polygons.uniform, np.full(n - first, 9, np.int8)
+        kernels.circle_polygons(*centers.T * 2.0**e, radii * 2.0**e, group.x, group.y, first, out)
+        for k, got in enumerate(out.tolist(), first):
+            corners = [(Fraction(x), Fraction(y)) for x, y in rings[k].tolist()]
+            x, y, r = map(Fraction, (*centers[k].tolist(), radii[k].item()))
+            reach = max(r, *(max(abs(u - x), abs(z - y)) for u, z in corners))
+            right = relation(sv.Circle((x, y), radii[k]), sv.Polygon(rings[k]))
+            gap = squared_distance_from(corners, x, y) - r * r
+            turns = {(u - p) * (y - q) - (z - q) * (x - p) for (p, q), (u, z) in pairwise([*corners, corners[0]])}
+            inside = min(turns) > 0 or max(turns) < 0
+            if inside or abs(gap) > 2 * reach**2 / 2**46:
+                assert got == right
+            elif abs(gap) < reach**2 / 2**47:
+                assert got == UNDECIDED
+            found.add((got, right))
+    assert {(APART, 0), (OVERLAPPING, 2), (UNDECIDED, 1)} <= found
+    assert (UNDECIDED, 0) in found or (UNDECIDED, 2) in found
+
+
+def squared_distance_from(corners, x, y):
+    """Return the exact squared distance of a point from an outline."""
+    found = []
+    for (px, py), (qx, qy) in pairwise([*corners, corners[0]]):
+        dx, dy = qx - px, qy - py
+        t = min(1, max(0, ((x - px) * dx + (y - py) * dy) / (dx * dx + dy * dy)))
+        found.append((px + t * dx - x) ** 2 + (py + t * dy - y) ** 2)
+    return min(found)
+
+
+# -- outlines that are checked while they are copied
+
+
+def bent(v, turn):
+    """Return an outline of v corners, counter-clockwise: an apex, and edges (1, 1), (1, 1 + turn), and so on."""
+    x = np.arange(v - 1.0)
+    return np.concatenate([np.stack([x, x + x * (x - 1) / 2 * turn], axis=1), [(-1, 60)]])
+
+
+@pytest.fixture
+def doubted(few, monkeypatch):
+    """How many outlines were judged exactly, call by call."""
+    found = []
+    real = constructors.convex_rings
+    monkeypatch.setattr(constructors, "convex_rings", lambda rings: found.append(len(rings.start) - 1) or real(rings))
+    monkeypatch.setattr(constructors, "engine_for_checks", lambda _: engines.engine_of("numba"))
+    return found
+
+
+@pytest.mark.parametrize("e", [-420, 420])
+@pytest.mark.parametrize("bend", [1.0, 2.0**-47, 2.0**-50])
+def test_only_outlines_that_are_nearly_straight_at_a_corner_are_judged_exactly(bend, e, doubted):
+    """The sign of a turn is certain beyond 2**-50 of the products that it is the difference of."""
+    for v, turn in product((3, 4, 5, 9), (1, -1)):
+        for start in range(v)[:: max(1, v // 3)]:
+            rings = np.array([np.roll(bent(v, some)[::turn], start, axis=0) * 2.0**e for some in (1, bend, 1)])
+            every = np.append(rings.reshape(-1, 2), [(9.0, 9)], axis=0)
+            counts, radii = np.array([v, v, v, 1]), np.array([0.0, 0, 0, 1])
+            padded_ = np.zeros((4, v, 2))
+            padded_[:3], padded_[3, 0] = rings, every[-1]
+            made = [
+                batch.Polygons(rings.copy()),
+                batch.Polygons(list(rings)),
+                batch.Polygons(every[:-1].copy(), offsets=np.arange(4) * v),
+                batch.from_padded(padded_, counts, radii),
+            ]
+            made.append(batch.move(batch.concat(made[:1]), rings.copy()))
+            if v > 3:
+                made.append(batch.move(batch.from_padded(padded_, counts, radii), every))
+            assert all(shapes.count.tolist()[:3] == [v] * 3 for shapes in made)
+            straight = v > 3 and bend == 2.0**-50
+            assert doubted == [1] * (straight and len(made) + 1), (v, turn, start)
+            doubted.clear()
+
+
+@pytest.mark.parametrize("e", [-520, -470, 515])
+def test_outlines_whose_products_leave_the_range_of_floats_are_judged_exactly(e, doubted):
+    for v, turn in product((3, 4, 5, 9), (1, -1)):
+        ring = regular(RNG(v), 1, v)[0][::turn] * 2.0**e
+        for given in ring[None], [ring], ring[None].repeat(3, axis=0):
+            assert batch.Polygons(given).count.tolist() == [v] * len(given)
+            assert doubted.pop() == len(given)
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_arrays_of_circles_hold_finite_centers_and_positive_radii(engine, monkeypatch):
+    monkeypatch.setattr(constructors, "engine_for_checks", lambda _: engines.engine_of(engine))
+    for n, k in (1, 0), (4, 0), (4, 2), (4, 3):
+        centers, radii = np.full((n, 2), -0.0), np.full(n, 5e-324)
+        made = batch.Circles(centers, radii)
+        assert made.uniform.r.tolist() == radii.tolist()
+        assert not made.uniform.x.any() and not np.signbit(made.uniform.block).any()
+        for bad in np.nan, np.inf, -np.inf, 0.0, -0.0, -5e-324, -1.0:
+            with pytest.raises(sv.InvalidShape, match=rf"^circle {k}: radius"):
+                batch.Circles(centers, np.where(np.arange(n) == k, bad, radii))
+            for d in range(2):
+                place = centers.copy()
+                place[k, d] = bad
+                if not np.isfinite(bad):
+                    with pytest.raises(sv.InvalidShape, match=rf"^circle {k}: center.{'xy'[d]} is {bad}"):
+                        batch.Circles(place, radii)
+
+
+# -- pairs given by indices
+
+
+def corners_of(flat, i):
+    """Return the corners of shape i in whole numbers."""
+    part = slice(flat.start[i], flat.start[i + 1])
+    return np.stack([flat.x[part], flat.y[part]], axis=1).astype(np.int64).tolist()
+
+
+def middle_is_inside(p, q):
+    """Return whether the middle of what the boxes of two outlines share is inside both."""
+    low, high = np.maximum(np.min(p, axis=0), np.min(q, axis=0)), np.minimum(np.max(p, axis=0), np.max(q, axis=0))
+    x, y = (low + high).tolist()  # twice the middle
+    return all(
+        (u - s) * (y - 2 * t) - (z - t) * (x - 2 * s) > 0
+        for ring in (p, q) for (s, t), (u, z) in pairwise([*ring, ring[0]])
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("odd", [1.0, 2.0**26, 2.0**38])
+def test_pairs_by_index_are_decided_exactly_within_their_own_error_bound_and_nowhere_else(odd, few, monkeypatch):
+    """The bound is 32 * 2**-53 * width * reach of the two boxes; lanes hold three pairs here."""
+    indexed, exactly, lanes, many = kernels_of("indexed"), [], [], 0
+    monkeypatch.setattr(indexed, "LANES", 3)
+    evaluate = indexed._evaluate_lanes
+    monkeypatch.setattr(indexed, "_evaluate_lanes", lambda *given: lanes.append(given[10].size) or evaluate(*given))
+    for name in "relate_few_corners", "relate_many_corners":
+        real = getattr(indexed, name)
+        monkeypatch.setattr(indexed, name, lambda *given, real=real: exactly.append(given[2:8]) or real(*given))
+    for seed in range(4):
+        rng = RNG(seed)
+        exactly.clear()
+        lanes.clear()
+        rings = [[KINDS[v](rng) * 4 + rng.integers(-9, 9, 2) for v in (3, 4, 4, 5, 8, 9, 13)] for _ in "ab"]
+        for some in rings:
+            some.append(some[rng.integers(7)] * odd)
+        a, b = (few.flatten(batch.Polygons(some)) for some in rings)
+        ia, ib = np.argwhere(np.ones((8, 8))).T
+        out, expected, in_lanes = np.full(64, 9, np.int8), [], 0
+        indexed.relations(a, ia, b, ib, out)
+        for i, j, got in zip(ia, ib, out.tolist(), strict=True):
+            p, q = corners_of(a, i), corners_of(b, j)
+            gap = clearance(p, q)
+            assert got == (APART if gap > 0 else TOUCHING if gap == 0 else OVERLAPPING)
+            low, high = np.maximum(a.bounds[i, :2], b.bounds[j, :2]), np.minimum(a.bounds[i, 2:], b.bounds[j, 2:])
+            if (low > high).any() or (a.upright[i] and b.upright[j]):
+                continue
+            width = sum((box[2:] - box[:2]).max() for box in (a.bounds[i], b.bounds[j]))
+            bound = 2.0**-48 * width * (np.abs(a.bounds[i]).max() + np.abs(b.bounds[j]).max())
+            most = max(len(p), len(q))
+            in_lanes += 4 < most <= 8
+            if not middle_is_inside(p, q) if most > 8 else abs(gap) <= bound:
+                expected.append((i, j))
+        ends = [(a.start[i], a.start[i + 1], b.start[j], b.start[j + 1]) for i, j in expected]
+        assert sorted(map(tuple, ends)) == sorted((i0, i1, j0, j1) for i0, i1, _, _, j0, j1 in exactly)
+        assert sum(lanes) == in_lanes and max(lanes) == 3 and min(lanes[:-1]) == 3
+        many += len(expected)
+    assert many
