@@ -175,6 +175,9 @@ POCKET = sv.Polygon(
 )  # a wall to the left, a tip at (2, 0)
 
 
+POCKET_8 = sv.Polygon([(0, 72), (0, -40), (15, -40), (16, 0), (17, -72), (-72, -72), (-72, 72)])
+
+
 SPIKE = sv.Polygon([(-9, -2), (9, -2), (9, 0), (0.2, 0), (0, 1), (-0.2, 0), (-9, 0)])
 
 
@@ -251,10 +254,24 @@ def test_a_box_moves_back_in_a_slightly_narrowing_slot_and_not_out_of_it(k, e):
     assert sv.record(slot, fits).mtv == pytest.approx((-s * 0.25, c * 0.25), abs=2**-20)
 
 
+@pytest.mark.parametrize("e", [20, 24, 28, 32])
+@pytest.mark.parametrize("k", [5, 8, 9, 19, 24])
+def test_a_box_fits_on_the_floor_of_a_slot_whose_walls_hardly_lean(k, e):
+    """Where the walls cross, rounded far along them, the floor forbids the rounded move, and a longer one is free."""
+    c, s, lean = cos(k), sin(k), 2.0**-e
+    for left, right in (lean, 0), (0, lean), (lean, lean / 4):
+        ring = [(-3, 1), (-3, -3), (3, -3), (3, 1), (1 + right, 1), (1, -1), (-1, -1), (-1 - left, 1)]
+        for aside in (-0.0625, 0.0625):
+            fits = [(aside - 1, -1), (aside + 1, -1), (aside + 1, -0.5), (aside - 1, -0.5)]
+            a, b = (sv.Polygon([(c * x - s * y, s * x + c * y) for x, y in corners]) for corners in (ring, fits))
+            assert sv.record(a, b).mtv == pytest.approx((-c * aside, -s * aside), abs=2**-18), (left, right, aside)
+
+
 @pytest.mark.parametrize("first", range(8))
-def test_a_circle_leaves_a_slot_as_wide_as_itself_by_the_mouth(first):
-    """Rounding decides whether the circle fits in the slot; past the mouth it is free."""
-    ring = [(-3, 1), (-3, -3), (3, -3), (3, 1), (1, 1), (1, -2), (-1, -2), (-1, 1)]
+@pytest.mark.parametrize(("left", "right"), [(1, 1), (1, 1.5), (1.5, 1)])
+def test_a_circle_leaves_a_slot_as_wide_as_itself_by_the_mouth(first, left, right):
+    """Rounding decides whether the circle fits in the slot; past the corner of the lower wall it is free."""
+    ring = [(-3, left), (-3, -3), (3, -3), (3, right), (1, right), (1, -2), (-1, -2), (-1, left)]
     for k in range(40):
         turn = complex(cos(k), sin(k))
         slot = [turn * complex(*v) for v in ring[first:] + ring[:first]]
@@ -262,6 +279,19 @@ def test_a_circle_leaves_a_slot_as_wide_as_itself_by_the_mouth(first):
         move = sv.record(sv.Polygon([(v.real, v.imag) for v in slot]), sv.Circle((center.real, center.imag), 1)).mtv
         along = complex(*move) / turn
         assert along.real == pytest.approx(-0.1, abs=1e-7) and -1e-6 < along.imag < 0.1 + 1e-6, k
+
+
+@pytest.mark.parametrize("place", [(1, 1), (1, -1), (-1, 1), (-1, -1), (0, 1), (1, 0), (0, -1), (-1, 0)])
+@pytest.mark.parametrize("far", [2.0**20, 2.0**33])
+def test_the_mtv_is_the_same_wherever_the_same_shapes_lie(place, far):
+    """All coordinates are whole, so nothing is rounded, and a rounded crossing is nudged out by as little."""
+    x, y = far * place[0], far * place[1]
+    for k in range(8):
+        for a, circle in (PRONGS, (k / 128, 0.25 + k / 64, 1.2 + k / 311)), (POCKET_8, (k + 8, k + 4, 10 + k / 7)):
+            u, v, radius = circle
+            there = sv.Polygon([(p + x, q + y) for p, q in a.vertices])
+            mtv = sv.record(there, sv.Circle((u + x, v + y), radius)).mtv
+            assert mtv == sv.record(a, sv.Circle((u, v), radius)).mtv
 
 
 def test_the_mtv_of_a_circle_centered_on_a_corner_has_the_length_of_its_radius():
@@ -317,7 +347,8 @@ def a_tight_fit(rng):
     """Return a block with a slot, and a circle or a box that just fits between two corners of its walls, turned."""
 
     def wall(x):
-        heights = [1, *sorted((rng.uniform(-1, 1) for _ in range(rng.randrange(3))), reverse=True), -1]
+        top = rng.choice((1, 1, 0.5))
+        heights = [top, *sorted((rng.uniform(-1, top) for _ in range(rng.randrange(3))), reverse=True), -1]
         return [(x + rng.choice((0, 0, 1, -1)) * 2.0 ** -rng.randint(2, 48), y) for y in heights]
 
     left, right = wall(-1), wall(1)
@@ -327,7 +358,7 @@ def a_tight_fit(rng):
     ring, fits = (
         [((turn * complex(*v)).real, (turn * complex(*v)).imag) for v in vertices]
         for vertices in (
-            [(-3, 1), (-3, -3), (3, -3), (3, 1), *right, *left[::-1]],
+            [(-3, left[0][1]), (-3, -3), (3, -3), (3, right[0][1]), *right, *left[::-1]],
             [(p[0] + x - more, y), (q[0] + x, y), (q[0] + x, y + 0.5), (p[0] + x - more, y + 0.5)],
         )
     )

@@ -22,6 +22,8 @@ from .shapes import Shape
 
 NUDGES = (0.0, *(2.0**-e for e in range(52, 1, -2)))  # lengths by which a rounded move is made longer, near size 1
 ROUNDING = 2.0**-40  # error of a region's border near size 1: some roundings of 2**-53, with much to spare
+NARROW = 2.0**-10  # length of the sum of two unit normals, nearly opposite, that border a slot
+TILT = 2.0**-26  # of a way along a slot: a circle's border bends away by t**2 / 2 along t, a rounding is 2**-53
 BORDER_TOLERANCE = 1e-9  # near size 1, by how much a crossing may miss the ends of a border
 MAX_CORNERS = 4000  # corners over all pairs of convex parts: seconds at worst, most often far less
 
@@ -116,6 +118,7 @@ class Candidate(NamedTuple):
     length: float
     move: complex
     out: complex
+    error: float = 0.0  # how far the move may lie off, if more than by some roundings
 
 
 class Border(NamedTuple):
@@ -128,11 +131,11 @@ class Border(NamedTuple):
     center: complex  # an arc's center; for a segment, a point inside the region from which p and q are seen
     hull: tuple[complex, ...]  # corners of a convex polygon that contains the piece
 
-    def contains(self, point: complex) -> bool:
-        """Return whether a point on the segment's line or the arc's circle is on the piece itself."""
+    def contains(self, point: complex, tolerance: float) -> bool:
+        """Return whether a point on the segment's line or the arc's circle is on the piece itself, or nearly."""
         seen = point - self.center
         after_p, before_q = _cross(self.p - self.center, seen), _cross(seen, self.q - self.center)
-        return after_p >= -BORDER_TOLERANCE and before_q >= -BORDER_TOLERANCE
+        return after_p >= -tolerance and before_q >= -tolerance
 
 
 class _ShortestFreeMove:
@@ -145,11 +148,15 @@ class _ShortestFreeMove:
 
     def try_all(self, candidates: Iterable[Candidate]) -> None:
         """Find the shortest candidate that ends the overlap, nudged if needed; store it in `move`."""
-        for _, move, out in sorted((c for c in candidates if c.length < self.length), key=lambda c: c.length):
+        for _, move, out, error in sorted((c for c in candidates if c.length < self.length), key=lambda c: c.length):
             for nudge in NUDGES:
                 nudged = move + out * nudge
-                if abs(nudged) >= self.length or self._any_region(partial(self._certainly_forbids, move=nudged)):
+                if abs(nudged) >= self.length:
                     break
+                if self._any_region(partial(self._certainly_forbids, move=nudged)):
+                    if nudge >= error:
+                        break
+                    continue
                 vector = self._to_scene_units(nudged)
                 if vector and not self._any_region(partial(_parts_overlap, move=vector)):
                     self.length, self.move = abs(nudged), vector
@@ -265,10 +272,16 @@ def _crossing_candidates(one: Border, other: Border, radius: float) -> Iterator[
     if not one.normal:
         one, other = other, one
     for move in _line_points(one, other, radius) if one.normal else _circle_points(one.center, other.center, radius):
-        if one.contains(move) and other.contains(move):
-            m, n = (border.normal or (move - border.center) / radius for border in (one, other))
-            # in a narrow slot m + n is nearly 0, so its digits are wrong, but it is at right angles to m - n
-            yield from (Candidate(abs(move), move, out) for out in (m + n, 1j * (m - n), 1j * (n - m)))
+        m, n = (border.normal or (move - border.center) / radius for border in (one, other))
+        outs, error, opening = [m + n], 0.0, abs(m + n)
+        if opening < NARROW:
+            # in a narrow slot the crossing is rounded far along it; the digits of m + n are wrong, but it is at right
+            # angles to m - n; if the rounded crossing lies beyond one border, only a way that leads back across it
+            # comes free where the other border bends away
+            error = ROUNDING / max(opening, ROUNDING)
+            outs += (way + back for way in (1j * (m - n), 1j * (n - m)) for back in (0, m * TILT, n * TILT))
+        if all(border.contains(move, max(error, BORDER_TOLERANCE)) for border in (one, other)):
+            yield from (Candidate(abs(move), move, out, error) for out in outs)
 
 
 def _line_points(one: Border, other: Border, radius: float) -> Iterator[complex]:

@@ -101,13 +101,16 @@ def verdict_words(trace: Trace) -> tuple[str, str]:
 
 
 def digits_of_answers(trace: Trace, digits: describe.NumberFormat = describe.digits) -> Digits:
-    """Return the number format of a shortcut's answers: that of the test which they come from, if any."""
+    """Return the number format of a shortcut's answers: what `digits` returns for the test which they come from."""
     test = trace.ended_by or trace.shallowest
     return digits(trace, *([test] if test else []))
 
 
 def error_in_words(trace: Trace, digits: describe.NumberFormat = describe.digits) -> str:
-    """Return what is wrong with a shortcut's answer and what is right; "" where the answer is right."""
+    """Return what is wrong with a shortcut's answer and what is right, or "" where the answer is right.
+
+    `digits`: as in `digits_of_answers`.
+    """
     found, case = answers(trace, digits_of_answers(trace, digits)), case_of(trace.shortcut)
     if not found.is_wrong:
         return ""
@@ -117,7 +120,10 @@ def error_in_words(trace: Trace, digits: describe.NumberFormat = describe.digits
 
 
 def heading(trace: Trace, digits: describe.NumberFormat = describe.digits) -> tuple[str, str]:
-    """Return two lines: the claim, and what is wrong with it or that it happens to be right."""
+    """Return two lines: the claim, and what is wrong with it or that it happens to be right.
+
+    `digits`: as in `digits_of_answers`.
+    """
     assert trace.shortcut
     right = answers(trace, digits_of_answers(trace, digits)).actual
     wrong = error_in_words(trace, digits) or f"Here it happens to be right: {right}."

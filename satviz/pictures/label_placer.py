@@ -413,9 +413,10 @@ class LabelPlacer:
         return found, best
 
     def _take(self, request: LabelRequest, spot: Spot, cost: float) -> Vec | None:
-        """Reserve the spot for a label and return its center in scene units; None if it is left out.
+        """Reserve the spot for a label and return its center in scene units.
 
-        What is too long for any spot is moved onto the canvas.
+        None if the label is optional and the cost of the spot is too high.  A label too long for any spot is moved
+        onto the canvas.
         """
         if request.optional and cost >= MAX_OPTIONAL_COST:
             return None
@@ -462,7 +463,7 @@ class LabelPlacer:
             del spots[:count]
 
     def _spots_anywhere(self, w: float, h: float, near: Spot) -> Iterator[tuple[Spot, float]]:
-        """Yield (center, cost) all over the canvas; the cost grows with the distance from `near`."""
+        """Yield (center, cost) of a label 2w by 2h all over the canvas; the cost grows with the distance to `near`."""
         width, height = self.layout.size
         for i in range(GRID_STEPS + 1):
             for j in range(GRID_STEPS + 1):

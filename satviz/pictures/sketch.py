@@ -197,7 +197,7 @@ class Sketch(ShapeSketch):
         return f"axis {self.test_number(test)}"
 
     def axis(self, test: AxisTest, place: AxisPlace, *, named: bool = True) -> None:
-        """Draw the axis as a long arrow clear of the shapes, with a tick at coordinate 0 if that lies on it."""
+        """Draw the axis as a long arrow with a tick at coordinate 0 if that lies on it; `named` adds its name."""
         start = self.normal_arrow(test) or ()
         if start and self.arrow_direction(test.axis) != test.axis.direction:
             start = start[::-1]  # so that the axis grows out of the normal without turning over
@@ -250,7 +250,10 @@ class Sketch(ShapeSketch):
             self.label("either-way", text, "ink", place.at((place.lo + 3 * place.hi) / 4), first=6, **options)
 
     def drops(self, test: AxisTest, place: AxisPlace, role: str, *, ends_only: bool, named: bool) -> None:
-        """Draw dotted lines from a shape's points, or from its extreme points only, to where they land."""
+        """Draw dotted lines from a shape's points, or with `ends_only` from its extreme points, to where they land.
+
+        `named` adds a right angle, the dot product, and labels of the lowest and the highest landing.
+        """
         side = test.a if role == "A" else test.b
         name, shape = self.named_shape(role)
         axis = self.axis_id(test)
@@ -322,7 +325,7 @@ class Sketch(ShapeSketch):
         return sorted(found)
 
     def range(self, test: AxisTest, place: AxisPlace, role: str, *, named: bool = True, numbers: bool = True) -> None:
-        """Draw one shape's range as a bar beside the axis, with its name and, with `numbers`, its ends if they fit."""
+        """Draw one shape's range as a bar beside the axis; `named` adds its name and, with `numbers`, its ends."""
         side = test.a if role == "A" else test.b
         name, _ = self.named_shape(role)
         ends = tuple(place.at(t, role) for t in side.interval)
@@ -350,9 +353,9 @@ class Sketch(ShapeSketch):
         remark: str = "",
         on: str = "",
     ) -> None:
-        """Draw a gap as an open bracket or an overlap as a bar, its size, its ends if `interval`, and a remark.
+        """Draw a gap as an open bracket or an overlap as a bar; `named` adds the insets and a label.
 
-        `on` is what the label calls the axis, where it could be taken for that of another axis.
+        The label has the size, the ends if `interval`, the name `on` of the axis if it is given, and a remark.
         """
         ends = points = tuple(place.at(t) for t in gap_or_overlap(test))
         role, kind = "overlap", "interval"
@@ -391,7 +394,10 @@ class Sketch(ShapeSketch):
         remark: str = "",
         on: str = "",
     ) -> None:
-        """Draw a finished test: the axis (`named`), drops of the extreme points, both ranges, the gap or overlap."""
+        """Draw a finished test: the axis (`named`), `drops` of the extreme points, both ranges, the gap or overlap.
+
+        `numbers` belongs to the ranges; `interval`, `remark` and `on` are those of `gap`.
+        """
         self.axis(test, place, named=named)
         for role in "AB":
             if drops:
