@@ -20,7 +20,7 @@ from matplotlib.text import Text
 from oracle import squared_distance
 from refresh_charts import charts as guide_charts
 
-from satviz import Circle, Polygon, batch, relate
+from satviz import Circle, Polygon, advise, batch, relate
 from satviz.advice.margins import signed_relative_margins
 from satviz.advice.relative_margin import relative_margin
 from satviz.advice.timing import time_in_turn
@@ -433,6 +433,13 @@ def test_a_pair_that_textbook_sat_is_wrong_about_is_below_the_bound_of_both_rang
 def test_where_float32_cannot_hold_the_shapes_or_their_products_no_margin_is_enough():
     rows = result("margin-float32")
     assert len(rows) == 2 and all(row["wrong"] and row["margin"] > 2.0**48 for row in rows)
+
+
+def test_where_float32_rounds_the_corners_it_is_wrong_above_its_number_of_roundings_and_advise_does_not_trust_it():
+    (row,) = (r for r in stored_run()["rows"]["all-methods"] if r["method"] == "SAT, float32")
+    a, b = Polygon(row["a"]), Polygon(row["b"])
+    assert relative_margin(a, b) > speed_against_accuracy.PROVEN_MARGINS["SAT, raw normals"] * 2.0**29
+    assert "SAT, float32 (8 axes): not proven" in str(advise(a, b))
 
 
 def test_satviz_is_never_wrong_and_bounds_err_only_to_a_hit():
