@@ -19,6 +19,7 @@ MADE = {
     "boxes": lambda: batch.Polygons(np.array([BOX, BOX + 5, BOX + 1])),
     "one triangle": lambda: batch.Polygons(np.array([TRIANGLE])),
     "five corners": lambda: batch.Polygons([FIVE, FIVE + 9]),
+    "eight corners": lambda: batch.Polygons(np.array([MANY[::5], MANY[2::5] + 200])),  # as many as a lane takes
     "many corners": lambda: batch.Polygons(np.array([MANY, MANY + 50])),
     "polygons": lambda: batch.Polygons([BOX, TRIANGLE + 1, FIVE + 2]),
     "circles": lambda: batch.Circles(np.array([(0.0, 0), (3, 4)]), np.array([1.0, 2.0])),
@@ -51,6 +52,9 @@ def rings_one_by_one(points, start, accept_centers):
     return RaggedRings(x, y, np.cumsum([0, *map(len, kept)])), np.array(doubtful, np.intp)
 
 
+numbers = []  # of corners, by which an engine was chosen
+
+
 @pytest.fixture(params=[*ENGINES, "one by one"])
 def made_by(request, monkeypatch):
     """Coordinates are checked by this engine, or by one that certifies outlines one after another as numba does."""
@@ -59,7 +63,8 @@ def made_by(request, monkeypatch):
     engine = engines.engine_of(request.param if request.param in ENGINES else "numpy")
     if request.param == "one by one":
         engine = engine._replace(certified_rings=rings_one_by_one)
-    monkeypatch.setattr(moving, "engine_for_checks", lambda _: engine)
+    monkeypatch.setattr(moving, "engine_for_checks", lambda corners: numbers.append(corners) or engine)
+    numbers.clear()
     return request.param
 
 
@@ -151,7 +156,7 @@ REFUSED = [
     ("boxes", np.ma.masked_equal(np.array([BOX] * 3), 2), "corners has masked entries: fill or drop them first"),
     ("boxes", np.array([BOX] * 3, complex), "corners is an array of complex128: coordinates must be real numbers"),
     ("boxes", np.array([BOX] * 3) > 1, "corners is an array of bool: coordinates must be real numbers"),
-    ("boxes", [[[True, False]] * 4] * 3, "polygon 0: vertex 0 is [[True, False], [True, False], [True, False], "),
+    ("boxes", [[[True, False]] * 4] * 3, "polygon 0: vertex 0.x is True: "),
     ("boxes", np.array([BOX, BOX, [(0, 0), (4, 0), (1, 1), (0, 4)]]), "polygon 2 is not convex with these coordinates: "
      "nothing was moved"),
     ("boxes", [BOX, BOX, BOX[[0, 2, 1, 3]]], "polygon 2: edges 0 and 2 cross near"),
@@ -168,6 +173,27 @@ def test_coordinates_of_another_form_or_topology_are_refused_and_nothing_moves(k
         assert str(error.value).startswith(said)
         assert shapes.bounds.tolist() == kept[2] and (moved or shapes.rings is kept[0])
         batch.move(shapes, corners_of(shapes))
+
+
+@pytest.mark.parametrize("kind", ["boxes", "five corners", "circles"])
+def test_numbers_in_lists_of_outlines_are_checked_as_in_single_shapes(kind, made_by):
+    """One array of them all would hide what is masked, take True for 1 and round integers beyond 2**53."""
+    rings = MADE[kind]()
+    first, n, v = corners_of(rings).tolist(), len(rings), int(rings.count[0])
+    name = "circle 1: center" if v == 1 else f"polygon 1: vertex {v - 1}"
+    for bad, said in (True, "True"), (2**53 + 1, "9007199254740993"), (np.nan, "nan"), ("1", "'1'"):
+        wrong = [[list(p) for p in first[i * v : i * v + v]] for i in range(n)]
+        wrong[1][-1][0] = bad
+        for form in wrong, tuple(wrong), iter(wrong):
+            with pytest.raises(sv.InvalidShape) as error:
+                batch.move(MADE[kind](), form)
+            assert str(error.value).startswith(f"{name}.x is {said}")
+    masked = [np.ma.array(first[i * v : i * v + v], mask=np.zeros((v, 2))) for i in range(n)]
+    assert batch.move(MADE[kind](), masked).bounds.tolist() == rings.bounds.tolist()  # nothing is hidden
+    masked[1][v - 1, 1] = np.ma.masked
+    for form in masked, tuple(masked), [list(ring) for ring in masked]:
+        with pytest.raises(sv.InvalidShape, match="masked"):
+            batch.move(MADE[kind](), form)
 
 
 def test_a_number_that_is_none_is_named_by_its_shape(made_by):
@@ -267,11 +293,13 @@ def test_moving_warns_where_the_processor_flushes_subnormal_numbers_to_zero(monk
 def test_plain_coordinates_are_certified_at_once(made_by, monkeypatch):
     """Slower checks take several times as long for each frame."""
     monkeypatch.setattr(moving, "_checked", lambda *_: pytest.fail("not certified"))
-    for kind in ("boxes", "one triangle", "five corners") if made_by == "numpy" else [*MADE][:-1]:
+    alike = "boxes", "one triangle", "five corners", "eight corners"
+    for kind in alike if made_by == "numpy" else [*MADE][:-1]:
         shapes = MADE[kind]()
         corners = corners_of(shapes)
         for _ in range(2):
             batch.move(shapes, corners + 1)
-            if kind not in ("many corners", "polygons", "circles", "circles and polygons"):
+            if kind in alike:
                 batch.move(shapes, corners.reshape(len(shapes), -1, 2) + 1)
-        assert np.array_equal(corners_of(shapes), corners + 1)
+        assert np.array_equal(corners_of(shapes), corners + 1) and set(numbers) == {len(corners)}
+        numbers.clear()

@@ -109,7 +109,7 @@ def _checked(state: MotionState, corners: Any) -> Shapes:
     refuse_masked(corners, "corners")
     total = int(state.start[-1])
     if not isinstance(corners, np.ndarray):
-        corners = _array_of_outlines(corners)
+        corners = _array_of_outlines(state, corners)
     if isinstance(corners, np.ndarray) and corners.ndim == 3:
         if corners.shape[0] != len(state.start) - 1 or corners.shape[2] != 2:
             raise InvalidShape(f"corners has the shape {corners.shape}: expected {_form(state)}")
@@ -124,14 +124,22 @@ def _checked(state: MotionState, corners: Any) -> Shapes:
     return build_mixed(points, state.start, state.radius, None)
 
 
-def _array_of_outlines(corners: Any) -> Any:
-    """Return a sequence of outlines with one number of corners as an (N, V, 2) array; anything else as it is."""
+def _array_of_outlines(state: MotionState, corners: Any) -> Any:
+    """Return a sequence of outlines with one number of corners as an (N, V, 2) array, checked number by number.
+
+    Of circles return the centers, unchecked; anything else as it is.
+    """
     try:
         corners = list(corners)
-        array = np.array(corners) if corners and np.ndim(corners[0]) == 2 else None
-    except (TypeError, ValueError):  # not a sequence, or outlines of several lengths
+        if not corners or np.ndim(corners[0]) != 2:
+            return corners
+    except (TypeError, ValueError):  # not a sequence, or an outline that is none
         return corners
-    return corners if array is None or array.ndim != 3 or array.dtype.kind not in "fiu" else array
+    if state.radius.any():
+        return [point for outline in corners for point in outline]
+    points, start = validation.rings_from_sequence(corners, "polygon {}".format)
+    many = np.diff(start)
+    return points.reshape(len(many), many[0], 2) if (many == many[0]).all() else corners
 
 
 def _same_topology(state: MotionState, made: Shapes) -> Shapes:
