@@ -154,6 +154,7 @@ REFUSED = [
     ("boxes", [[1, 2, 3]], "polygon 0: vertex 0 is [1, 2, 3]: expected a pair (x, y)"),
     ("boxes", [[[1, 2], [3]]], "polygon 0: vertex 0.x is [1, 2]: a coordinate must be a real number"),
     ("boxes", np.ma.masked_equal(np.array([BOX] * 3), 2), "corners has masked entries: fill or drop them first"),
+    ("boxes", np.ma.masked_equal(np.array([FIVE] * 3), 4), "corners has masked entries: fill or drop them first"),
     ("boxes", np.array([BOX] * 3, complex), "corners is an array of complex128: coordinates must be real numbers"),
     ("boxes", np.array([BOX] * 3) > 1, "corners is an array of bool: coordinates must be real numbers"),
     ("boxes", [[[True, False]] * 4] * 3, "polygon 0: vertex 0.x is True: "),

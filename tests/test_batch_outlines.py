@@ -164,7 +164,7 @@ def is_convex(ring):
     return all(cross(points[k - 2], points[k - 1], points[k]) > 0 for k in range(len(ring)))
 
 
-@pytest.mark.parametrize("scale", [-540, -500, -450, 0, 450, 507, 510, 530, 1010])
+@pytest.mark.parametrize("scale", [-540, -513, -512, -511, -500, -450, 0, 450, 507, 510, 530, 1010])
 @pytest.mark.parametrize("v", [4, 5])
 def test_no_outline_is_certified_that_is_not_convex_within_the_last_bits(v, scale):
     rng = RNG([v, scale + 600])
