@@ -87,6 +87,7 @@ __all__ = [
 # Shapes, traces and scenes show, describe and save themselves with these functions of higher modules.
 hooks.provide(
     mime_bundle="satviz.render.notebook:bundle",
+    shortcut_error="satviz.pictures.claims:error_in_words",
     trace_sentence="satviz.engine.describe:verdict_sentence",
     trace_table="satviz.engine.text_table:table",
     trace_to_json="satviz.scenes.tracefile:dump",

@@ -77,10 +77,12 @@ def measured_sentences() -> list[str]:
     of_others = prices_of_few_corners(run["rows"])
     found = [
         f"in a scene of one kilometre with shapes of {{{in_metres(LEAST_SIDE)} to {in_metres(MOST_ACROSS)}}}. A gap",
-        f"`satviz bench` measured {{{min(of_others):.1f} to {max(of_others):.1f}}} times for the answers alone.",
+        f"`satviz bench` measured medians of {{{min(of_others):.1f} to {max(of_others):.1f}}} times for the answers "
+        "alone.",
         f"with steps of {{{STEP_ANGLES[0]} to {STEP_ANGLES[1]}}} radians, as in this chart",
         f"shapely was wrong about a gap of {{{in_metres(of['shapely']['metres'])}}}, where",
         f"wrong up to {{{in_metres(raw['metres'])}}} with raw normals, and up to {{{in_metres(unit['metres'])}}} with",
+        f"and was wrong up to {{{in_metres(of['SAT, float32']['metres'])}}}. shapely",
         f"exact answers take {{{answer}}} as long",
         f"In brackets is {{{interval_in_words(len(raw['ns_runs']))}}}.",
         f"From bare arrays satviz takes {{{whole}}} as long",
@@ -106,7 +108,7 @@ def measured_sentences() -> list[str]:
     trees = [(key, time) for key, time in frames.items() if key[2].endswith("STRtree")]
     assert all(frames[work, size, numba].is_below(time) for (work, size, _), time in trees)
     behind = [size for (work, size, _), time in trees if not frames[work, size, numpy].is_below(time)]
-    found.append(f"The NumPy engine is faster only in scenes of more than {{{max(behind):,}}} shapes.")
+    found.append(f"The NumPy engine is faster in all scenes of more than {{{max(behind):,}}} shapes.")
     short = {key[:2] for key in frames if fastest(frames, key[:2]) <= set(frames_chart.SHORT_PROGRAMS)}
     few = min(size for work, size, _ in frames if (work, size) not in short)
     last = max(size for _, size, _ in frames if size < few)

@@ -1540,7 +1540,7 @@ shapeB.m_radius = 0.5f;
   let hit = collideRectCircle(50, 50, 100, 80, 170, 90, 40);
   print(hit);
 }""",
-        ((50, 50, 150, 130), (150, 70, 190, 110), (50, 50, 150, 130), (150, 70, 190, 110)),
+        ((50, 50, 150, 130), (150, 70, 190, 110)),
     ),
     Paste(
         "phaser rectangles",
@@ -1952,5 +1952,325 @@ q = Polygon(p[1:])""",
  [4 4]
  [0 4]]""",
         (),
+    ),
+    Paste(
+        "numbers given anew",
+        """Rectangle r = new Rectangle(0, 0, 4, 4);
+r.setBounds(10, 10, 4, 4);
+Rectangle s = new Rectangle(11, 11, 4, 4);""",
+        ((10, 10, 14, 14), (11, 11, 15, 15)),
+    ),
+    Paste(
+        "a change with its heads",
+        """--- a/t.js
++++ b/t.js
+@@ -1,2 +1,2 @@
+-const a = new SAT.Circle(new SAT.Vector(0, 0), 5);
++const a = new SAT.Circle(new SAT.Vector(1, 0), 5);
+ const b = new SAT.Circle(new SAT.Vector(9, 0), 5);""",
+        ((-4, -5, 6, 5), (4, -5, 14, 5)),
+    ),
+    Paste(
+        "a change of a corner",
+        """ pts = [
+   (0, 0),
+-  (4, 0),
++  (5, 0),
+   (0, 3),
+ ]
+circle((9, 9), 1)""",
+        ((0, 0, 5, 3), (8, 8, 10, 10)),
+    ),
+    Paste(
+        "corners with signs",
+        """-1 -1
++1 -1
++1 +1
+
+-2 0
++2 0
++2 +2""",
+        ((-1, -1, 1, 1), (-2, 0, 2, 2)),
+    ),
+    Paste(
+        "bullets with two signs",
+        """- circle((0, 0), 5)
+- circle((7, 0), 5)
++ circle((9, 0), 5)""",
+        ((-5, -5, 5, 5), (2, -5, 12, 5), (4, -5, 14, 5)),
+    ),
+    Paste(
+        "a merge that is not finished",
+        """<<<<<<< HEAD
+a = Circle((0, 0), 5)
+=======
+a = Circle((1, 0), 5)
+>>>>>>> feature
+b = Circle((9, 0), 5)""",
+        (),
+    ),
+    Paste(
+        "a group that a style moves",
+        """<g style="translate: 5px"><circle cx="0" cy="0" r="2"/></g><circle cx="9" cy="0" r="2"/>""",
+        ((-2, -2, 2, 2), (7, -2, 11, 2)),
+        as_="leave-out",
+        asks=True,
+    ),
+    Paste(
+        "px in svg",
+        """<rect x="10px" y="5" width="20" height="20"/><circle cx="5" cy="5" r="3px"/>""",
+        ((10, 5, 30, 25), (2, 2, 8, 8)),
+    ),
+    Paste(
+        "a bare number among px",
+        """a: { left: 10px; top: 5; width: 20px; height: 20px }
+b: { left: 30px; top: 5px; width: 20px; height: 20px }""",
+        ((10, 5, 30, 25), (30, 5, 50, 25)),
+        as_="leave-out",
+        asks=True,
+    ),
+    Paste(
+        "a column cut off",
+        """(0, 0)
+(4, 0)
+(4, 4)
+... and 12 more
+
+circle((9, 9), 1)""",
+        ((0, 0, 4, 4), (8, 8, 10, 10)),
+        as_="leave-out",
+        asks=True,
+    ),
+    Paste(
+        "code left out between statements",
+        """const a = new Circle(0, 0, 5);
+...
+const b = new Circle(7, 0, 5);""",
+        ((-5, -5, 5, 5), (2, -5, 12, 5)),
+    ),
+    Paste(
+        "a polygon rotated",
+        """a = Polygon([(10, 0), (14, 0), (14, 2), (10, 2)])
+a.rotate(90)
+b = Circle((12, 4), 1)""",
+        ((11, -1, 13, 3), (11, 3, 13, 5)),
+        as_="around-center degrees",
+        asks=True,
+    ),
+    Paste(
+        "a circle rotated",
+        """c = Circle((10, 0), 4)
+c.rotate(90)
+d = Circle((2, 12), 3)""",
+        ((-4, 6, 4, 14), (-1, 9, 5, 15)),
+        as_="around-origin degrees y-up",
+        asks=True,
+    ),
+    Paste(
+        "a sketch that tests what it draws",
+        """ellipse(200, 100, 45, 45);
+hit = collideCirclePoly(200, 100, 45, poly);
+poly = [{x: 0, y: 0}, {x: 180, y: 0}, {x: 180, y: 120}];""",
+        ((177.5, 77.5, 222.5, 122.5), (0, 0, 180, 120)),
+    ),
+    Paste(
+        "a name that a session prints",
+        """>>> a = pygame.Rect(0, 0, 10, 10)
+>>> b = pygame.Rect(10, 0, 10, 10)
+>>> a
+<rect(0, 0, 10, 10)>""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+    ),
+    Paste(
+        "a body of LÖVE at its place",
+        """body = love.physics.newBody(world, 100, 100, "dynamic")
+shape = love.physics.newRectangleShape(50, 100)
+circle((100, 180), 31)""",
+        ((-25, -50, 25, 50), (69, 149, 131, 211)),
+        as_="leave-out",
+        asks=True,
+    ),
+    Paste(
+        "numbers of lines in brackets",
+        """(1) Circle(0, 0, 2)
+(2) Circle(3, 0, 2)""",
+        ((-2, -2, 2, 2), (1, -2, 5, 2)),
+    ),
+    Paste(
+        "a logical answer of matlab",
+        """p = polyshape([0 4 0], [0 0 3]);
+q = polyshape([1 5 5], [1 1 5]);
+>> overlaps(p, q)
+
+ans =
+
+  logical
+
+   1""",
+        ((0, 0, 4, 3), (1, 1, 5, 5)),
+    ),
+    Paste(
+        "columns of R",
+        """a <- cbind(c(0, 4, 4, 3, 2, 0), c(0, 0, 4, 6, 6, 4))
+b <- cbind(x = c(1, 5, 5, 1), y = c(1, 1, 5, 5))""",
+        ((0, 0, 4, 6), (1, 1, 5, 5)),
+    ),
+    Paste(
+        "a class of python",
+        """class Circle:
+    def __init__(self, x: float, y: float = 3, r: float = 1):
+        self.x = x
+        self.y = y
+
+a = Circle(0, 0, 5)
+b = Circle(7, 0, 5)""",
+        ((-5, -5, 5, 5), (2, -5, 12, 5)),
+    ),
+    Paste(
+        "a data class",
+        """@dataclass
+class Circle:
+    x: float
+    y: float
+    r: float
+
+a = Circle(0, 0, 5)
+b = Circle(7, 0, 5)""",
+        ((-5, -5, 5, 5), (2, -5, 12, 5)),
+    ),
+    Paste(
+        "a class of javascript",
+        """class Circle {
+  constructor(x, y, r) {
+    this.x = x;
+    this.y = y;
+    this.r = r;
+  }
+}
+const a = new Circle(0, 0, 5);
+const b = new Circle(7, 0, 5);""",
+        ((-5, -5, 5, 5), (2, -5, 12, 5)),
+    ),
+    Paste(
+        "a class of java",
+        """public class Circle {
+    public Circle(double x, double y, double r) {
+        this.x = x;
+    }
+}
+Circle a = new Circle(0, 0, 5);
+Circle b = new Circle(7, 0, 5);""",
+        ((-5, -5, 5, 5), (2, -5, 12, 5)),
+    ),
+    Paste(
+        "segments of a circle of LÖVE",
+        """love.graphics.circle("fill", 100, 100, 50, 32)
+love.graphics.rectangle("line", 140, 50, 60, 120)""",
+        ((50, 50, 150, 150), (140, 50, 200, 170)),
+    ),
+    Paste(
+        "the width of a line of pygame",
+        """pygame.draw.circle(screen, RED, (100, 100), 50, 2)
+pygame.draw.circle(screen, RED, (180, 100), 50, 2)""",
+        ((50, 50, 150, 150), (130, 50, 230, 150)),
+    ),
+    Paste(
+        "matrices as R prints them",
+        """> a
+     [,1] [,2]
+[1,]    0    0
+[2,]    4    0
+[3,]    0    3
+> b
+     x y
+[1,] 1 1
+[2,] 5 1
+[3,] 5 5""",
+        ((0, 0, 4, 3), (1, 1, 5, 5)),
+    ),
+    Paste(
+        "circles at the origin",
+        "A circle of radius 5 at the origin, and a circle at the origin with radius 3",
+        ((-5, -5, 5, 5), (-3, -3, 3, 3)),
+    ),
+    Paste(
+        "ranges",
+        """A: x 0..4, y 0..4
+B: x: 3.5..7, y: -3..7""",
+        ((0, 0, 4, 4), (3.5, -3, 7, 7)),
+    ),
+    Paste(
+        "numbered circles",
+        """Circle #1 (0, 0, 2)
+Circle #2: (3, 0, 2)
+Circle 3 (6, 0, 2)""",
+        ((-2, -2, 2, 2), (1, -2, 5, 2), (4, -2, 8, 2)),
+    ),
+    Paste(
+        "keys without signs",
+        """player: x 10 y 20 w 16 h 16
+ball: x 20, y 30, r 16""",
+        ((10, 20, 26, 36), (4, 14, 36, 46)),
+        as_="corner-size",
+    ),
+    Paste(
+        "two keys with points",
+        """a center (0.0, 0.0) extents (1.0, 1.0)
+b center (2.0, 0.0) extents (1.0, 1.0)""",
+        ((-1, -1, 1, 1), (1, -1, 3, 1)),
+    ),
+    Paste(
+        "arrays of fortran",
+        """real :: x(4) = (/ 0.0, 4.0, 4.0, 0.0 /)
+real :: y(4) = (/ 0.0, 0.0, 4.0, 4.0 /)
+xb = (/ 1.0d0, 5.0d0, 5.0d0 /)
+yb = (/ 1.0d0, 1.0d0, 5.0d0 /)""",
+        ((0, 0, 4, 4), (1, 1, 5, 5)),
+    ),
+    Paste(
+        "the form of an issue",
+        """**To Reproduce**
+1. rect A: x=0, y=0, w=10, h=10
+2. rect B: x=10, y=0, w=10, h=10
+3. call `collides(A, B)` -> true
+
+**Environment** v2.3.1, Windows 11, Chrome 118""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+    ),
+    Paste(
+        "a reader of JTS",
+        """Geometry a = new WKTReader().read("POLYGON ((0 0, 4 0, 4 4, 0 0))");
+Geometry b = new WKTReader().read("POLYGON ((4 0, 8 0, 8 4, 4 0))");""",
+        ((0, 0, 4, 4), (4, 0, 8, 4)),
+    ),
+    Paste(
+        "a position of unity",
+        """Rectangle a = new Rectangle(0, 0, 10, 10);
+Rectangle b = new Rectangle(10, 0, 10, 10);
+a.position = new Vector2(1, 0);""",
+        ((1, 0, 11, 10), (10, 0, 20, 10)),
+    ),
+    Paste(
+        "a method of lua",
+        """rect = HC.rectangle(200, 400, 400, 20)
+mouse = HC.circle(400, 300, 20)
+mouse:moveTo(400, 390)""",
+        ((200, 400, 600, 420), (380, 370, 420, 410)),
+    ),
+    Paste(
+        "two of one type",
+        "sf::FloatRect a(0, 0, 10, 10), b(5, 5, 10, 10);",
+        ((0, 0, 10, 10), (5, 5, 15, 15)),
+    ),
+    Paste(
+        "a test with the numbers of two boxes",
+        "print(CheckCollision(0, 0, 10, 10, 10, 0, 10, 10))",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+    ),
+    Paste(
+        "a square and a turned box",
+        """b2Polygon a = b2MakeOffsetBox(1.0f, 2.0f, (b2Vec2){3.0f, 0.0f}, b2MakeRot(0.0f));
+b2Polygon b = b2MakeSquare(1.0f);""",
+        ((2, -2, 4, 2), (-1, -1, 1, 1)),
     ),
 )

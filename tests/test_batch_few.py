@@ -183,7 +183,7 @@ QUICK_TO_DECIDE = "triangles", "upright boxes", "touching", "circles"
 @pytest.mark.parametrize("engine", ENGINES)
 @pytest.mark.parametrize("kind", one_in(3, SCENES))
 def test_all_colliding_pairs_of_few_shapes_are_found_in_order(kind, engine):
-    """In columns and one after another, at every scale."""
+    """The outlines are given in columns and one after another, at every scale."""
     for n in SIZES:
         shapes, right = scene(kind, n)
         assert n < 24 or 0 < len(right) < n * (n - 1) / 2
@@ -528,7 +528,7 @@ def decided(monkeypatch):
 @pytest.mark.parametrize("odd", ODD_ONES)
 @pytest.mark.parametrize("v", [3, 4, 5, 8])
 def test_one_odd_shape_among_few_leaves_all_other_pairs_to_the_filter(v, odd, engine, decided):
-    """Where it comes first, amid the others or last."""
+    """The odd shape comes first, in the middle or last."""
     exactly = decided(engine)
     for n, places in (10, (0, 5, 9)), (40, (20,)), (150, (75,)):  # all with all, and a sweep
         plain = strewn(RNG(n), n, v, 2 * n**0.5)

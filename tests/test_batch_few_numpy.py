@@ -380,7 +380,7 @@ def boxes(n):
 
 @pytest.mark.parametrize("name, per_pair", [("MAX_PRODUCTS", 64), ("MAX_DISTANCES", 9)])
 def test_pairs_are_evaluated_in_blocks_that_bound_the_memory(name, per_pair, monkeypatch):
-    """Pairs of 8-gons, by products of normals and corners, and of 8-gons and circles, by distances."""
+    """Pairs of 8-gons use products of normals and corners; 8-gons and circles use distances."""
     outlines, found, peaks = spread(8, 100, 0.01), [], []
     made = outlines if name == "MAX_PRODUCTS" else batch.concat([outlines, spread(1, 100, 0.01)])
     columns, (i, j) = few._columns_of(made), np.divmod(np.arange(10_000), 100)

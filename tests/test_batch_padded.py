@@ -158,6 +158,7 @@ FAULTS = {
     "a radius that is none": (2, 1, np.nan, "shape 2: radius is nan"),
     "an infinite radius": (2, 1, np.inf, "shape 2: radius is inf"),
     "a polygon with a radius": (2, 3, 1.0, "shape 2 has 3 corners and the radius 1.0"),
+    "a polygon with a negative radius": (2, 3, -0.5, "shape 2 has 3 corners and the radius -0.5"),
     "no corner": (2, 0, 0.0, "shape 2 has 0 corners"),
     "too many corners": (2, 5, 0.0, "shape 2 has 5 corners"),
     "two corners": (2, 2, 0.0, "polygon 2: .*distinct"),

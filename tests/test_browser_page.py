@@ -112,7 +112,7 @@ def matplotlib_looks(pen, drawn):
 @pytest.mark.parametrize("theme", ["light", "dark"])
 @pytest.mark.parametrize("name", SCENES)
 def test_both_pens_draw_the_same_marks(browser, errors, pages, name, theme):
-    """Ids, places, texts, colours, widths, dashes and what lies on what, mark by mark and step by step."""
+    """Ids, places, texts, colours, widths, dashes and drawing order are compared, mark by mark and step by step."""
     trace = sv.scene(name).record()
     page = opened(browser, errors, pages / f"{name}.html", color_scheme=theme, reduced_motion="reduce")
     for i in range(len(sv.steps(trace))):
@@ -305,7 +305,7 @@ def test_without_javascript_the_page_shows_pictures_table_and_sentences(browser,
 
 
 def test_a_page_with_predict_shows_no_result_before_the_answer(browser, errors, tmp_path):
-    """Neither numbers nor which axes are tested at all, nor how many steps there are."""
+    """It shows no numbers, not which axes are tested, and not how many steps there are."""
     file = tmp_path / "asks.html"
     file.write_text(sv.page("triangles", predict=True), encoding="utf-8")
     page = opened(browser, errors, file, reduced_motion="reduce")
@@ -713,7 +713,7 @@ def test_a_widget_is_light_or_dark_as_the_page_is_and_not_as_the_system(browser,
 
 @pytest.mark.parametrize("noise", [[0, 0, 0, 255], [255, 255, 255, 255]], ids=["black", "white"])
 def test_the_theme_is_right_where_a_browser_answers_with_noise_for_a_canvas(browser, errors, noise):
-    """As Firefox does with privacy.resistFingerprinting."""
+    """Firefox does so with privacy.resistFingerprinting."""
     with explored(browser, ExplorerModel(sv.scene("circles")), errors) as page:
         page.evaluate(f"() => {{ CanvasRenderingContext2D.prototype.getImageData = () => ({{data: {noise}}}); }}")
         for theme, paper in ("dark", "oklch(0.2 0.02 250)"), ("light", "rgb(250 250 250 / 0.9)"), ("dark", "#111"):
@@ -818,7 +818,7 @@ def test_a_turn_handle_hides_no_words(browser, errors, name):
     "b", [[(0.5, 0), (3.5, 0), (2, 4)], [(1, 1), (3, 1), (3, 4), (1, 4)], [(0, 0), (4, 0), (4, 4), (0, 4)]]
 )
 def test_no_turn_handle_hides_the_other(browser, errors, b):
-    """Of two shapes as high as each other, one over the other."""
+    """The two shapes have one height and lie one over the other."""
     scene = sv.Scene("over", sv.Polygon([(0, 0), (4, 0), (4, 4), (0, 4)]), sv.Polygon(b))
     for screen in PHONE, WIDE:
         with explored(browser, ExplorerModel(scene), errors, **screen) as page:
@@ -910,7 +910,7 @@ SEEN = """() => [
 @pytest.mark.parametrize("name, keys", [("concave", ["ArrowDown"] * 40), ("triangles", ["]"]), ("aabb", ["["] * 3)])
 @pytest.mark.parametrize("back", ["reset", "undo"])
 def test_a_shape_dragged_back_to_its_start_has_the_picture_of_the_start(browser, errors, name, keys, back):
-    """The labels and the turn handles too, by reset and by undo."""
+    """The labels and the turn handles are the same too, after reset and after undo."""
     with explored(browser, ExplorerModel(sv.scene(name)), errors, **WIDE) as page:
         before = page.evaluate(SEEN)
         for key in keys:

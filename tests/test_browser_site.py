@@ -138,7 +138,7 @@ def test_a_triangle_is_moved_with_the_keyboard(visit):
 
 
 def test_no_page_is_wider_than_its_window_or_has_an_accessibility_fault(visit, url, built, axe_core):
-    """With the whole chapter, and the front page while it moves; in turn dark on a telephone and light at a desk."""
+    """Chapters are open, the front page moves; pages are dark on a telephone and light at a desk, in turn."""
     page = visit("", live=False, service_workers="block")
     without_python(page)  # on a busy machine Chromium itself crashes now and then where a page is left while it starts
     paths = sorted(str(path.relative_to(built)) for path in built.rglob("*.html"))
@@ -175,7 +175,7 @@ LIVE_PAGES += ("scene.html?embed&challenge=touch&show=tools#aabb",)
 
 @pytest.mark.parametrize("path", LIVE_PAGES)
 def test_no_live_page_and_no_frame_has_an_accessibility_fault(visit, axe_core, path):
-    """Neither dark at a desk nor light on a telephone."""
+    """The pages are dark at a desk and light on a telephone."""
     page = visit(path, color_scheme="dark")
     if path[:1].isdigit():
         assert accessibility_faults(axe_core, page) == []
@@ -193,7 +193,7 @@ def test_python_starts_from_the_stored_memory(visit):
 
 @pytest.mark.parametrize("width", [390, 1280])
 def test_the_live_scene_has_the_size_of_the_still_one(visit, width):
-    """So that nothing jumps under the reader's eyes when Python is ready."""
+    """Then nothing jumps before the reader's eyes when Python is ready."""
     more = {"viewport": {"width": width, "height": 844}}
     still_page = visit("", live=False, java_script_enabled=False, **more)
     still = still_page.locator(".live .picture:visible").first.bounding_box()
@@ -686,7 +686,7 @@ def slim(monkeypatch):
 
 
 def test_where_pyodide_keeps_no_memory_a_site_is_built_and_all_of_it_works(slim, visit, tmp_path, monkeypatch):
-    """As a whole: the function that keeps it is private, and may be gone in another Pyodide."""
+    """The function that stores the memory is private, and may be gone in another Pyodide."""
     core = runtime._core_from_npm()
     script = core["pyodide.asm.mjs"]
     assert b"makeMemorySnapshot" in script
@@ -798,7 +798,7 @@ def test_a_challenge_is_chosen_undone_and_kept_in_the_address(visit):
 
 
 def test_the_site_works_in_a_subfolder_of_a_server_as_at_its_root(built, visit, tmp_path):
-    """No setting, no header of satviz's: what Python's own server sends is enough."""
+    """The site needs no setting and no header of its own: those of Python's server are enough."""
     (tmp_path / "courses").mkdir()
     (tmp_path / "courses" / "sat").symlink_to(built)
     handler = partial(SimpleHTTPRequestHandler, directory=str(tmp_path))
@@ -816,7 +816,7 @@ def test_the_site_works_in_a_subfolder_of_a_server_as_at_its_root(built, visit, 
 
 
 def test_at_any_depth_a_page_asks_for_the_service_worker_of_its_site(browser, built, tmp_path):
-    """Also the page of a missing address, which is shown in a folder that is not there."""
+    """This holds also for the page of a missing address, which is shown in a folder that does not exist."""
     (tmp_path / "courses").mkdir()
     (tmp_path / "courses" / "sat").symlink_to(built)
     with served(tmp_path) as at:

@@ -437,7 +437,7 @@ def test_a_checked_is_a_plain_value():
 
 
 def test_a_check_in_a_page_goes_on_by_messages():
-    """The trusted side asks, the side of the reader's code answers; both speak JSON only."""
+    """The trusted side sends pairs, and the side of the reader's code answers, both in JSON only."""
     import json
 
     from satviz.site import live

@@ -124,7 +124,7 @@ def test_a_program_that_is_started_by_another_one_ends_with_it(tmp_path, monkeyp
 
 
 def test_nothing_but_the_report_is_printed(tmp_path, capfd):
-    """Also where the function writes past sys.stdout."""
+    """This holds also if the function writes past sys.stdout."""
     writes = "os.write(1, b'x'); os.write(2, b'x'); sys.__stdout__.write('x')"
     text = f"import os, sys\ndef f(a, b):\n    {writes}\n    return 1\n"
     assert main(["check", written(tmp_path, text), "--json"]) == 1
@@ -232,7 +232,7 @@ bool collide(const Shape &a, const Shape &b) {
 @pytest.mark.slow
 @pytest.mark.parametrize("language", COLLIDES)
 def test_the_smallest_harness_of_a_language_works(language, tmp_path, monkeypatch, capsys):
-    """As `satviz scenes --json` and the guide give it, with a function behind it and its own commands."""
+    """It is that of `satviz scenes --json` and the guide, followed by a function, and run with its own commands."""
     harness = next(each for each in json.loads(scenes_json())["harnesses"] if each["language"] == language)
     tool = (harness["build"] or harness["run"]).split()[0]
     needs(tool)

@@ -113,7 +113,7 @@ def test_predict_reaches_a_page_a_link_and_a_frame(tmp_path, capsys):
 
 
 def test_a_link_can_be_given_instead_of_a_scene(tmp_path, capsys):
-    """Of a scene dragged in the explorer there is only its address."""
+    """A scene that was dragged in the explorer has no name and no file, only its address."""
     mine = sv.Scene("mine", sv.Polygon([(0, 0), (4, 0), (0, 3)]), sv.Circle((5, 3), 1))
     for scene in mine, sv.scene("triangles"):
         assert main(["trace", sv.link(scene, site="https://example.org/s", free=30.0)]) == 0

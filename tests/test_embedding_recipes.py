@@ -85,7 +85,7 @@ def test_an_embedded_scene_can_be_dragged_in_a_plain_page(browser, site, tmp_pat
 
 
 def test_a_moodle_label(browser, site, tmp_path):
-    """As Moodle shows it: inside its own elements, and with nothing but the frame."""
+    """Moodle shows a label inside its own elements, and keeps only the frame."""
     frame = recipe("A plain page, or a Moodle label", "html", site)
     label = f'<div class="activity-item"><div class="no-overflow"><p>Drag.</p>{frame}</div></div>'
     (tmp_path / "label.html").write_text(f"<!doctype html><body>{label}</body>", encoding="utf-8")

@@ -14,7 +14,7 @@ WORDS = ["A", "B", "overlapping", "this axis shows no gap", "B [-0.832, 4.715]",
 
 @pytest.mark.parametrize("face", FACES)
 def test_the_committed_tables_are_made_from_the_font(face):
-    """If not: python tests/refresh_widths.py"""
+    """If they are not, run python tests/refresh_widths.py."""
     assert (TABLES / f"{face}.txt").read_text(encoding="ascii") == table(face)
     assert {path.stem for path in TABLES.iterdir()} == set(FACES)
 

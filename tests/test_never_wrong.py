@@ -87,7 +87,7 @@ def test_no_form_is_wrong_about_many_pairs_of_a_kind(kind):
 @pytest.mark.full
 @every_kind
 def test_no_form_is_wrong_about_a_million_pairs(kind):
-    """All of them through the cheap forms, samples through the dear ones."""
+    """All pairs go through the cheap forms, and samples through the expensive ones."""
     for seed in range(2, 2 + MILLION // len(KINDS) // 2_000):
         some = judged(kind, seed, 2_000)
         for name, form in FORMS.items():

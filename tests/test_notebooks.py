@@ -106,7 +106,7 @@ def test_a_changed_number_is_noticed_in_every_cell_that_shows_one(chapter):
 
 
 def test_every_output_but_measured_times_is_compared():
-    """By tags; anything else of nbval's would leave a cell out."""
+    """Tags mark these outputs; no other mark of nbval may leave a cell out."""
     tags = {
         chapter: [tag for cell in code_cells(read(chapter)) for tag in cell.metadata.get("tags", ())]
         for chapter in CHAPTERS
@@ -147,7 +147,7 @@ STATELESS = "--ExecutePreprocessor.store_widget_state=False"  # as the guide say
 
 @pytest.mark.parametrize("route", ["run for the page", "saved"])
 def test_in_an_exported_page_a_widget_is_its_picture(browser, tmp_path, route):
-    """Without a network; also of a notebook as JupyterLab saves it, with widgets in its outputs but not their state."""
+    """It needs no network, also if JupyterLab saved the notebook with widgets in its outputs but not their state."""
     import nbformat
 
     calls = "sv.explore('circles')", "sv.play('circles')", "sv.play('circles', pen='matplotlib')"

@@ -64,7 +64,7 @@ def test_a_script_has_each_file_once_after_the_files_that_it_imports():
 
 
 def test_style_sheets_write_text_decoration_only_as_webkit_reads_it():
-    """It drops `text-decoration` with more than a line; `text-decoration-style` it knows."""
+    """WebKit ignores `text-decoration` with more than a line, and reads `text-decoration-style`."""
     for sheet in Path(sv.__file__).parent.rglob("*.css"):
         for said in re.findall(r"text-decoration:\s*([^;}]*)", sheet.read_text(encoding="utf-8")):
             assert said.strip() in ("none", "underline"), sheet.name

@@ -46,6 +46,81 @@ def test_an_outside_text_is_answered_at_once_unless_a_question_is_necessary(text
     assert [bounds(each.read) for each in pasted.readings] == [pytest.approx(b, abs=1e-3) for b in text.bounds]
 
 
+def answer(text, as_=""):
+    """Whether a question is open, the shapes as they were read, and what is asked; None for a text that is refused."""
+    try:
+        pasted = sv.paste(text, as_)
+    except sv.InvalidScene:
+        return None
+    shapes = [(each.read.points, each.read.radius) for each in pasted.readings]
+    return pasted.open, shapes, [question.what for question in pasted.questions]
+
+
+def every_line(text, sign):
+    """The text with a sign before each of its lines."""
+    return "\n".join(sign + line for line in text.split("\n"))
+
+
+ANSWERED = [each for each in (*PASTES, *TEXTS) if each.bounds and not each.name.startswith(("diff", "a change", "DXF"))]
+
+
+@pytest.mark.parametrize("part", range(4))
+def test_a_quoted_text_is_read_as_the_text_itself(part):
+    for each in ANSWERED[part::4]:
+        assert answer(every_line(each.text, "> "), each.as_) == answer(each.text, each.as_), each.name
+
+
+@pytest.mark.parametrize("part", range(4))
+def test_a_change_is_read_as_the_text_that_it_leads_to(part):
+    for old, new in zip(ANSWERED[part::4], ANSWERED[part + 1 :: 4], strict=False):
+        if "\n@@" not in old.text + new.text:
+            lines = every_line(old.text, "-"), every_line(new.text, "+")
+            change = "\n".join(("--- a/x", "+++ b/x", "@@ -1,4 +1,4 @@", *lines))
+            assert answer(change, new.as_) == answer("\n" + every_line(new.text, " "), new.as_), (old.name, new.name)
+
+
+@pytest.mark.parametrize("call", ["set", "setTo", "setBounds", "setRect", "setFrame", "update"])
+@pytest.mark.parametrize("kind, numbers", [("Rectangle", "10, 11, 4, 5"), ("java.awt.Rectangle", "1, 2, 3, 4")])
+def test_numbers_given_anew_replace_those_of_the_constructor(call, kind, numbers):
+    text = "a = new {0}({1});\nb = new Circle(3, 4, 5);\n{2}"
+    once = answer(text.format(kind, numbers, ""))
+    assert answer(text.format(kind, "0, 0, 9, 9", f"a.{call}({numbers});"))[:2] == (once[0], once[1][::-1])
+
+
+@pytest.mark.parametrize("rows", ["[{}]\n", "a = [{}];", "np.array([{}])", "polygon: {}\n"])
+@pytest.mark.parametrize(
+    "sign",
+    ["...", "\u2026", "... 12 more", "... and 12 more", "... 97 more items", "(truncated)", "<12 more>", "[truncated]"],
+)
+def test_a_list_that_is_shortened_is_never_answered(rows, sign):
+    text = rows.format(f"(0, 0), (4, 0), (4, 4), {sign}") + "\ncircle((9, 9), 1)\ncircle((7, 9), 1)"
+    assert sv.paste(text).open and "a list is shortened" in sv.paste(text).sentence
+    behind = rows.format(f"(0, 0), (4, 0), {sign}, (4, 4)") + "\ncircle((9, 9), 1)\ncircle((7, 9), 1)"
+    assert sv.paste(behind).open
+
+
+@pytest.mark.parametrize(
+    "text", ["circle(({0}, {1}), {2})", "Rectangle({0}, {1}, {2}, 0)", "{{x: {0}, y: {1}, r: {2}}}"]
+)
+@pytest.mark.parametrize("unit", ["px", "mm", " cm", "m"])
+def test_a_number_without_a_unit_among_others_with_one_is_asked_about(text, unit):
+    given = "10" + unit, "5" + unit, "3" + unit
+    assert not sv.paste(text.format(*given)).open
+    for i in range(3):
+        numbers = [number if k != i else number.removesuffix(unit) for k, number in enumerate(given)]
+        assert "without a unit" in sv.paste(text.format(*numbers)).sentence
+        numbers[i] = "0"
+        assert "without a unit" not in answer_in_words(text.format(*numbers))
+
+
+def answer_in_words(text):
+    """The sentence of a text, or why it is refused."""
+    try:
+        return sv.paste(text).sentence
+    except sv.InvalidScene as error:
+        return str(error)
+
+
 AFTER_A_NUMBER = (
     " * 2", " + 1", " - d", "*k", " / 2", " % 3", " ** 2", "^2", " << 1", " >> 1", " | 1", " & 3", "++", ".sin()",
     " if c else 9", " ? 1 : 2", "%", "!", " mod 2", " || 9", "\u00b2", " ?? 3", " max 3", " times 2",
@@ -135,7 +210,6 @@ def test_words_around_a_shape_are_never_dropped_without_a_question(plain, change
         "a = structure(c(0, 4, 4, 0, 0, 3), dim = c(3L, 2L).map(f))\ncircle((9,9),1)",
         "a=[lerp(0,1),lerp(2,3),lerp(4,9)]\nb=[(0,0),(1,0),(1,1)]",
         "a: 1,000 2,000 1,500 3,000 800 900\nb = [(0,0),(1,0),(1,1)]",
-        "-  a = [(0,0),(1,0),(1,1)]\n+  a = [(0,0),(2,0),(2,2)]\n   b = [(3,3),(4,3),(4,4)]",
         "a = Circle(0, 0, 5)\nif big:\n    a = Circle(0, 0, 50)\nb = Circle(7, 0, 5)",
         "a = {x: 0, y: 0, r: 5}\nb = {x: 20, y: 0, r: 5}\na.x = b.x",
         "a = Circle(0, 0, 5)\na.flipX()\nb = Circle(7, 0, 5)",

@@ -365,7 +365,7 @@ def test_a_normal_that_points_against_its_axis_is_drawn_outward_and_the_sentence
 
 @pytest.mark.parametrize("at", [(-3, 0), (0, -3), (-2, -3)])
 def test_the_line_between_two_centers_has_the_direction_of_the_axis(at):
-    """Also where B lies to the left of A, or below it: an axis points right, or up."""
+    """This holds also if B is to the left of A or below it: an axis points right, or up."""
     circle = sv.Circle((0, 0), 1)
     for b in sv.Circle(at, 1), sv.Polygon([(x + at[0], y + at[1]) for x, y in [(0, 0), (-3, 1), (-1, -4)]]):
         for trace in (sv.record(circle, b, every_axis=True), sv.record(b, circle, every_axis=True)):
@@ -376,7 +376,7 @@ def test_the_line_between_two_centers_has_the_direction_of_the_axis(at):
 
 
 def test_a_mark_that_moves_starts_where_it_comes_from():
-    """Also in the verdict of a run over every axis, after the steps of another axis."""
+    """This holds also in the verdict of a run over every axis, after the steps of another axis."""
     trace = TRACES["triangles"].without_early_exit()
     i = trace.tests.index(trace.separating)
     gap = sv.picture(trace, Step(Stage.GAP, i))

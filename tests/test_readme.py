@@ -37,7 +37,7 @@ def test_the_first_picture_keeps_its_text_at_10_points():
 
 @pytest.mark.parametrize("name", DOCUMENTS)
 def test_the_code_prints_the_output_below_it(name, tmp_path, monkeypatch):
-    """If it does not: python tests/refresh_guides.py writes what it prints now."""
+    """If it does not, python tests/refresh_guides.py writes the new output."""
     monkeypatch.chdir(tmp_path)
     assert refreshed(DOCUMENTS[name], name) == DOCUMENTS[name]
 
@@ -115,7 +115,7 @@ FUNCTIONS = sorted({*re.findall(r"^\| `sv\.(\w+)\(", NOTEBOOK_GUIDE, re.MULTILIN
 
 @pytest.mark.parametrize("name", FUNCTIONS)
 def test_the_functions_in_the_table_of_the_notebook_guide_take_the_arguments_named_below_it(name):
-    """A name, a Scene, two shapes and (except explore) a trace; anything else is refused."""
+    """They take a name, a Scene, two shapes and (except explore) a trace; anything else is refused."""
     pytest.importorskip("anywidget")
     assert "All of these take a built-in scene's name, a `Scene`, two shapes, or a trace. Only `sv.explore`" in (
         NOTEBOOK_GUIDE

@@ -172,7 +172,7 @@ def test_a_warning_names_a_letter_that_no_font_has(form, monkeypatch):
 
 
 def test_a_letter_that_dejavu_lacks_comes_from_a_font_that_has_it():
-    """Of those that matplotlib brings along, so that it is so everywhere."""
+    """The font is one that matplotlib brings along, so that the result is the same everywhere."""
     there = FT2Font(findfont("STIXGeneral")).get_charmap()
     rare = next(chr(c) for c in sorted(there) if letters.missing_letters(chr(c)) and fonts._family_with(chr(c)))
     family = fonts._family_with(rare)

@@ -52,7 +52,7 @@ def of_another_kind(array):
 
 @pytest.mark.parametrize("name", WHOLE)
 def test_an_array_of_the_wrong_kind_is_named_as_the_file_names_it(name, saved, monkeypatch):
-    """Before any is unpacked."""
+    """It is named before any array is unpacked."""
     assert len(load(saved(**WHOLE))[0]) == 5
     monkeypatch.setattr(shapesfile, "_array", lambda *_: pytest.fail("unpacked"))
     for wrong in of_another_kind(WHOLE[name]):
@@ -138,7 +138,7 @@ def test_of_every_array_there_may_be_as_many_numbers_as_the_limit_says(name, tmp
 
 
 def test_a_member_that_numpy_would_not_write_so_is_not_unpacked(tmp_path):
-    """Of bzip2 the first byte may cost gigabytes; of a header, the length that it claims."""
+    """The first byte of bzip2 may cost gigabytes, and a header the length that it claims."""
     path, out = tmp_path / "odd.npz", io.BytesIO()
     np.save(out, WHOLE["radii"])
     for how, radii, says in (

@@ -67,7 +67,7 @@ def pages(files):
 
 
 def test_every_scrolling_element_can_be_scrolled_with_the_keyboard(pages):
-    """Also a picture's numbers that stand there only until Python has come."""
+    """This holds also for numbers of a picture that are shown only until Python has started."""
     for path, page in [*pages.items(), ("page", sv.page("triangles")), ("failing", sv.page("raw-depth"))]:
         for tag in re.findall(r"<pre\b[^>]*>", page):
             assert 'tabindex="0"' in tag, f"{path}: {tag}"
@@ -118,7 +118,7 @@ def test_nothing_comes_from_elsewhere(files):
 
 
 def test_scripts_and_styles_are_files_only(pages):
-    """So that the policy needs no exception: an inline style or script would be blocked, and drawn wrong."""
+    """Then the policy needs no exception: it would block an inline style or script, and the page would look wrong."""
     for path, page in pages.items():
         assert "unsafe-inline" not in page and "default-src 'none'" in page
         assert not re.search(r"<style|\sstyle=|\son[a-z]+=|javascript:", without_code(page)), path
@@ -237,7 +237,7 @@ class Reader(HTMLParser):
 
 
 def test_the_answer_to_a_question_is_folded_and_its_subject_is_not(pages):
-    """Folded: all up to the next heading or question.  Not: what stands before, code, shapes, what can be tried.
+    """All up to the next heading or question is folded, except code, shapes and widgets that follow directly.
 
     The choices come last of what is not folded, so that the reader has seen what they are about.
     """
@@ -264,7 +264,7 @@ def test_the_answer_to_a_question_is_folded_and_its_subject_is_not(pages):
 
 
 def test_every_question_has_the_form_that_the_site_recognises():
-    """Bold words; exercises have their own fold."""
+    """The form is bold words; exercises have their own fold."""
     for chapter in chapters.chapters():
         prose = "\n\n".join("".join(cell["source"]) for cell in chapter.cells if cell["cell_type"] == "markdown")
         for paragraph in prose.partition("## Exercises")[0].split("\n\n"):
@@ -306,7 +306,7 @@ def test_a_notebook_folds_the_text_that_answers():
 
 
 def test_a_question_has_choices_of_which_one_is_right_and_each_has_a_reason(pages):
-    """A question without them asks for something to be found by trying."""
+    """A question without choices asks for something to be found by trying."""
     for chapter in chapters.chapters():
         asked = [*asked_in(chapter)]
         judged = [chapters.choices_of(choices) for _, choices in asked if choices]
@@ -421,7 +421,7 @@ def test_pictures_follow_the_theme(pages, files):
 
 
 def test_pages_have_short_coordinates_and_compressed_steps(pages):
-    """Coordinates to hundredths of a point; steps of a player compressed.  Numbers that are read stay whole."""
+    """Coordinates have hundredths of a point, and a player's steps are compressed.  Numbers to read stay whole."""
     short = themed_svg('<svg ><path d="M 1.23456 2 L 3.999999 0.5"/><text x="7.777">gap 1.213</text></svg>')
     assert '<path d="M 1.23 2 L 3.99 0.5"/><text x="7.77">gap 1.213</text>' in short
     (packed,) = re.findall(r'<script type="application/json">(".*?")</script>', pages["2-sat.html"])
@@ -512,7 +512,7 @@ def test_packed_files_are_plain_gzip_and_the_same_each_time():
 
 
 def test_the_pages_python_needs_the_standard_library_only(tmp_path):
-    """Unpacked by itself it opens a scene and answers a pose, with nothing else to import."""
+    """The zip, unpacked by itself, opens a scene and answers a pose without any other package."""
     ZipFile(io.BytesIO(runtime.satviz_zip())).extractall(tmp_path)
     code = (
         "import json, sys; from satviz.site import live\n"
@@ -682,7 +682,7 @@ SITES = [
 
 @pytest.mark.parametrize("site", SITES, ids=range(len(SITES)))
 def test_a_site_is_at_an_address_of_http_or_https(site, capsys, monkeypatch):
-    """Wherever one can be given: in Python, on the command line, in the environment, on a widget."""
+    """This holds in Python, on the command line, in the environment and on a widget."""
     with pytest.raises(InvalidScene, match=r"^site is .*: expected an address such as https://"):
         sv.link("triangles", site=site)
     assert main(["draw", "triangles", "--format", "link", f"--site={site}"]) == 2

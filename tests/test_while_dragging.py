@@ -115,6 +115,20 @@ def test_on_one_screen_one_thing_has_one_number(poses_asked):
     assert spoken_of > 0.4 * poses_asked
 
 
+@pytest.mark.parametrize("poses_asked", [80, pytest.param(400, marks=pytest.mark.slow)])
+def test_a_sentence_says_that_so_it_is_only_where_the_heading_does(poses_asked):
+    wrong_numbers = 0
+    for seed in range(poses_asked):
+        state = anywhere(seed)
+        heading, said = state.get("heading"), state.get("sentence", "")
+        assert heading or "so it is" not in said
+        if heading and state["view"] == "shortcut" and said.startswith("By the shortcut"):
+            assert ("and so it is." in said) is heading[1].startswith("Here it happens to be right"), (seed, said)
+            assert ("In truth" in said or heading[1] in said) is heading[1].startswith("Wrong"), (seed, said)
+            wrong_numbers += heading[1] in said
+    assert wrong_numbers > poses_asked / 20
+
+
 @pytest.mark.parametrize("name", one_in(3, STEADY))
 def test_numbers_keep_their_places_in_one_drag(name):
     decimals = set()
@@ -221,7 +235,7 @@ def middle(points):
 
 
 def target_of(label, picture):
-    """Return what a label names: the middle of its shape, a corner, a bar, the tip of an axis, or else the canvas."""
+    """Return what a label names: middle of its shape, a corner, a bar, an axis's or arrow's tip, or the canvas."""
     marks = {(m.part, m.owner, m.axis, m.number): m for m in picture.marks}
 
     def points(part, owner="", axis="", number=None):
@@ -240,8 +254,10 @@ def target_of(label, picture):
     if label.part == "gap-name":
         bracket = points("gap", axis=label.axis)
         return middle(bracket[1:3] if len(bracket) == 4 else bracket)
-    arrow = marks.get((label.part.removesuffix("-name"), label.owner, label.axis, label.number))
-    return middle(arrow.points) if arrow else picture.limits[:2]
+    named = marks.get((label.part.removesuffix("-name"), label.owner, label.axis, label.number))
+    if named is None:
+        return picture.limits[:2]
+    return named.points[-1] if named.kind == "arrow" else middle(named.points)
 
 
 def leaps_and_missing(seed):
@@ -269,9 +285,9 @@ def before_axis(name, axes):
 @pytest.mark.parametrize(
     "seeds",
     [
-        range(3),
+        [*range(3), 148],  # 148: pieces whose pushes turn by a quarter
         pytest.param(range(3, 40), marks=pytest.mark.slow),
-        pytest.param(range(40, 100), marks=pytest.mark.full),
+        pytest.param(range(40, 200), marks=pytest.mark.full),
     ],
     ids=["few", "many", "most"],
 )

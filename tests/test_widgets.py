@@ -230,7 +230,7 @@ def test_a_chosen_row_stays_chosen():
 
 @pytest.mark.parametrize("name", one_in(4, ["triangles", "circles", "concave", "far-centers"]))
 def test_a_scene_dragged_back_to_its_start_has_the_frame_of_the_start(name):
-    """Whatever the view was fitted to since: by reset, by undo, or by hand."""
+    """This holds whatever the view was fitted to since, after reset, after undo, and after a drag."""
     scene = sv.scene(name)
     hand = ExplorerModel(scene)
     first = hand.state()["picture"]
@@ -312,7 +312,7 @@ def test_files_come_from_the_matplotlib_pen():
 
 
 def test_the_step_that_is_saved_is_the_one_that_is_shown(monkeypatch):
-    """Also where a playback leaves steps out, since there are too many."""
+    """This holds also if a playback leaves steps out because there are too many."""
     monkeypatch.setattr(playback, "MAX_STEPS", 20)
     trace = TRIANGLES.record().without_early_exit()
     (shown,) = playback.playbacks(trace)

@@ -3,6 +3,7 @@
 import re
 from collections.abc import Callable, Sequence
 
+from . import hooks
 from .axes import (
     ANY,
     CENTERS,
@@ -206,27 +207,35 @@ def verdict_in_brief(trace: Trace) -> str:
     return f"No axis leaves a gap: {trace.relation}"
 
 
+def _is_of_one_corner(trace: Trace, t: AxisTest) -> bool:
+    """Return whether a shortcut projected a single corner of a polygon, so that its test compares no ranges."""
+    return any(len(side.points) == 1 < len(shape.core) for side, shape in ((t.a, trace.a), (t.b, trace.b)))
+
+
 RELATION_PHRASES = {Relation.APART: "are apart", Relation.TOUCHING: "touch", Relation.OVERLAPPING: "overlap"}
 
 
-def shortcut_verdict(trace: Trace, digits: NumberFormat | None = None) -> str:
-    """Return a sentence on what a shortcut claims and what is true.
+def shortcut_verdict(trace: Trace, digits: NumberFormat = digits, *, name_axis: bool = True) -> str:
+    """Return sentences on what a shortcut claims and what is true: of its verdict, else of its number or its push.
 
-    If `digits` is given, a function that returns number formats, the sentence also names the axis behind the claim.
+    `digits`: a function that returns number formats; `name_axis`: whether to name the axis behind the claim.
     """
     assert trace.shortcut
     a, b = trace.names
     says = f"By the shortcut “{trace.shortcut.claim}” {a} and {b} {RELATION_PHRASES[trace.claim]}"
-    if digits and trace.ended_by:
+    if name_axis and trace.ended_by and not _is_of_one_corner(trace, trace.ended_by):
         i = trace.tests.index(trace.ended_by)
         name = axis_name(trace.ended_by.axis, (trace.a, trace.b), trace.names)
         says += f": {outcome(trace.ended_by, digits(trace, trace.ended_by))} on axis {i + 1} ({name})"
-    elif digits and trace.tests:
+    elif name_axis and trace.tests and not trace.ended_by:
         says += f": no gap on {_any_of_axes(len(trace.tests))}"
     is_so = RELATION_PHRASES[trace.relation]
     if trace.missed_hit or trace.false_hit:
         return f"{says}. In truth they {is_so}: a {'missed' if trace.missed_hit else 'false'} hit."
-    return f"{says}, and so it is." if trace.claim is trace.relation else f"{says}. In truth they {is_so}."
+    if trace.claim is not trace.relation:
+        return f"{says}. In truth they {is_so}."
+    wrong: str = hooks.call("shortcut_error", trace, digits)
+    return f"{says}. {wrong}" if wrong else f"{says}, and so it is."
 
 
 def _mtv_sentence(trace: Trace, move: Vec | None, digits: NumberFormat) -> str:

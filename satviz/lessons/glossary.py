@@ -43,7 +43,7 @@ _DART = Polygon([(-3, -3), (4, 0), (1, 1), (0, 4)]), Polygon([(2.2, 2.2), (3.2, 
 
 
 def _figure(number: int) -> Callable[[], Picture]:
-    """Return a function that draws one of the article's figures."""
+    """Return a function that draws the article's figure with this number, from 1."""
     return FIGURES[number - 1].picture
 
 

@@ -203,12 +203,12 @@ def _coordinates(shape: Shape, name: str, figures: int) -> str:
 
 
 def _number(value: float, figures: int) -> str:
-    """Return a coordinate as text, with a real minus sign."""
+    """Return a coordinate as text with at most `figures` significant figures and a real minus sign."""
     return f"{value:.{figures}g}".replace("-", "−")
 
 
 def _table(trace: Trace, *, filled: bool) -> str:
-    """Return the table of a run over every axis, with or without ranges and gaps."""
+    """Return the table of a run over every axis as HTML; `filled`: with ranges and gaps, else with empty cells."""
     heads = ("axis", "direction", f"range of {trace.names.a}", f"range of {trace.names.b}", "gap", "separates?")
     head = "<td></td>" + "".join(f'<th scope="col">{escape(name)}</th>' for name in heads)
     lines, pair = [], ""

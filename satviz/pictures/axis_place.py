@@ -84,7 +84,8 @@ def both_sides(
 ) -> tuple[AxisPlace, AxisPlace]:
     """Return the two possible places of a test's axis, one on either side of the shapes.
 
-    Between the shapes and the axis there is space for a label `label_width` points wide; 0 means no label.
+    Between the shapes and the axis there is space for a label `label_width` points wide; 0 means no label.  `scale`:
+    points in a scene unit.
     """
     n = test.axis.direction
     ranges = test.a.interval, test.b.interval

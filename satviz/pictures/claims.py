@@ -2,12 +2,12 @@
 
 import re
 from functools import lru_cache
-from math import hypot, isclose, isnan
+from math import hypot, isclose, isnan, nan
 from typing import NamedTuple
 
 from ..engine import describe
 from ..engine.geometry import Vec
-from ..engine.number_format import MINUS, USUAL_DIGITS, Digits
+from ..engine.number_format import MINUS, Digits
 from ..engine.trace import Trace, record
 from ..scenes.failing import FALSE_HIT, MISSED_HIT, FailureCase, case_of
 from ..scenes.failing.true_value import Answer
@@ -32,14 +32,15 @@ class Answers(NamedTuple):
 
 
 @lru_cache(maxsize=64)
-def answers(trace: Trace, digits: Digits = USUAL_DIGITS) -> Answers:
+def answers(trace: Trace, digits: Digits | None = None) -> Answers:
     """Return the shortcut's answer for its shapes and the right one, in words, and whether the shortcut's is wrong.
 
-    Lengths are printed with `digits`.  If the case is about a verdict, the words are numbers only where both answers
-    have the same number; otherwise they are the verdicts, with the gap that the shortcut missed.
+    Lengths are printed with `digits` (None: those of `digits_of_answers`).  If the case is about a verdict, the words
+    are numbers only where both answers have the same number; otherwise they are the verdicts, with the gap that the
+    shortcut missed.
     """
     assert trace.shortcut
-    case = case_of(trace.shortcut)
+    case, digits = case_of(trace.shortcut), digits or digits_of_answers(trace)
     if case is None and trace.push and trace.hit and is_about_push(trace):
         digits, mtv = describe.digits(trace), trace.truth.known_mtv or Vec(0.0, 0.0)
         words = f"push {digits.vector(trace.push)}", f"{trace.relation}, way out {digits.vector(mtv)}"
@@ -57,7 +58,9 @@ def answers(trace: Trace, digits: Digits = USUAL_DIGITS) -> Answers:
         both_say = case.verdict_in_words(trace.claim, claimed, digits) == right
         return Answers(str(trace.claim), right if both_say else str(trace.relation), False)
     is_wrong = _contradicts(case, trace, claimed, actual)
-    return Answers(case.in_words(claimed, digits), case.in_words(actual, digits), is_wrong)
+    # a gap in two frames is true: only that no contact follows from it is wrong
+    said = (nan, nan) if is_wrong and isinstance(actual, tuple) else claimed
+    return Answers(case.in_words(said, digits), case.in_words(actual, digits), is_wrong)
 
 
 def _contradicts(case: FailureCase, trace: Trace, claimed: float, actual: Answer) -> bool:
@@ -97,16 +100,34 @@ def verdict_words(trace: Trace) -> tuple[str, str]:
     return (str(trace.claim), str(trace.relation)) if own is None else own
 
 
-def heading(trace: Trace, digits: Digits = USUAL_DIGITS) -> tuple[str, str]:
-    """Return two lines: the claim, and what is wrong with it or that it happens to be right."""
+def digits_of_answers(trace: Trace, digits: describe.NumberFormat = describe.digits) -> Digits:
+    """Return the number format of a shortcut's answers: what `digits` returns for the test which they come from."""
+    test = trace.ended_by or trace.shallowest
+    return digits(trace, *([test] if test else []))
+
+
+def error_in_words(trace: Trace, digits: describe.NumberFormat = describe.digits) -> str:
+    """Return what is wrong with a shortcut's answer and what is right, or "" where the answer is right.
+
+    `digits`: as in `digits_of_answers`.
+    """
+    found, case = answers(trace, digits_of_answers(trace, digits)), case_of(trace.shortcut)
+    if not found.is_wrong:
+        return ""
+    if case and case.claims_less:
+        return f"Wrong: {found.claimed}, not less than {found.actual.rsplit(' ', 1)[-1]}."
+    return f"Wrong: {found.claimed}. Right: {found.actual}."
+
+
+def heading(trace: Trace, digits: describe.NumberFormat = describe.digits) -> tuple[str, str]:
+    """Return two lines: the claim, and what is wrong with it or that it happens to be right.
+
+    `digits`: as in `digits_of_answers`.
+    """
     assert trace.shortcut
-    found = answers(trace, digits)
-    claim, case = f"Claim: {_as_printed(trace.shortcut.claim)}.", case_of(trace.shortcut)
-    if found.is_wrong and case and case.claims_less:
-        return claim, f"Wrong: {found.claimed}, not less than {found.actual.rsplit(' ', 1)[-1]}."
-    if found.is_wrong:
-        return claim, f"Wrong: {found.claimed}. Right: {found.actual}."
-    return claim, f"Here it happens to be right: {found.actual}."
+    right = answers(trace, digits_of_answers(trace, digits)).actual
+    wrong = error_in_words(trace, digits) or f"Here it happens to be right: {right}."
+    return f"Claim: {_as_printed(trace.shortcut.claim)}.", wrong
 
 
 def _as_printed(claim: str) -> str:

@@ -187,7 +187,7 @@ def _actual_panel(trace: Trace, largest: tuple[float, float]) -> Picture:
 def draw_answer(sketch: Sketch, trace: Trace, part: str, word: str, number: str) -> None:
     """Write the verdict `word` as the label `part`, with `number` unless this is a gap, which its bar shows."""
     if word:
-        sketch.note(part, word, "ink", weight="title", first=1)
+        sketch.note(part, word, "ink", weight="title", first=0)
     case = case_of(trace.shortcut)
     if case and case.quantity != "gap":
         sketch.note("number", number, "ink", first=2)
@@ -228,8 +228,8 @@ def refused_picture(case: FailureCase, *, title: str = "", width: float = BOTH_P
     rings = [[Vec(*map(float, point)) for point in ring] for ring in case.raw_outlines]
     xs, ys = [p.x for ring in rings for p in ring], [p.y for ring in rings for p in ring]
     wide, high = max(xs) - min(xs), max(ys) - min(ys)
-    k = min(min(480.0, width - 80.0) / wide, 190.0 / (high or wide / 4))
-    low = high * k + 80.0
+    k = min(min(480.0, width - (80.0 if high else 168.0)) / wide, 190.0 / (high or wide / 4))
+    low = high * k + (80.0 if high else 100.0)
     off = Vec((width - (max(xs) - min(xs)) * k) / 2 - min(xs) * k, 40.0 - min(ys) * k)
     marks, requests = [], []
     for name, ring in zip("AB", rings, strict=True):
@@ -247,9 +247,19 @@ def refused_picture(case: FailureCase, *, title: str = "", width: float = BOTH_P
         for i, spot in enumerate(spots):
             if any(_lies_on(spot, edge) for edge in pairwise([*spots, spots[0]])):
                 marks.append(Mark("fold", "disc", "wrong", (spot,), owner=name, number=i, radius=RING_PT))
+    if not high:  # rods on one line have one normal: beside them, with the place where all points land
+        end, foot = Vec(off.x + min(xs) * k, spots[0].y), Vec(off.x + min(xs) * k - 44.0, spots[0].y)
+        tip = Vec(foot.x, foot.y + 34.0)
+        marks.append(Mark("drop", "segment", "guide", (end, foot)))
+        marks.append(Mark("axis", "arrow", "ink", (Vec(foot.x, foot.y - 30.0), tip)))
+        marks.append(Mark("landing", "dot", "wrong", (foot,)))
+        requests.append(LabelRequest("axis-name", "the only normal", "ink", tip))
+        requests.append(LabelRequest("landing-name", "A, B", "wrong", foot, prefer=Vec(-1.0, 0.0)))
     layout = Layout((0.0, 0.0, width, low), (width, low), ())
     drawn = with_labels(marks, requests, layout, steady=False, keep_off=())
-    words = f"Claim: {case.claim}.", f"Refused: {_with_corner_names(str(case.actual), rings)}."
+    unchecked = case.unchecked_words.format(case.in_words(case.claimed))
+    refused = f"Refused: {_with_corner_names(str(case.actual), rings)}."
+    words = f"Claim: {case.claim}.", f"{refused}\nUnchecked: {unchecked}."
     return _under_heading(words, width, low, drawn, title or case.claim)
 
 
@@ -302,11 +312,7 @@ def _join(
         (Vec(8.0, across), Vec(width - 8.0, across)) if stacked else (Vec(width / 2, 8.0), Vec(width / 2, cell - 4.0))
     )
     marks.append(Mark("between", "segment", "guide", line))
-    lines, sentence = heading(trace), claimed.sentence
-    begun = sentence.removesuffix(", and so it is.")
-    if begun != sentence and answers(trace).is_wrong:  # a number or a move is wrong, or another moment
-        sentence = f"{begun}. {lines[1]}"
-    return _under_heading(lines, width, height, marks, title)._replace(sentence=sentence)
+    return _under_heading(heading(trace), width, height, marks, title)._replace(sentence=claimed.sentence)
 
 
 def _under_heading(words: tuple[str, str], width: float, low: float, below: Sequence[Mark], title: str) -> Picture:

@@ -10,7 +10,7 @@ from ..scenes.failing.move_space import RegionOrReason
 from ..scenes.shape_tools import vertex_mean
 from . import comparison_panels
 from .axis_place import AxisPlace
-from .claims import answers, verdict_words
+from .claims import answers, digits_of_answers, verdict_words
 from .comparison import draw_answer, strike_wrong_answers
 from .default_panels import draw_push
 from .drag import ShownTest, drag_digits, drag_sentence
@@ -52,7 +52,8 @@ def drag_view(
         sketch.edge(test)
         sketch.normal(test)
         sketch.project(test, place, numbers=False)
-    draw_answer(sketch, trace, "claim", verdict_words(trace)[0], answers(trace, drag_digits(layout)(trace)).claimed)
+    number = answers(trace, digits_of_answers(trace, sketch.digits)).claimed
+    draw_answer(sketch, trace, "claim", verdict_words(trace)[0], number)
     if show_mtv and not trace.pairs:  # pieces show their pushes themselves
         draw_push(sketch)
     if region:

@@ -4,24 +4,24 @@ A new panel is a `Panel` in `PANELS` below: what it needs space for, and a funct
 that space, which returns the sketch it has drawn.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from itertools import pairwise
-from math import ceil, cos, hypot, isnan, pi, sin, ulp
+from math import ceil, comb, copysign, cos, dist, floor, hypot, isnan, pi, sin, ulp
 from typing import NamedTuple
 
 from ..engine import describe
 from ..engine.certificate import SeparatingLine
-from ..engine.geometry import Relation, Vec
+from ..engine.geometry import Interval, Relation, Vec
 from ..engine.number_format import number
 from ..engine.sat import AxisTest, axis_tests
 from ..engine.shapes import Shape, centroid
 from ..engine.shortcut import move_along_axis
 from ..engine.trace import Trace, record
-from ..scenes.failing.saved_work import MIN_SUPPORT_POINTS, corner_tests
+from ..scenes.failing.saved_work import FAR_APART, MIN_SUPPORT_POINTS, SHAPE_COUNT, corner_tests
 from ..scenes.failing.true_value import FLIGHT, contact_times, separating_angles
 from ..scenes.failing.true_value import distance as true_distance
-from ..scenes.failing.wrong_projections import FIRST_EDGE_OF_B
+from ..scenes.failing.wrong_projections import FIRST_EDGE_OF_B, whole_halves
 from ..scenes.shape_tools import box, translated, vertex_mean
 from .claims import is_near
 from .curve import unit_vector
@@ -39,12 +39,13 @@ from .default_panels import (
 )
 from .draw_steps import draw_mtv, draw_separating_line
 from .float_geometry import bounding_box, crossing_point, midpoint, point_along
+from .insets import a_is_left
 from .label_placer import LabelOptions
 from .layout import Layout, PanelContents
 from .sketch import RING_PT, Sketch
 from .solid_panels import solid_panel
 
-MAX_QUESTION_AXES = 60  # axes tested, up to which there is space for questions above the shapes
+MAX_NOTED_AXES = 60  # axes tested, up to which there is space for words above the shapes
 DOT_COUNT = 12  # dots that stand for many shapes
 MAX_AXES = 3  # axes that have space side by side
 ARROW_LENGTH = 74.0  # points
@@ -71,8 +72,12 @@ def draw_pieces(sketch: Sketch, times: int = 1) -> None:
             start = centroid(trace.b)
             tip = point_along(start, pair.mtv, times)
             sketch.add("mtv", "arrow", "move", start, tip, number=i, start=(start,))
-            text = f"{pair.names.a} pushes\n{describe.digits(trace).vector(pair.mtv)}"
-            sketch.label("mtv-name", text, "move", tip, number=i, prefer=pair.mtv, first=3)
+            between = " " if 0.0 in pair.mtv else "\n"  # beside a slanting arrow short lines have more space
+            text = f"{pair.names.a} pushes{between}{describe.digits(trace).vector(pair.mtv)}"
+            size = hypot(*pair.mtv) or 1.0
+            aside = copysign(0.7, centroid(pair.a).x - start.x)  # to the side of the piece that pushes
+            prefer = Vec(pair.mtv.x / size + aside, pair.mtv.y / size)
+            sketch.label("mtv-name", text, "move", tip, number=i, prefer=prefer, first=3)
     if times > 1:
         sketch.note("longer", f"arrows drawn {times} times as long", "guide", first=4)
     if trace.push:
@@ -179,8 +184,10 @@ def dots_panel(every_pair: bool) -> Panel:
             sketch.add("pairs", "segment", "guide", *joined)
         for i, spot in enumerate(dots):
             sketch.add("shape", "dot", "A", spot, number=i)
-        tests = DOT_COUNT * (DOT_COUNT - 1) // 2 if every_pair else DOT_COUNT
-        what = f"{DOT_COUNT} shapes, {tests} {'pairs' if every_pair else 'tests'}"
+        what = f"{DOT_COUNT} shapes: {DOT_COUNT} tests,\none for each"
+        if every_pair:
+            sums = (f"{n:,} shapes: {n:,} \u00d7 {n - 1:,} / 2 = {comb(n, 2):,}" for n in (DOT_COUNT, SHAPE_COUNT))
+            what = " pairs\n".join(sums)
         sketch.label("few", what, "guide", Vec(150.0, 196.0 if every_pair else 95.0), inside=True, first=1)
         return sketch
 
@@ -351,30 +358,69 @@ def draw_line_as_axis(trace: Trace, layout: Layout) -> Sketch:
     return sketch
 
 
-def needs_one_sided_tests(trace: Trace) -> PanelContents:
-    """Return the claimed tests with both shapes, and space for two questions above the shapes.
+def with_note(panel: Panel, words: Callable[[Trace], str], role: str = "wrong") -> Panel:
+    """Return a panel with words above its shapes that say what a shortcut did, or what it left out."""
 
-    Where the labels of very many axes fill the picture, the questions are left out.
-    """
-    x0, y0, x1, y1 = bounding_box([trace.a, trace.b])
-    shapes, tests, _ = needs_claimed_tests(trace)
-    space = [box(x0, y1, x1, y1 + (y1 - y0) / 2)] if len(trace.tests) <= MAX_QUESTION_AXES else []
-    return PanelContents([*shapes, *space], tests)
+    def has_space(trace: Trace) -> bool:
+        """Check whether there is space for words: not among the labels of very many axes."""
+        return len(trace.tests) <= MAX_NOTED_AXES
+
+    def needs(trace: Trace) -> PanelContents:
+        """Return what the panel needs, and space for two lines above the shapes."""
+        x0, y0, x1, y1 = bounding_box([trace.a, trace.b])
+        contents = panel.needs(trace)
+        space = [box(x0, y1, x1, y1 + (y1 - y0) / 2)] if has_space(trace) else []
+        return contents._replace(shapes=[*contents.shapes, *space])
+
+    def draw(trace: Trace, layout: Layout) -> Sketch:
+        """Draw the panel and the words."""
+        sketch = panel.draw(trace, layout)
+        if has_space(trace) and (text := words(trace)):
+            sketch.note("said", text, role, first=2)
+        return sketch
+
+    return Panel(needs, draw)
 
 
-def draw_one_sided_tests(trace: Trace, layout: Layout) -> Sketch:
-    """Draw the claimed tests, and of the two comparisons of ranges the one that was made and the one that was not."""
-    sketch = draw_claimed_tests(trace, layout)
-    measured = claimed_tests(trace) if len(trace.tests) <= MAX_QUESTION_AXES else ()
-    for test in axis_tests(trace.a, trace.b, [test.axis for test in measured]):
+def questions_asked(trace: Trace) -> str:
+    """Return which question about the order of the ranges was asked, and which was not; "" where one was enough."""
+    for test in axis_tests(trace.a, trace.b, [test.axis for test in claimed_tests(trace)]):
         a, b = test.a.interval, test.b.interval
         if b.hi < a.lo:
             name, digits = trace.names, describe.digits(trace, test).landing
             asked = f"asked: does {name.a} end ({digits(a.hi)}) before {name.b} begins ({digits(b.lo)})?  no"
             other = f"not asked: does {name.b} end ({digits(b.hi)}) before {name.a} begins ({digits(a.lo)})?  yes"
-            sketch.note("questions", f"{asked}\n{other}", "wrong", first=2)
-            break
-    return sketch
+            return f"{asked}\n{other}"
+    return ""
+
+
+def facing_ends(trace: Trace, how: str) -> str:
+    """Return where the ranges of the largest gap face each other, with all digits, after `how` they were stored."""
+    test = max(trace.tests, key=lambda test: test.gap, default=None)
+    if test is None:
+        return ""
+    sides = list(zip(trace.names, (test.a.interval, test.b.interval), strict=True))
+    (left, first), (right, second) = sides if a_is_left(test) else sides[::-1]
+    return f"{how}: {left} ends at {first.hi!r},\n{right} begins at {second.lo!r}"
+
+
+def halves_rounded(trace: Trace) -> str:
+    """Return how the first range whose middle or half is no whole number was rounded; "" if there is none."""
+    for test in axis_tests(trace.a, trace.b, [test.axis for test in claimed_tests(trace)]):
+        digits = describe.digits(trace, test)
+        for name, (lo, hi) in zip(trace.names, (test.a.interval, test.b.interval), strict=True):
+            kept = whole_halves(Interval(lo, hi))
+            if kept != (lo, hi):
+                middle, half = (lo + hi) / 2, (hi - lo) / 2
+                start = f"{name} {digits.interval(lo, hi)}: middle {digits.landing(middle)} kept as {floor(middle)},"
+                return f"{start}\nhalf {digits.number(half)} kept as {floor(half)}: {digits.interval(*kept)}"
+    return ""
+
+
+def centers_compared(trace: Trace) -> str:
+    """Return how far apart the centers lie, and from where on that counts as far."""
+    centers = [centroid(shape) for shape in (trace.a, trace.b)]
+    return f"centers {number(round(dist(*centers), 9))} apart; more than {FAR_APART:g} counts as far apart"
 
 
 def needs_push(trace: Trace) -> PanelContents:
@@ -399,13 +445,6 @@ def draw_push_from_center(trace: Trace, layout: Layout) -> Sketch:
         sketch.add("mean", "dot", role, mean, owner=name)
         aside = Vec(0.8, 0.6) if role == "A" else Vec(0.8, -0.6)
         sketch.label("mean-name", f"{name}'s center", role, mean, owner=name, prefer=aside, first=2)
-    return sketch
-
-
-def draw_push_while_a_stays(trace: Trace, layout: Layout) -> Sketch:
-    """Draw B where the shortcut pushes it, and say that A stands still."""
-    sketch = draw_push_alone(trace, layout)
-    sketch.note("stays", f"{trace.names.a} does not move", "A", first=3)
     return sketch
 
 
@@ -551,6 +590,7 @@ def needs_pieces(trace: Trace) -> PanelContents:
 
 
 TESTS, PROOF = Panel(needs_claimed_tests, draw_claimed_tests), Panel(needs_proof, draw_proof)
+PUSH = Panel(needs_push, draw_push_alone)
 PIECES = Panel(needs_pieces, draw_pieces_panel)
 PANELS: dict[str, Panel] = {
     "tests": TESTS,
@@ -565,11 +605,15 @@ PANELS: dict[str, Panel] = {
     "two frames": Panel(needs_flight, draw_two_frames),
     "flight": Panel(needs_flight, draw_flight),
     "distance": Panel(_shapes_and, draw_distance),
-    "one side": Panel(needs_one_sided_tests, draw_one_sided_tests),
+    "one side": with_note(TESTS, questions_asked),
+    "as written": with_note(TESTS, lambda trace: facing_ends(trace, "as written")),
+    "as stored": with_note(PROOF, lambda trace: facing_ends(true_run(trace), "in float64")),
+    "halves": with_note(TESTS, halves_rounded),
+    "far centers": with_note(TESTS, centers_compared),
     "line as axis": Panel(needs_claimed_tests, draw_line_as_axis),
-    "push": Panel(needs_push, draw_push_alone),
+    "push": PUSH,
     "push from center": Panel(needs_push, draw_push_from_center),
-    "push while A stays": Panel(needs_push, draw_push_while_a_stays),
+    "push while A stays": with_note(PUSH, lambda trace: f"{trace.names.a} does not move", "A"),
     "MTV": Panel(needs_push, draw_moved_by_mtv),
     "raw pushes": pushes_panel(Panel(needs_pushes, draw_raw_pushes), TESTS),
     "true pushes": pushes_panel(Panel(needs_pushes, draw_true_pushes), PROOF),

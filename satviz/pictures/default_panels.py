@@ -37,7 +37,7 @@ from .labels import short_name
 from .layout import Layout, PanelContents
 from .sketch import RIGHT_ANGLE_PT, RING_PT, Sketch
 
-PROVES_NOTHING = "true, but proves nothing"
+PROVES_NOTHING = "true, but\nproves nothing"
 LEAST_WORDY_PT = 200.0  # width of a panel from which on it explains the MTV
 
 
@@ -264,7 +264,7 @@ def draw_proof(trace: Trace, layout: Layout) -> Sketch:
         sketch.add("shared", "dot", "ink", certificate.point)
         sketch.label("shared-name", "in both", "ink", certificate.point, first=4)
         move = trace.truth.known_mtv
-        if move and any(move):
+        if move and hypot(*move) * layout.scale > 1.0:  # else neither the arrow nor the moved B would be seen
             draw_mtv(sketch, certificate.point, move, mtv_name(layout))
     spot = meeting_point(trace, test) if trace.shortcut and trace.shortcut.touching_separates else ""
     remark = f"{spot} < {spot} is false: no gap" if spot and test.gap == 0 else ""

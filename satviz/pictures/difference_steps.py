@@ -99,7 +99,7 @@ def _against_origin(test: AxisTest, ring: Sequence[Vec]) -> AxisTest:
 
 
 def _sketch(scene: _Scene, *, a_weight: str = "plain") -> Sketch:
-    """Return a sketch on the frame of all steps, with both shapes and the origin."""
+    """Return a sketch on the frame of all steps, with both shapes and the origin; `a_weight`: the weight of A."""
     run = scene.run
     turned = [p for degrees in TURN_DEGREES for p in _rim(run.a, degrees)]
     spots = [ORIGIN, *turned, *(p for ring in scene.rings for p in ring)]

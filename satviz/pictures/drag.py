@@ -132,7 +132,7 @@ def drag_sentence(trace: Trace, layout: Layout, shown: ShownTest | None) -> str:
         if trace.pairs or test == trace.ended_by:
             return verdict
         found = describe.outcome(test, digits(run, test))
-        return f"{describe.shortcut_verdict(trace)} A{axis[1:]}: {found}."
+        return f"{describe.shortcut_verdict(trace, digits, name_axis=False)} A{axis[1:]}: {found}."
     if test.separates:
         leaves = f"{axis} leaves a gap of {digits(run, test).gap(test.gap)}"
         return f"{verdict} Between {who} {leaves}." if trace.pairs else f"{who} are apart: {leaves}."

@@ -139,7 +139,9 @@ def draw_separating_line(sketch: Sketch, certificate: SeparatingLine, text: str 
     """Draw the certificate's line across the canvas, with `text` at its upper end."""
     ends = sketch.line_across("line", certificate.point, _unit_normal(certificate), "gap")
     low, high = sorted(ends, key=lambda p: p.y)
-    sketch.label("line-name", text, "gap", high, prefer=Vec(low.x - high.x, low.y - high.y), first=2, far=True)
+    sketch.label(
+        "line-name", text, "gap", high, prefer=Vec(low.x - high.x, low.y - high.y), first=1, far=True, led=True
+    )
 
 
 def _unit_normal(certificate: SeparatingLine) -> Vec:

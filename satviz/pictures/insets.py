@@ -16,7 +16,7 @@ from .marks import Mark
 MIN_SHAPE_PT = 8.0  # a shape whose larger side is shorter than this has an inset
 MIN_GAP_PT = 3.0  # and so has a gap or an overlap smaller than this
 MIN_NEEDLE_PT = 1.5  # and the short edge of an outline thinner than this
-BOX_PT = 96.0  # an inset's side
+BOX_PT, GAP_BOX_PT = 96.0, 48.0  # an inset's side; how high that of a gap is
 STRIP_PT = 124.0  # the width of the strip of insets beside the scene
 ROW_PT = 128.0  # the height of an inset with its caption
 HEAD_PT = 40.0  # above a scene, for a verdict
@@ -117,7 +117,7 @@ def _insets(layout: Layout, details: Sequence[_Detail], corners: Sequence[tuple[
     """Return an inset of each detail; `corners`: the upper left corners of their boxes, in scene units."""
     found, scale = [], layout.scale
     for (left, top), (name, spot, length, test_of_gap) in zip(corners, details, strict=False):
-        box = left, top - BOX_PT / scale, left + BOX_PT / scale, top
+        box = left, top - (GAP_BOX_PT if test_of_gap else BOX_PT) / scale, left + BOX_PT / scale, top
         found.append(Inset(name, spot, round_down(DETAIL_PART * BOX_PT / (length * scale)), box, test_of_gap))
     return tuple(found)
 

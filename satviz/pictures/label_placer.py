@@ -67,6 +67,7 @@ class LabelRequest(NamedTuple):
     optional: bool = False  # left out rather than drawn over something
     near: bool = False  # near its anchor, or left out
     far: bool = False  # may stand anywhere on the canvas
+    led: bool = False  # has a line to its anchor even then, if it is far from it
     steady: bool = False  # stands at one spot in all steps
     wall: Segment | None = None  # the label belongs on its anchor's side of this line
     pieces: tuple[tuple[str, str], ...] = ()  # the text, which may have lines, in pieces with their roles: (text, role)
@@ -88,6 +89,7 @@ class LabelOptions(SharedOptions, total=False):
     optional: bool
     near: bool
     far: bool
+    led: bool
     steady: bool
     wall: Segment | None
     pieces: tuple[tuple[str, str], ...]
@@ -199,7 +201,7 @@ class LabelPlacer:
             if at is None:
                 continue
             key = r.owner, r.axis, r.number
-            end = None if r.far or r.inside or r.along else self._leader_end(r, at)
+            end = None if (r.far and not r.led) or r.inside or r.along else self._leader_end(r, at)
             if end and self._crosses_label(r.anchor, end):
                 end = self._nearest_on_label(r, at)
             if end and self._crosses_label(r.anchor, end):
@@ -411,9 +413,10 @@ class LabelPlacer:
         return found, best
 
     def _take(self, request: LabelRequest, spot: Spot, cost: float) -> Vec | None:
-        """Reserve the spot for a label and return its center in scene units; None if it is left out.
+        """Reserve the spot for a label and return its center in scene units.
 
-        What is too long for any spot is moved onto the canvas.
+        None if the label is optional and the cost of the spot is too high.  A label too long for any spot is moved
+        onto the canvas.
         """
         if request.optional and cost >= MAX_OPTIONAL_COST:
             return None
@@ -460,7 +463,7 @@ class LabelPlacer:
             del spots[:count]
 
     def _spots_anywhere(self, w: float, h: float, near: Spot) -> Iterator[tuple[Spot, float]]:
-        """Yield (center, cost) all over the canvas; the cost grows with the distance from `near`."""
+        """Yield (center, cost) of a label 2w by 2h all over the canvas; the cost grows with the distance to `near`."""
         width, height = self.layout.size
         for i in range(GRID_STEPS + 1):
             for j in range(GRID_STEPS + 1):

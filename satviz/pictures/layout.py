@@ -139,7 +139,10 @@ def arrange_readable(
     one_frame: bool = True,
     tight: bool = False,
 ) -> list[Layout]:
-    """Return the layouts of `arrange`; on a narrow canvas that makes the shapes small, ranges have no numbers."""
+    """Return the layouts of `arrange`, with its options.
+
+    On a narrow canvas that makes the shapes small, the ranges have no numbers.
+    """
     found = arrange(panels, largest=largest, one_frame=one_frame, tight=tight)
     x0, y0, x1, y1 = bounding_box(shapes)
     part = max(x1 - x0, y1 - y0) * found[0].scale / max(largest[0], found[0].size[0])

@@ -38,7 +38,7 @@ def animation(steps: Sequence[Picture], *, speed: float = 1.0) -> Animation:
 
 
 def turning(pictures: Sequence[Picture], *, speed: float = 1.0) -> Animation:
-    """Return the pictures of an axis that turns (`sv.sweep`) as an animation."""
+    """Return the pictures of an axis that turns (`sv.sweep`) as an animation; `speed` 2 is twice as fast."""
     return Animation(pictures, [max(20, round(TURN_FRAME_MS / speed))] * len(pictures))
 
 

@@ -45,7 +45,10 @@ def number_lines(trace: Trace, *, filled: bool) -> Picture:
 
 
 def _line(row: Row, number: int, y: float, ticks: range, step: float, scale: float) -> list[Mark]:
-    """Return a named line with a tick at each multiple of the step, and numbers where they have space."""
+    """Return a named line at height y, with a tick at each multiple of the step, and numbers where they have space.
+
+    `number` is that of the row, `ticks` are multiples of `step`, and `scale` is in points per unit of the axis.
+    """
     pair = "" if row.run.names == ("A", "B") else f"{row.run.names.a} and {row.run.names.b}: "
     name = f"{pair}axis {row.number}, {describe.axis_name(row.test.axis, (row.run.a, row.run.b), row.run.names)}"
     marks = [
@@ -69,9 +72,9 @@ def _line(row: Row, number: int, y: float, ticks: range, step: float, scale: flo
 
 
 def _ranges(row: Row, number: int, y: float, start: float, scale: float) -> list[Mark]:
-    """Return the bars of both ranges above the line, and on it that of the gap, or a hatched one of the overlap.
+    """Return the bars of both ranges above the line at height y, and on it that of the gap or a hatched overlap.
 
-    Paper has no colours, so the hatch tells an overlap from a gap.
+    Paper has no colours, so the hatch tells an overlap from a gap.  `start`: the coordinate at the left margin.
     """
 
     def bar(part: str, role: str, lo: float, hi: float, level: float, owner: str = "") -> Mark:

@@ -138,9 +138,9 @@ class ShapeSketch:
             self.label("vertex-name", short_name(polygon, name, i), as_role or role, v, first=4, **options)
 
     def corners(self, roles: Collection[str | None] = "AB", *, as_role: str = "") -> None:
-        """Draw named dots at the corners of outlines that have few corners and no labels of their own.
+        """Draw named dots at the corners of the shapes of `roles` that have few corners and no labels of their own.
 
-        Sentences about edges use these names.
+        Sentences about edges use these names.  `as_role`: as in `vertices`.
         """
         for role, _, shape in self.roles():
             if role not in roles or not isinstance(shape, Polygon) or shape.labels:

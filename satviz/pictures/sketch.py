@@ -29,6 +29,7 @@ NORMAL_PT = 34.0  # the length of a normal's arrow
 RING_PT = 8.0  # the radius of a ring round a corner
 CROSS_PT = 4.5  # half of the side of a cross
 MIN_ARROW_PT, MIN_STRONG_PT = 14.0, 28.0  # a shorter edge is drawn without an arrow head, or with a thin arrow
+MIN_DOTTED_PT = 16.0  # a shorter overlap has no dots at its ends
 CLEAR_OF_DOT_PT = 8.0  # from the tip of an arrow along a line to the dot at the line's end
 RIGHT_ANGLE_PT = 7.0  # the side of the mark between an edge and its normal
 MIN_TICK_PT = 24.0  # between two ticks
@@ -196,7 +197,7 @@ class Sketch(ShapeSketch):
         return f"axis {self.test_number(test)}"
 
     def axis(self, test: AxisTest, place: AxisPlace, *, named: bool = True) -> None:
-        """Draw the axis as a long arrow clear of the shapes, with a tick at coordinate 0 if that lies on it."""
+        """Draw the axis as a long arrow with a tick at coordinate 0 if that lies on it; `named` adds its name."""
         start = self.normal_arrow(test) or ()
         if start and self.arrow_direction(test.axis) != test.axis.direction:
             start = start[::-1]  # so that the axis grows out of the normal without turning over
@@ -249,7 +250,10 @@ class Sketch(ShapeSketch):
             self.label("either-way", text, "ink", place.at((place.lo + 3 * place.hi) / 4), first=6, **options)
 
     def drops(self, test: AxisTest, place: AxisPlace, role: str, *, ends_only: bool, named: bool) -> None:
-        """Draw dotted lines from a shape's points, or from its extreme points only, to where they land."""
+        """Draw dotted lines from a shape's points, or with `ends_only` from its extreme points, to where they land.
+
+        `named` adds a right angle, the dot product, and labels of the lowest and the highest landing.
+        """
         side = test.a if role == "A" else test.b
         name, shape = self.named_shape(role)
         axis = self.axis_id(test)
@@ -321,7 +325,7 @@ class Sketch(ShapeSketch):
         return sorted(found)
 
     def range(self, test: AxisTest, place: AxisPlace, role: str, *, named: bool = True, numbers: bool = True) -> None:
-        """Draw one shape's range as a bar beside the axis, with its name and, with `numbers`, its ends if they fit."""
+        """Draw one shape's range as a bar beside the axis; `named` adds its name and, with `numbers`, its ends."""
         side = test.a if role == "A" else test.b
         name, _ = self.named_shape(role)
         ends = tuple(place.at(t, role) for t in side.interval)
@@ -349,12 +353,14 @@ class Sketch(ShapeSketch):
         remark: str = "",
         on: str = "",
     ) -> None:
-        """Draw a gap as an open bracket or an overlap as a bar, its size, its ends if `interval`, and a remark.
+        """Draw a gap as an open bracket or an overlap as a bar; `named` adds the insets and a label.
 
-        `on` is what the label calls the axis, where it could be taken for that of another axis.
+        The label has the size, the ends if `interval`, the name `on` of the axis if it is given, and a remark.
         """
         ends = points = tuple(place.at(t) for t in gap_or_overlap(test))
         role, kind = "overlap", "interval"
+        if test.gap < 0 and hypot(ends[0].x - ends[1].x, ends[0].y - ends[1].y) < self.layout.units(MIN_DOTTED_PT):
+            self.marks = [m for m in self.marks if m.part != "landing" or m.points[0] not in ends]  # they would hide it
         if test.gap >= 0:
             near, far = (self.layout.units(c) for c in BRACKET_PT)
             points = tuple(point_along(ends[i], place.out, c) for i, c in ((0, near), (0, far), (1, far), (1, near)))
@@ -388,7 +394,10 @@ class Sketch(ShapeSketch):
         remark: str = "",
         on: str = "",
     ) -> None:
-        """Draw a finished test: the axis (`named`), drops of the extreme points, both ranges, the gap or overlap."""
+        """Draw a finished test: the axis (`named`), `drops` of the extreme points, both ranges, the gap or overlap.
+
+        `numbers` belongs to the ranges; `interval`, `remark` and `on` are those of `gap`.
+        """
         self.axis(test, place, named=named)
         for role in "AB":
             if drops:

@@ -20,7 +20,7 @@ EYE: Vec3 = (1.0, -2.0, 1.4)  # towards the reader
 
 
 def solid_panel(*, actual: bool) -> Panel:
-    """Return the panel of both boxes with their best face normal, or with the axis that separates them.
+    """Return the panel of both boxes with their best face normal, or with `actual` the axis that separates them.
 
     Other shapes than the plans of these boxes are drawn as flat shapes.
     """

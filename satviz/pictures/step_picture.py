@@ -56,7 +56,7 @@ def _draw_step(trace: Trace, step: Step, layout: Layout, kept: Sequence[Mark], t
 def step_layouts(trace: Trace, largest: tuple[float, float] = LARGEST_PT, by_themselves: bool = False) -> list[Layout]:
     """Return a layout for the shapes, one for each test with its axis, and one for the verdict; all on one scale.
 
-    They have one frame too, unless each is to be shown by itself.
+    They have one frame too, unless `by_themselves`.
     """
     shapes = trace.a, trace.b
     tests = [t for pair in trace.pairs for t in pair.tests] or trace.tests
@@ -82,7 +82,10 @@ def _layout_number(trace: Trace, step: Step) -> int:
 
 @lru_cache(maxsize=64)
 def _labels_to_keep(trace: Trace, step: Step, largest: tuple[float, float], by_itself: bool) -> tuple[Mark, ...]:
-    """Return labels of a later stage or of the bare scene; this step puts its own labels at the same spots."""
+    """Return labels of a later stage or of the bare scene; this step puts its own labels at the same spots.
+
+    The other arguments are those of `picture`.
+    """
     fuller = {Stage.EDGE: Stage.NORMAL} | dict.fromkeys(TEST_STAGES[2:-1], Stage.GAP)
     if step.stage is Stage.VERDICT or step.stage is Stage.SCENE:
         return ()

@@ -15,7 +15,8 @@ from ..engine.shapes import Circle, Polygon, Shape
 from ..engine.trace import Trace, record
 from .caption import with_words_below
 from .draw_steps import draw_separating_line
-from .float_geometry import mean_point, midpoint, point_along
+from .float_geometry import gap_or_overlap, mean_point, midpoint, point_along
+from .insets import BRACKET_PT, a_is_left
 from .label_placer import LabelOptions
 from .labels import short_name
 from .layout import NARROW_SIZE_PT, Layout, PanelContents, arrange
@@ -144,10 +145,14 @@ def separation(trace: Trace, *, title: str = "") -> Picture:
     name = describe.axis_name(test.axis, (trace.a, trace.b), trace.names)
     text = f"separating axis: {name.removeprefix('the ').removesuffix(' axis')}"
     along = tuple(place.at(place.lo + (place.hi - place.lo) * part) for part in (0.5, 0.2, 0.8))
-    sketch.label("axis-caption", text, "ink", along[0], along=along[1:], prefer=place.out, first=1)
+    sketch.label("axis-caption", text, "ink", along[0], along=along[1:], prefer=place.out, first=3)
     for role in "AB":
         sketch.range(test, place, role)
-    sketch.gap(test, place)
+    sketch.gap(test, place, named=False)
+    text, ends = describe.outcome(test, describe.digits(trace, test)), gap_or_overlap(test)
+    near_a = place.at(ends.lo if a_is_left(test) else ends.hi)  # B's name stands on the other side of the line
+    below = point_along(near_a, place.out, layout.units(BRACKET_PT[1]))
+    sketch.label("gap-name", text, "gap", below, axis=sketch.axis_id(test), prefer=place.out, first=2)
     line = certificate.equation
     draw_separating_line(sketch, certificate, f"separating line:\n{line}")
     return sketch.finish(
@@ -235,12 +240,15 @@ def single_circle(trace: Trace, number: int, role: str, *, extremes: bool, title
     digits = describe.digits(trace, test)
     p2, p1 = side.points
     n = test.axis.direction
+    sketch.add("direction", "arrow", "ink", circle.center, point_along(circle.center, n, 1.0), weight="strong")
+    tip = point_along(circle.center, n, 1.0)
+    sketch.label("direction-name", "n, length 1", "ink", tip, prefer=Vec(n.y, -n.x), first=1)
     if not extremes:
         rim = Vec(circle.center.x - n.y * circle.radius, circle.center.y + n.x * circle.radius)
         sketch.add("radius", "segment", role, circle.center, rim)
-        text = f"radius r = {digits.number(circle.radius)}"
-        sketch.label("radius-name", text, role, midpoint(circle.center, rim), prefer=n, first=1)
-        sketch.label("center-name", "center C", role, circle.center, prefer=Vec(0.0, -1.0), first=2)
+        text = f"radius\nr = {digits.number(circle.radius)}"
+        sketch.label("radius-name", text, role, midpoint(circle.center, rim), prefer=Vec(-n.x, -n.y), first=1)
+        sketch.label("center-name", "center C", role, circle.center, prefer=Vec(1.0, -0.5), first=2)
         words = f"A circle has no edges: its center C {digits.vector(circle.center)} and radius"
         return sketch.finish(title, f"{words} {digits.number(circle.radius)} are all that a projection needs.")
     sketch.add("diameter", "segment", role, p2, p1)

@@ -87,7 +87,10 @@ class _FoldedText:
         self.rests = 0  # folds with the rest of the chapter, each inside the one before
 
     def add(self, html: str, *, part_of_question: bool = False, before_choices: bool = False) -> None:
-        """Add a part; with `part_of_question` it stays unfolded if it follows the question directly."""
+        """Add a part; with `part_of_question` it stays unfolded if it follows the question directly.
+
+        With `before_choices` it then stands above the choices of the question, and otherwise below them.
+        """
         outside = self.answer is None or (part_of_question and not self.answer)
         if not before_choices or not outside:
             self._place_choices()
@@ -168,7 +171,7 @@ def _choices_html(markdown: Any, comment: str) -> str:
 
 
 def _code(source: str, *, is_open: bool) -> str:
-    """Return the code of a cell as HTML, folded unless it is to be read at once."""
+    """Return the code of a cell as HTML, folded unless `is_open`."""
     lines = source.count("\n") + 1
     summary = "the code" if lines == 1 else f"the code, {lines} lines"
     opened = " open" if is_open else ""
@@ -311,7 +314,7 @@ class _WidgetFinder:
 
 
 def _slider_html(draw: Callable[[float], Any], least: float, most: float, begin: float) -> str:
-    """Return pictures of a notebook's slider from `least` to `most`, of which the page's slider shows one."""
+    """Return pictures of a notebook's slider from `least` to `most`; the page shows one at a time, `begin` first."""
     values = sorted({begin, *(least + (most - least) * i / (FRAMES - 1) for i in range(FRAMES))})
     frames = (_figure(draw(value)._repr_svg_(), "" if value == begin else " hidden") for value in values)
     return f'<div class="frames">{"".join(frames)}</div>'

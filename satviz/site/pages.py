@@ -85,7 +85,8 @@ def html_page(
 ) -> bytes:
     """Return the HTML of a page: `body` with head, navigation and footer.
 
-    `kind` is a class for the style sheet, `script` a file that is run before anything is painted.
+    `description` is for search engines, `kind` a class for the style sheet, `policy` the content security policy, and
+    `script` a file that is run before anything is painted.
     """
     first = f'<script src="{script}?{info.version}"></script>' if script else ""
     python = f' data-python="python/worker.js?{info.version}"' if info.python else ""

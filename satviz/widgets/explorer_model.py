@@ -138,9 +138,7 @@ class ExplorerModel(PlayerModel):
         if self._show_difference:
             found["difference"] = difference(trace, largest=(min(340.0, self._largest[0]), 300.0)).data()
         if self._run.shortcut:
-            decisive = self._run.ended_by or self._run.shallowest
-            digits = drag_digits(self._layout)(self._run, *([decisive] if decisive else []))
-            found["heading"] = list(heading(self._run, digits))
+            found["heading"] = list(heading(self._run, drag_digits(self._layout)))
         if trace.shortcut and drawn.knob is None:
             found["map"] = HIDDEN_MAP if self._hides_map else describe_error_region(trace, self._layout)
         if drawn.knob is not None:

@@ -65,10 +65,11 @@ def _columns_kernel(fixed: int | None) -> Callable[[Array, Array, Array], bool]:
                     turn = _certified_orientation(dx, dy, ex, ey)
                     left += turn > 0
                     right += turn < 0
-                    changes += _leads_right(dx, dy) != _leads_right(ex, ey)
+                    changes += (dx > 0) != (ex > 0)
                     max_edge = max(max_edge, max(abs(dx), abs(dy)))
                     max_coordinate = max(max_coordinate, max(abs(vx), abs(vy)))
-                # turns of one sign go round once if they are at most 4, or if the way along x changes twice
+                # turns of one sign, each below half a round, go round once if they are at most 4, or if the way along x
+                # changes twice: no such turn skips all ways to the right, or all others
                 if (left != corners and right != corners) or (corners > 4 and changes != 2):
                     return False
                 for v in range(corners):
@@ -87,7 +88,7 @@ def certified_rings(points: Array, start: Indices, accept_centers: bool = False)
     """Return (outlines without repeats, counter-clockwise, as RaggedRings; the indices of those not certified convex).
 
     points: (M, 2) corners, those of outline i from start[i] to start[i + 1].  `accept_centers`: a single finite
-    corner is the center of a circle and certified too.  What is not certified has no corners.
+    corner is the center of a circle and certified too.  What is not certified may be clockwise or no polygon.
     """
     x, y, kept = np.empty(len(points)), np.empty(len(points)), np.empty(len(start), np.intp)
     doubtful = np.empty(len(start) - 1, np.intp)
@@ -159,13 +160,12 @@ def _fill_rings(
             turn = _certified_orientation(dx, dy, ex, ey)
             left += turn > 0
             right += turn < 0
-            changes += _leads_right(dx, dy) != _leads_right(ex, ey)
+            changes += (dx > 0) != (ex > 0)
         if accept_centers and end[i] - start[i] == 1 and np.isfinite(x[first]) and np.isfinite(y[first]):
             pass
-        elif corners < 3 or (left != corners and right != corners) or (corners > 4 and changes != 2):
+        elif corners < 3 or (left != corners and right != corners) or changes != 2:
             doubtful[found] = i
             found += 1
-            to = first
         elif right:
             for v in range(corners // 2):
                 j, k = first + v, to - 1 - v
@@ -182,9 +182,3 @@ def _certified_orientation(dx: float, dy: float, ex: float, ey: float) -> int:
     size = abs(ahead) + abs(behind)
     certified = (abs(ahead - behind) > ERRBOUND_A * size) & (size > MIN_SAFE_PRODUCT)  # nothing exceeds inf or nan
     return (1 if ahead > behind else -1) if certified else 0
-
-
-@inlined
-def _leads_right(dx: float, dy: float) -> bool:
-    """Return whether an edge vector points to the right, or straight up."""
-    return (dx > 0) | ((dx == 0) & (dy > 0))

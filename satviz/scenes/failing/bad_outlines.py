@@ -74,6 +74,7 @@ CASES = (
         REFUSED,
         ([(0, 0), (1, 0), (0.5, 0)], [(2, 0), (3, 0), (2.5, 0)]),
         unchecked_value=largest_gap_unchecked,
+        unchecked_words="all edges have one normal, on which all points land in one place: {}, a hit",
     ),
     FailureCase(
         Shortcut("repeated-vertex", "a vertex listed twice does no harm", normals_of_every_edge, raw_normals),
@@ -88,6 +89,7 @@ CASES = (
         (PENTAGRAM, [(0.5, 0), (1.5, 0), (1.5, 1), (0.5, 1)]),
         quantity="least turn",
         unchecked_value=least_turn,
+        unchecked_words="every turn is to the left ({}), so it passes for convex, though it goes round twice",
     ),
     FailureCase(
         Shortcut(

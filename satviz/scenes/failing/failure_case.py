@@ -48,7 +48,8 @@ class FailureCase(NamedTuple):
     `quantity`: what both answers measure, such as "gap" or "depth".
     `claimed_value`: reads the shortcut's answer off its own run.
     `true_value`: the right answer by the engine.
-    `unchecked_value`: for refused outlines, the answer of a program that does not check its input.
+    `unchecked_value`: for refused outlines, the answer of a program that does not check its input;
+    `unchecked_words`: what it makes of it, in which {} stands for the answer.
     `claims_less`: the claim is that its number is smaller than the true one, not that it is equal.
     `is_about_push`: the number depends on where the shortcut pushes B.
     `error_region`: the moves of B for which the answer is wrong, or the reason why no area shows them;
@@ -65,6 +66,7 @@ class FailureCase(NamedTuple):
     claimed_value: Callable[[Trace], float] = largest_gap
     true_value: Callable[[Shape, Shape], Answer] = true_value.gap
     unchecked_value: Callable[[RawOutline, RawOutline], float] | None = None
+    unchecked_words: str = "{}"
     claims_less: bool = False
     is_about_push: bool = False
     error_region: Callable[[Shape, Shape, Window], RegionOrReason] | None = None

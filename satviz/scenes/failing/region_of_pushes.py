@@ -118,7 +118,7 @@ def region_of_every_overlap(a: Shape, b: Shape, window: Window) -> RegionOrReaso
 
 
 def region_of_push_to_mean(a: Shape, b: Shape, window: Window) -> RegionOrReason:
-    """Return the moves where the MTV points towards A's vertex mean, or why none is shown."""
+    """Return the moves where the MTV points towards A's vertex mean, so a push away from it is wrong; or why none."""
     if why := why_no_cells(a, b):
         return why
     p, q = vertex_mean(a), vertex_mean(b)
@@ -129,7 +129,7 @@ def region_of_push_to_mean(a: Shape, b: Shape, window: Window) -> RegionOrReason
 
 
 def region_of_push_along_axis(a: Shape, b: Shape, window: Window) -> RegionOrReason:
-    """Return the moves where the MTV points against its axis, which points right or up, or why none is shown."""
+    """Return the moves where the MTV points left or down, so a push along its axis is wrong; or why none is shown."""
     if why := why_no_cells(a, b):
         return why
     return wrong_number_region(a, b, window, (ring for ring, _, n in _push_cells(a, b, window) if n < (0, 0)))

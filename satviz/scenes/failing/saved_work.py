@@ -232,6 +232,7 @@ CASES = (
         MISSED_HIT,
         (box(-10, -0.5, 10, 0.5), box(9, -0.5, 10, 0.5)),
         error_region=region_of_far_centers,
+        panels=Panels("far centers"),
     ),
     FailureCase(
         by_one_test("corner-inside", "where two shapes meet, a corner of one lies in the other", innermost_corner),

@@ -194,7 +194,7 @@ def slanted_bar(y: float) -> Polygon:
 
 # the fields of a case whose push leaves an overlap
 REMAINING_OVERLAP: dict[str, Any] = {
-    "quantity": "remaining overlap:", "claimed_value": overlap_after_push, "true_value": overlap_after_mtv,
+    "quantity": "overlap after the push:", "claimed_value": overlap_after_push, "true_value": overlap_after_mtv,
     "is_about_push": True, "panels": Panels("push", "MTV"),
 }  # fmt: skip
 

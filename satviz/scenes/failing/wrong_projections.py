@@ -147,11 +147,13 @@ CASES = (
         WRONG_NUMBER,
         (box(0, 0, 0.1 + 0.2, 0.3), box(0.3, 0, 0.6, 0.3)),
         error_region=lambda a, b, window: ROUNDING,
+        panels=Panels("as written", "as stored"),
     ),
     FailureCase(
         Shortcut("integer-halves", "half of a whole number is a whole number", world, by_whole_halves),
         MISSED_HIT,
         (box(0, 0, 3, 2), box(3, 0, 5, 2)),
         error_region=lambda a, b, window: "halves are rounded to whole numbers, so the ranges jump as B moves",
+        panels=Panels("halves"),
     ),
 )

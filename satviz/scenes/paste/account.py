@@ -8,7 +8,7 @@ outside the brackets of a shape is prose.
 import re
 from bisect import bisect_left, bisect_right
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from itertools import accumulate, groupby, pairwise, takewhile
+from itertools import accumulate, groupby, pairwise
 from operator import itemgetter
 from types import MappingProxyType
 from typing import Any, NamedTuple
@@ -37,7 +37,7 @@ from .harmless import (
     TESTS,
     words,
 )
-from .notations import MOVES, SETTERS, SHAPE_STEMS, SHAPE_WORDS, SHIFTS, TURNS, TWO_SHAPES, key, notation
+from .notations import MOVES, RESETS, SETTERS, SHAPE_STEMS, SHAPE_WORDS, SHIFTS, TURNS, TWO_SHAPES, key, notation
 from .statements import ADDERS, ATTACHERS, PEN_STARTS, PENS, owner_of
 from .tokens import CLOSE, FIELD, LINE, MARK, NAME, NUMBER, OPEN, OTHER, TEXT, Token, tokens
 from .tree import parts_of
@@ -46,7 +46,7 @@ MAX_PARTS = 50  # that are not understood; fewer are named
 MAX_ARGUMENTS = 200  # words and signs in a call in which the names of shapes are looked for
 MAX_ASIDE = 2  # numbers of a line of other things; three can be a shape
 _FIELD_LINE = re.compile("[nt]mnm?")  # by the kinds of tokens: a name or a text, a mark, a number
-APPLIED = frozenset([*METHODS, *MOVES, *SHIFTS, *TURNS, *ADDERS, *ATTACHERS, *PENS, *PEN_STARTS, *SETTERS])
+APPLIED = frozenset([*METHODS, *MOVES, *SHIFTS, *TURNS, *ADDERS, *ATTACHERS, *PENS, *PEN_STARTS, *SETTERS, *RESETS])
 MOVERS = frozenset([*MOVES, *SHIFTS, *TURNS, "scale", "transform", "settransform"]) - {"offset", "translation"}
 ASSIGNS = ("=", ":=", ":")
 STYLE = re.compile(r"[a-z]?[-.:ox]{1,2}[a-z]?")  # of a plot: b-
@@ -94,10 +94,13 @@ class Account:
         changed: Collection[str] = (),
         aliases: Mapping[str, str] = MappingProxyType({}),
         counts: Collection[int] = (),
+        *,
+        session: bool = False,
     ) -> None:
         """`shapes`: where the numbers of each shape end; `variables`: names of data, with their sizes; `known`: parts
         of a known form; `changed`: names with a value of which a field is set afterwards; `aliases`: names of other
-        things; `counts`: where numbers end that say how a shape is read, such as how many columns a matrix has.
+        things; `counts`: where numbers end that say how a shape is read, such as how many columns a matrix has;
+        `session`: it is one of Python, which prints results.
         """
         self.text = text
         removed = within(known, found)
@@ -114,7 +117,7 @@ class Account:
         self.aside: set[int] = set()  # where numbers end that stand on lines of other things
         self.nested = False  # within a text in quotes, whose numbers nobody else counts
         self.quoted = False  # behind a quote of a text that goes over several lines
-        self.session = ">>>" in text or "In [" in text
+        self.session = session
         self.close: dict[int, int] = {}
         self.open: dict[int, int] = {}
         self._match()
@@ -165,7 +168,8 @@ class Account:
         makes = numbers and any(SHAPE_WORDS.search(token.text) and not is_test(token.text) for token in named)
         adds = numbers > 1 and any(last_of(token.text).lower() in ADDERS | PENS for token in named)
         lists = any(self.tokens[i].kind == OPEN and self.tokens[i + 1].kind == NUMBER for i in self._top(line))
-        return range(0) if not named or changes or makes or adds or lists or numbers > MAX_ASIDE else line
+        places = numbers > 1 and any("body" in words(token.text) for token in named)  # newBody(world, 100, 100)
+        return range(0) if not named or changes or places or makes or adds or lists or numbers > MAX_ASIDE else line
 
     def _is_listed(self, i: int) -> bool:
         """Return whether a number stands in a list or a call, and not among words."""
@@ -337,8 +341,6 @@ class Account:
             return True
         if not self.at(i).text.isdigit():
             return False
-        if self.is_row(i):
-            return True
         if before.kind == LINE:
             return after.text in (":", "|")
         if before.text == "#" and before.end == self.at(i).start and self.at(i - 2).kind not in (NUMBER, CLOSE):
@@ -367,15 +369,6 @@ class Account:
             return False
         parts = [token for token in self.tokens[i + 1 : self.close[i]] if token.text != ","]
         return len(parts) in (3, 4) and all(t.kind == NUMBER and t.text.isdigit() and int(t.text) < 256 for t in parts)
-
-    def is_row(self, i: int) -> bool:
-        """Return whether a number is that of a row in a table whose shape is in WKT."""
-        row = self.tokens[max(i - 3, 0) : i + 4]
-        before = takewhile(lambda token: token.kind == NUMBER, reversed(row[: min(i, 3)]))
-        first = i - len(list(before))
-        behind = takewhile(lambda token: token.kind != LINE, self.tokens[i : i + 5])
-        named = any(token.text in ("POLYGON", "MULTIPOLYGON") for token in behind)
-        return named and self.at(first - 1).kind == LINE
 
     def miss(self, first: int, last: int) -> None:
         """Note that the tokens from one place to another are not understood."""
@@ -426,6 +419,7 @@ class Account:
         method = self.is_variable(word) and last != word.text and last.lower() in APPLIED
         declared = notation(self.at(i - 2).text) is not None and last.lower() not in CHANGING_CALLS  # Circle c(0, 0, 1)
         makes = last.lower() in PRODUCERS and "." in word.text and not defines and self.is_given(i)
+        declared = declared or (self.at(i - 2).text == "," and self.is_variable(word))  # Rect a(0, 0, 4, 4), b(...)
         known = method or defines or declared or last.lower() in PENS | PEN_STARTS | PRODUCERS or is_call(word.text)
         if makes or not known:
             self.miss(i - 1, i)
@@ -447,7 +441,8 @@ class Account:
             return
         if self.is_variable(token):
             again = "." in token.text and after.text == "=" and root(token.text) in self.changed
-            if again and self.at(i + 2).kind == NAME and self.at(i + 3).kind != OPEN:
+            value = self.at(i + 2)
+            if again and value.kind == NAME and value.text != "new" and self.at(i + 3).kind != OPEN:
                 self.miss(i, i + 2)  # a.x = b.x, where a has a value already
                 return
             known = (key(last) and last != "T") or last.lower() in KEYS or is_call(last)

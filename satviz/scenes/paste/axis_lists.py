@@ -3,11 +3,13 @@
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
+from .harmless import listed
 from .tree import Group, Name, Num
 
 OTHER_AXIS = {"x": "y", "X": "Y", "lon": "lat", "lng": "lat", "Lon": "Lat", "Lng": "Lat"}
 MAX_NAME = 40  # letters: longer names are no x and y
-TAKE_AXES = ("polyshape", "plot", "fill", "patch", "fillpolygon", "drawpolygon")  # calls with x and y in two lists
+# calls with x and y in two lists
+TAKE_AXES = listed("polyshape plot fill patch fillpolygon drawpolygon cbind column_stack zip")
 LEAST = 3  # corners of an outline
 
 

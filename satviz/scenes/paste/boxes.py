@@ -6,6 +6,7 @@ from fractions import Fraction
 from math import cos, radians, sin
 from typing import Any
 
+from .exact import centroid
 from .names import Obj, Unreadable
 from .notations import (
     ANY_BOX,
@@ -31,13 +32,14 @@ ROUND, RADIUS, DIAMETER = "round", "radius", "diameter"
 Y_UP, Y_DOWN, WIDTH_FIRST, HEIGHT_FIRST = "y-up", "y-down", "width-first", "height-first"
 EACH_VALUE, LAST_VALUE, TWICE = "each-value", "last-value", "twice"
 COMMAS, DECIMAL_COMMAS, SEPARATORS = "commas", "decimal-commas", "separators"
-AROUND_CENTER, AROUND_CORNER, RELATIVE, ABSOLUTE = "around-center", "around-corner", "relative", "absolute"
+AROUND_CENTER, AROUND_CORNER, AROUND_ORIGIN = "around-center", "around-corner", "around-origin"
+RELATIVE, ABSOLUTE = "relative", "absolute"
 CHOICES: Mapping[str, tuple[str, ...]] = {
     BOX_FORM: (*ANY_BOX, X_THEN_Y),
     ANGLE: (DEGREES, RADIANS),
     TURN: (Y_UP, Y_DOWN),
     ORDER: (WIDTH_FIRST, HEIGHT_FIRST),
-    PIVOT: (AROUND_CENTER, AROUND_CORNER),
+    PIVOT: (AROUND_CENTER, AROUND_CORNER, AROUND_ORIGIN),
     CORNERS: (RELATIVE, ABSOLUTE),
     ROUND: (RADIUS, DIAMETER),
     TWICE: (EACH_VALUE, LAST_VALUE),
@@ -80,6 +82,7 @@ class Read:
     keyed: bool = False  # the form of a box is known: by its keys, or by the table of notations
     named: bool = False  # it is known by its keys: width, height
     shift: Pt = ZERO  # the position that was added to its corners
+    repeats: bool = False  # it stands in a call that tests two shapes, which may stand elsewhere as well
     used: frozenset[int] = frozenset()  # where the numbers of the text end that stand in it
 
     @property
@@ -160,7 +163,7 @@ class Boxes(Points):
         if angle is None:
             return made
         pivot = ((xs[0] + xs[1]) / 2, (ys[0] + ys[1]) / 2)
-        if form == CORNER_SIZE and self._turns(angle) and self._choose(PIVOT, CHOICES[PIVOT]) == AROUND_CORNER:
+        if form == CORNER_SIZE and self._turns(angle) and self._choose(PIVOT, CHOICES[PIVOT][:2]) == AROUND_CORNER:
             pivot = (a, b)
         return self._turned(made, angle, unit, pivot)
 
@@ -169,15 +172,21 @@ class Boxes(Points):
         given = self.resolve(angle)
         return bool(given.turn if isinstance(given, Num) and given.turn is not None else self.number(angle))
 
-    def pivot(self, shape: Read, place: Pt | None = None) -> Pt:
-        """Return the point about which a call or a field turns a shape that was made before."""
-        if not shape.form or shape.said.endswith(AT_ORIGIN):
-            return place or shape.shift
+    def pivot(self, shape: Read, place: Pt | None = None, *, rotates: bool = False) -> Pt:
+        """Return the point about which a call or a field turns a shape that was made before.
+
+        `rotates`: it is a call such as rotate(a), which turns about the origin in some libraries.
+        """
+        if shape.said.endswith(AT_ORIGIN) or place or shape.shift != ZERO or not (shape.form or rotates):
+            return shape.points[0] if shape.is_circle and not place else place or shape.shift
         xs, ys = zip(*shape.points, strict=True)
         by_corner = shape.form in (CORNER_SIZE, CORNER_CORNER)
-        if by_corner and self._choose(PIVOT, CHOICES[PIVOT]) == AROUND_CORNER:
-            return min(xs), min(ys)
-        return (min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2
+        ask = (AROUND_CENTER, *([AROUND_CORNER] if by_corner else []), *([AROUND_ORIGIN] if rotates else []))
+        known = AROUND_CENTER if shape.form and not by_corner and not shape.named else ""
+        around = self._choose(PIVOT, ask, sure=known) if len(ask) > 1 else AROUND_CENTER
+        if around != AROUND_CENTER:
+            return ZERO if around == AROUND_ORIGIN else (min(xs), min(ys))
+        return ((min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2) if shape.form else centroid(shape.points)
 
     def _turned(self, shape: Read, angle: Any, unit: str, pivot: Pt | None) -> Read:
         """Return a shape turned by an angle about a pivot (None: the origin); the unit is asked where none is named."""
@@ -188,7 +197,7 @@ class Boxes(Points):
         else:
             value = self.number(angle)
             shape = replace(shape, used=shape.used | places(value))
-        if value == 0 or shape.is_circle:
+        if value == 0 or (shape.is_circle and shape.points[0] == (pivot or ZERO)):
             return shape
         if not unit:
             likely = (DEGREES, RADIANS) if value.denominator == 1 else (RADIANS, DEGREES)

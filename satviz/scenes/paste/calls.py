@@ -21,7 +21,7 @@ from .boxes import (
     moved,
     unit_of,
 )
-from .exact import hull
+from .exact import centroid, hull
 from .keyed import Keyed
 from .names import Obj, Unreadable
 from .notations import (
@@ -58,6 +58,9 @@ class Calls(Keyed):
         """Return (arguments of a call that can describe a shape, its named arguments), without null, options and ()."""
         named = self.as_object(group)
         kept = []
+        if group.name.startswith("cv2."):  # the points, then a color and a thickness
+            color = next((i for i, v in enumerate(named.rest) if isinstance(v, Group) and len(v.items) > 2), None)
+            named.rest = named.rest[:color] if color and color > 1 else named.rest
         while len(named.rest) > 1 and self._is_style(named.rest[-1]):
             self.counts.add(named.rest.pop().end)
         for item in named.rest:
@@ -136,7 +139,7 @@ class Calls(Keyed):
         if outline is None or len(outline) < 3:
             return self._plain(group, label)
         if place is not None and group.name.lower().endswith("fromvertices"):
-            cx, cy = _centroid(outline)
+            cx, cy = centroid(outline)
             given, place = places(*place), (place[0] - cx, place[1] - cy)  # Matter puts the center of mass there
         self.consume(taken)
         count = len(outline)
@@ -163,8 +166,8 @@ class Calls(Keyed):
         only = self._options(arguments)
         if only or (named.fields and named.get("radius", "diameter") is not None and not arguments):
             return self._object(replace(only or named, start=group.start, end=group.end), label, notation(group.name))
-        if all(isinstance(self.resolve(a), Name) for a in arguments):  # function circle(x, y, r)
-            return []
+        if not (self._has_numbers(group) or any(isinstance(self.resolve(a), (Num, Group, Obj)) for a in arguments)):
+            return []  # circle(x, y, r), Circle(double x, double y, double r)
         found = (self.point(a, origin=True) for a in arguments if isinstance(self.resolve(a), (Group, Obj)))
         points = [p for p in found if p]
         flat = self.numbers([a for a in arguments if not isinstance(self.resolve(a), (Group, Obj))]) or []
@@ -253,14 +256,14 @@ class Calls(Keyed):
             flat = self.numbers(arguments) or []
         if row.form == CENTER_HALF and len(flat) >= 4 and parts[0] is None:
             flat = [*flat[2:4], *flat[:2], *flat[4:]]  # b2 and planck: half sizes, then the center
+        if len(flat) in (1, 3) and group.name.lower().endswith("square"):
+            flat.append(flat[-1])
         if len(flat) == 2:  # a size alone: its center is where its body is
             form = self._choose(BOX_FORM, row.ask) if row.ask == CORNER_OR_CENTER else row.form or CENTER_SIZE
             form = form if form in (CENTER_SIZE, CENTER_HALF) or row.alone or row.ask else CENTER_SIZE
             flat = [*(place or ZERO), *flat]
             made = self._made_box(flat, form, group, label, angle, row.unit)
             return [made if place else replace(made, said=f"{made.said}{AT_ORIGIN}")]
-        if len(flat) == 3 and group.name.lower().endswith("square"):
-            flat.append(flat[2])
         if len(flat) not in (4, 5):
             self._refuse_names(arguments)
             return self._plain(replace(group, name="", methods=[]), label)
@@ -300,16 +303,3 @@ class Calls(Keyed):
 def _begins_with_numbers(items: Sequence[Any]) -> bool:
     """Return whether a call's arguments begin with two numbers, as a box's do."""
     return len(items) > 1 and all(isinstance(item, Num) for item in items[:2])
-
-
-def _centroid(ring: Sequence[Pt]) -> Pt:
-    """Return the center of area of an outline; the mean of its corners if it has no area."""
-    area = x = y = Fraction(0)
-    for (px, py), (qx, qy) in zip(ring, (*ring[1:], ring[0]), strict=True):
-        cross = px * qy - py * qx
-        area += cross
-        x += cross * (px + qx)
-        y += cross * (py + qy)
-    if not area:
-        return sum((p[0] for p in ring), Fraction(0)) / len(ring), sum((p[1] for p in ring), Fraction(0)) / len(ring)
-    return x / area / 3, y / area / 3

@@ -217,3 +217,16 @@ def _contains(outer: _Ints, inner: _Ints) -> bool:
     if outer.convex:
         return all(orient_det(p, q, v) >= 0 for p, q in cyclic_pairs(outer.ring) for v in inner.ring)
     return min(_places_along(inner.ring, outer.ring)) >= 0
+
+
+def centroid(ring: Sequence[Pt]) -> Pt:
+    """Return the center of area of an outline; the mean of its corners if it has no area."""
+    area = x = y = Fraction(0)
+    for (px, py), (qx, qy) in zip(ring, (*ring[1:], ring[0]), strict=True):
+        cross = px * qy - py * qx
+        area += cross
+        x += cross * (px + qx)
+        y += cross * (py + qy)
+    if not area:
+        return sum((p[0] for p in ring), Fraction(0)) / len(ring), sum((p[1] for p in ring), Fraction(0)) / len(ring)
+    return x / area / 3, y / area / 3

@@ -40,7 +40,7 @@ METHODS = listed(
     """
     topolygon unwrap into tovec to_vec clone copy deepcopy dup duplicate
     tolist to_owned as_ref expect isvalid is_valid toarray asarray build
-    collect iter close closepath endfill toimmutable freeze wkt reshape intersects intersect colliderect
+    collect iter read close closepath endfill toimmutable freeze wkt reshape intersects intersect colliderect
     intersectsrect overlaps contains touches within disjoint equals intersection relate crosses covers almostequals
     intersectswith intersects_with collideswith collides distance done tobe toequal tostrictequal tobecloseto
     """
@@ -128,7 +128,9 @@ SAYS = listed("assert print printf println log expect echo puts cout import cons
 COMPARING = listed("return if elif while for")
 DRAWS = frozenset(["draw", "fill", "stroke", "plot", "print", "printf", "show", "render", "cv2.drawContours"])
 # Types around one number: np.float64(0.5) is 0.5.
-CASTS = frozenset(["np.float64", "np.float32", "np.int64", "np.int32", "numpy.float64", "Decimal", "double"])
+CASTS = frozenset(
+    ["np.float64", "np.float32", "np.int64", "np.int32", "numpy.float64", "Decimal", "double", "b2MakeRot"]
+)
 # Words before and behind a number that counts or names something.
 LABELS = listed(
     """

@@ -110,7 +110,9 @@ class Keyed(Boxes):
             if ordered and place and isinstance(turn, Num) and (turn.turn or turn.value):
                 raise Unreadable("a move and a turn of one shape: write the corners that result")
             found = [_placed(s, obj, place) if place else s for s in found]
-            return [self._turned(s, angle, unit, self.pivot(s, place)) if angle is not None else s for s in found]
+            rotates = "turn" in obj.fields
+            at = [None if angle is None else self.pivot(s, place, rotates=rotates) for s in found]
+            return [s if p is None else self._turned(s, angle, unit, p) for s, p in zip(found, at, strict=True)]
         inner = [s for v in obj.rest if not isinstance(v, Name) for s in self.shapes(v, label)]
         for name, value in obj.fields.items():
             hole = inner and str(name).lower() in ("holes", "interiors")

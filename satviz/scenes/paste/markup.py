@@ -23,12 +23,20 @@ _BARE = re.compile(rf"([\"'`])({PATH_DATA.pattern})\1|^()({_LINE})$", re.MULTILI
 _MOVED = re.compile(r"(?<!text-)(?:transform|rotate|scale|translate)\s*:(?!\s*none)")  # in a style
 _BETWEEN = re.compile(r"[\s,]*")
 _TRANSFORM = re.compile(r"(\w+)\s*\(([^()]*)\)")
+# names of parameters, with their defaults
+_PARAMETERS = (
+    r"\((?:\s*[A-Za-z_$*&](?:[^,(){}\[]|\[(?![-+.\d\s(\[]))*+,?)*+\s*\)"
+    r"(?:\s*->[^\n:{]*)?(?::(?=\s*\n)|(?=\s*(?::[^\n{]*)?\{|\s*$))"
+)
 # parts without a shape: how large a picture is, a declaration, how many items a list of C has, a pattern of DE-9IM
 _OTHER = re.compile(
     r"<(?:svg(?![^<>]*\s[xy]\s*=\s*[\"'][^\"'<>]*[1-9])|g|text|tspan|title|desc|style|defs|image)\b"
     r"(?![^<>]*(?:transform|(?:translate|rotate|scale)\s*:))[^<>]*>|\bviewBox\s*=\s*(?:\"[^\"<>]*\"|'[^'<>]*')"
     r"|\b(?:interface|struct|type|record)\s+\w+\s*(?:=\s*)?\{(?:[^{}()\d]|(?<=[a-z_])\d+)*\}"
     r"|\b(?:class|struct|record)\s+\w+\s*\((?:[^{}()\d]|(?<=[a-z_])\d+)*\)"
+    r"|^[ \t]*ans\s*=\s*(?:logical\s*)?[-.\d]+\s*$"  # of MATLAB
+    r"|\bclass\s+\w+(?:\s+extends\s+[\w.]+)?(?=\s*\{)|\bclass\s+\w+(?:\([A-Za-z_., ]*\))?:(?=\s*\n)"
+    rf"|\b(?:def +\w+|function *\w*|constructor|fn +\w+) *{_PARAMETERS}"
     r"|\bsizeof\s*\([^()]*\)\s*/\s*sizeof\s*\([^()]*\)|(?P<quote>['\"])[012FT*]{9}(?P=quote)"
     r"|(?<![\w/.-])[\w/.-]{1,80}\.(?:py|js|ts|cs|cpp|cc|c|h|hpp|rs|go|java|rb|lua|gd|kt|swift|m):\d+(?::\d+)?|TopologyException:[^\n]*"
     r"|\bversion\W{1,6}\d+(?:\.\d+)+"

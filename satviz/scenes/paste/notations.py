@@ -49,7 +49,7 @@ NOTATIONS = (
         "convex_hull_shape from_convex_hull c2poly vertices points shape geometry svg.path svg.polyline makepath "
         "path64 pathd paths64 pathsd addface polyshape triangle quad addpolygon simplepolygon2d "
         "collisionpolygon2d convexpolygonshape2d convexpolygon2d plt.plot ax.plot plt.fill ax.fill patch "
-        "fillpolygon drawpolygon zip column_stack rbind newpolygonshape edgecollider polygoncollider2d addpoly "
+        "fillpolygon drawpolygon zip column_stack rbind cbind newpolygonshape edgecollider polygoncollider2d addpoly "
         "seq set z zm tensor double[][] float32array float64array makepolygon fromvertices create_polygon convex "
         "newpolygon newconvexpolygon polygon_2 cppolyshapenew b2computehull b2makepolygon",
         RING,
@@ -79,7 +79,7 @@ NOTATIONS = (
     Notation(
         "shapely.box geometry.box st_makeenvelope makeenvelope bbox boundingbox ltrb pixel.r image.rect rect64 "
         "rectd rect.fromltrb rect.frompoints rect::from_corners create_rectangle RECT RECTL lnglatbounds "
-        "latlngbounds rectf bb box2.new three.box2 fbox2d",
+        "latlngbounds cpbbnew rectf bb box2.new three.box2 fbox2d",
         BOX,
         CORNER_CORNER,
     ),
@@ -88,7 +88,8 @@ NOTATIONS = (
     Notation("size.at", BOX, SIZE_CORNER),
     Notation("c2aabb aabb aabb2d aabb2 box2 box2d b2aabb extent", BOX, ask=(CORNER_CORNER, CENTER_HALF)),
     Notation(
-        "aabb2d::new rect::from_center_half_size cuboid b2makebox setasbox b2makeoffsetbox pl.box planck.box",
+        "aabb2d::new rect::from_center_half_size cuboid b2makebox setasbox b2makeoffsetbox b2makesquare pl.box "
+        "planck.box",
         BOX,
         CENTER_HALF,
     ),
@@ -124,6 +125,7 @@ MAX_WORDS = max(len(re.split(r"\.|::|->", name)) for name in NAMES)
 
 # Texts whose shapes cannot be told from their lines: what they are, and what helps.
 UNREAD = (
+    (re.compile(r"^<{7} ", re.MULTILINE), "two versions of a text (<<<<<<<, =======): keep the lines of one of them"),
     (
         re.compile(r"^[ \t]*canvas(?:\.\w+)?:", re.MULTILINE),
         "instructions of Kivy: write each shape on a line of its own, such as Rectangle(10, 20, 100, 50)",
@@ -141,6 +143,7 @@ TWO_SHAPES = {
     "colliderectcircle": (("qrect", 4), ("ellipse", 3)),
     "colliderectpoly": (("qrect", 4),),
     "collidecirclepoly": (("ellipse", 3),),
+    "checkcollision": (("qrect", 4), ("qrect", 4)),
     "rectrect": (("qrect", 4), ("qrect", 4)),
     "circlecircle": (("c2circle", 3), ("c2circle", 3)),
     "circlerect": (("c2circle", 3), ("qrect", 4)),
@@ -173,7 +176,7 @@ KEYS = {
         "y0": "y0 ymin miny top t south bboxtop",
         "x1": "xmax maxx right east bboxright",
         "y1": "ymax maxy bottom north bboxbottom",
-        "angle": "angle rotation rot theta orientation yaw heading",
+        "angle": "angle turn rotation rot theta orientation yaw heading",
         "degrees": "degrees angledeg rotationdegrees deg angledegrees",
         "radians": "radians anglerad rad angleradians",
     }.items()
@@ -194,6 +197,8 @@ TURNS = {
     "rotatedegrees": DEGREES,
 }
 SETTERS = frozenset(["set", "setxy"])
+# Calls that give a box or a circle all its numbers anew, in the order of the call that made it.
+RESETS = frozenset(["set", "setto", "setbounds", "setrect", "setframe", "update"])
 
 
 # Words in the name of a call that makes a shape, and of one that takes a list of numbers as corners.

@@ -17,6 +17,7 @@ from ..link import link
 from ..scenefile import MAX_VERTICES, Scene
 from . import findings, others
 from .boxes import ALL_CHOICES, BOX_FORM, CHOICES, COMMAS, DECIMAL_COMMAS, LEAVE_OUT, ONLY_IF_IT_MATTERS, Read
+from .cleaned import cleaned
 from .findings import KINDS, Finding, PastedShape, listed
 from .objects import as_text
 from .pair_findings import AnsweredPair, clear, of_pair
@@ -47,7 +48,7 @@ ASKS = {
     "angle": "Is the angle in degrees or in radians?",
     "turn": "Does y point up or down? A positive angle turns the other way there.",
     "order": "Does the width come first, or the height?",
-    "pivot": "Is the box turned around its center or around its corner?",
+    "pivot": "Around which point is the shape turned?",
     "twice": "A name has two values. Is each of them a shape, or only the last one?",
     "round": "Is the last number of the circle its radius or its diameter?",
     "rest": "Not understood:",
@@ -68,6 +69,7 @@ CHOICE_WORDS = {
     "height-first": "height before width",
     "around-center": "turned around its center",
     "around-corner": "turned around its corner",
+    "around-origin": "turned around the origin (0, 0)",
     "relative": "corners relative to the position",
     "absolute": "corners absolute already",
     "radius": "the radius",
@@ -280,12 +282,12 @@ def paste(what: Any, as_: str | Sequence[str] = ()) -> Pasted:
     "leave-out" takes the shapes without what was not understood.
     InvalidScene where nothing can be read, or for more than a megabyte, 40 shapes or 1,000 corners.
     """
-    text = what if isinstance(what, str) else as_text(what)
+    written = what if isinstance(what, str) else as_text(what)
     chosen = _choices(as_)
-    written = text
+    text, changes = cleaned(written)
     if DECIMAL.search(text) and not set(chosen) & set(CHOICES[COMMAS]):
-        answers = tuple(Answer(c, CHOICE_WORDS[c], _sentence(text, (*chosen, c))) for c in CHOICES[COMMAS])
-        return Pasted(text, chosen, (), (PasteQuestion(COMMAS, ASKS[COMMAS], answers, matters=True),), (), ())
+        answers = tuple(Answer(c, CHOICE_WORDS[c], _sentence(written, (*chosen, c))) for c in CHOICES[COMMAS])
+        return Pasted(written, chosen, (), (PasteQuestion(COMMAS, ASKS[COMMAS], answers, matters=True),), (), ())
     if DECIMAL_COMMAS in chosen:
         text = COMMA.sub(".", text)
     tree = parse(text)
@@ -297,14 +299,15 @@ def paste(what: Any, as_: str | Sequence[str] = ()) -> Pasted:
     reads = _checked(reader.read(tree.root), reader)
     shapes = _named(reads, written)
     questions = tuple(_questions(reader, tree.root, text, chosen))
-    missed, harmless = rest(tree, reads, text, reader)
+    missed, harmless = rest(tree, reads, text, reader, session=">>>" in written or "In [" in written)
     notes = []
     if missed := [*reader.problems[:5], *missed]:
         if LEAVE_OUT in chosen:
             notes = [Finding("left-out", (), f"Left out, as chosen: {_shorten(missed)}.")]
         else:
             questions = (_about_the_rest(missed, tree.root, text, chosen, reader), *questions)
-    notes += [Finding("note", (), f"{remark[0].upper()}{remark[1:]}.") for remark in (*reader.remarks, *tree.remarks)]
+    remarks = (*changes, *reader.remarks, *tree.remarks)
+    notes += [Finding("note", (), f"{remark[0].upper()}{remark[1:]}.") for remark in remarks]
     if harmless:
         notes.append(Finding("left-out", (), f"Left out, since it belongs to no shape: {harmless}."))
     made = Pasted(written, chosen, tuple(shapes), questions, (), ())

@@ -252,3 +252,8 @@ class Points(Statements):
     def _is_number(self, item: Any) -> bool:
         """Return whether an item is a number, or a name that stands for one."""
         return isinstance(self.resolve(item), Num)
+
+    def _has_numbers(self, value: Any) -> bool:
+        """Return whether there is a number in a value."""
+        inner = value.items if isinstance(value, Group) else [value.value] if isinstance(value, Pair) else []
+        return isinstance(value, Num) or any(map(self._has_numbers, inner))

@@ -7,6 +7,8 @@ from .tokens import CLOSE, MARK, NAME, NUMBER, OPEN, Token, tokens
 
 _N = r"[-+\u2212]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?(?:[ ]?(?:px|[cmk]?m|ft)\b)?+"
 _PLACE = rf"(?:\([ ]?{_N}[ ]?,[ ]?{_N}[ ]?\)|\b(?:center|centre|at|position)[ ]{_N}[ ]?,[ ]?{_N})"
+_AT = r"(?:(?:centered|centred|at|on|with|and|its) +){0,3}"
+_M = r"-?\d+(?:\.\d+)?"  # in a range: 0..4
 _FILL = r"[ ,]{1,3}(?:(?:and|with|has|having|of|is|a|an|the|its|size|shape)[ ,]{1,3}){0,4}"
 _P, _A = rf"\({_N}[ ]?,[ ]?{_N}\)", rf"(?:{_N}|\({_N}\))"
 _STYLE = r"(?:\[(?![^\]]*(?:scale|shift|rotate|slant|cm=))[^\]()\n]*\])?"  # of TikZ, without a change of place
@@ -21,7 +23,8 @@ SENTENCES = (
         ),
         re.compile(rf"\n *[12]0\s+({_N})"),
     ),  # DXF; 42 is the bulge of an arc, and 210 to 230 turn the plane
-    ("circle", re.compile(rf"{_PLACE}{_FILL}radius(?:[ ](?:of|is|=))?[ ]{_N}(?![\w.%])", re.IGNORECASE)),
+    ("circle", re.compile(rf"{_PLACE}{_FILL}(?:radius(?:[ ](?:of|is|=))?|r[ ]?=)[ ]{_N}(?![\w.%])", re.IGNORECASE)),
+    ("circle", re.compile(rf"radius(?:[ ](?:of|is|=))?[ ]{_N}[ ,]{{1,3}}{_AT}{_PLACE}", re.IGNORECASE)),
     ("qrect", re.compile(rf"(?<=QRect)\({_N},{_N} {_N}x{_N}\)|(?<=QRectF)\({_N},{_N} {_N}x{_N}\)")),
     ("qrect", re.compile(rf"<rect\({_N}, {_N}, {_N}, {_N}\)>")),  # pygame
     ("qrect", re.compile(rf"\[P: {_P}, S: {_P}\]")),  # Godot
@@ -41,6 +44,7 @@ SENTENCES = (
     ("jts.env", re.compile(rf"\bx in \[{_N}, ?{_N}\],? (?:and )?y in \[{_N}, ?{_N}\]")),
     ("circle", re.compile(rf"^[ \t]*circle {_N} {_N} {_N}[ \t]*$", re.IGNORECASE | re.MULTILINE)),
     ("rect", re.compile(rf"^[ \t]*(?:rect|rectangle|box) {_N} {_N} {_N} {_N}[ \t]*$", re.IGNORECASE | re.MULTILINE)),
+    ("jts.env", re.compile(rf"\bx[ :=]+{_M}\.\.=?{_M}[, ]+y[ :=]+{_M}\.\.=?{_M}"), re.compile(rf"({_M})")),
     ("jts.env", re.compile(rf"Env\[{_N} : {_N}, {_N} : {_N}\]")),
     ("size.at", re.compile(rf"\[{_N} x {_N} from \({_N}, {_N}\)\]")),  # OpenCV
     ("size.at", re.compile(rf"(?<=Rect)\({_N}x{_N} at \({_N}, {_N}\)\)")),  # euclid
@@ -107,13 +111,14 @@ def _call(name: str, match: re.Match[str], own: re.Pattern[str] = _NUMBER) -> It
     yield Token(NAME, name, at, at)
     yield Token(OPEN, "(", at, at)
     nested = name != "svg.polygon"
-    if nested:
-        yield Token(OPEN, "(", at, at)
+    first = int(match[0][:6].lower() == "radius")  # radius 5 at (0, 0): the point is the second part
     for i, part in enumerate(own.finditer(match[0], match[0].find("]") + 1 if not nested else 0)):
         start, end = (at + place for place in part.span(own.groups))
         (number,) = tokens(part[own.groups])
+        if i == first and nested:
+            yield Token(OPEN, "(", start, start)
         yield number._replace(kind=NUMBER, start=start, end=end)
-        if i == 1 and nested:
+        if i == first + 1 and nested:
             yield Token(CLOSE, ")", end, end)
         yield Token(MARK, ",", end, end)
     yield Token(CLOSE, ")", match.end(), match.end())

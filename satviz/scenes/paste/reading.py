@@ -1,7 +1,7 @@
 """Values of a text as shapes, by the table of notations."""
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -46,10 +46,18 @@ from .notations import (
 )
 from .points import ZERO, Pt, angle_of
 from .statements import ATTACHERS
-from .tree import Bad, Group, Name, Num, Pair, Value, parts_of
+from .tree import Bad, Group, Name, Pair, Value, parts_of
 
-_SECTION = re.compile(r"^\[[A-Za-z]", re.MULTILINE)
+_SECTION = re.compile(r"^ *\[[A-Za-z]", re.MULTILINE)
 _ASSIGNED = re.compile(r"[ \t+-]*(?:\w+[ \t*&]+){0,4}[\w.]+(?:\[\w*\])?[ \t]*:?=[ \t]*(?:new[ \t]+)?")  # Rect a =
+# what a print or a log writes for corners that it leaves out
+_ROW = r"(?=[^\d\n]*\d)[-+.,;()\[\]{}\d \t]*+"
+SHORTENED = re.compile(
+    r"[\[({<][^\W\d]{0,9} ?truncated\b[^\n]?|(?:\.\.\.|\u2026)\W{0,3}(?:and |<)?\d+ more\b[^\n\])]*|<\d+ more[^\n>]*>"
+    r"|\b\d+ more (?:items?|points?|corners?|vertices|elements?|rows?|entries)\b|\bomitted \d+ rows|\band \d+ more\b"
+    rf"|(?<=,)\s*(?:\.\.\.|\u2026)\s*(?=[,\])}}\n])|^{_ROW}\n[ \t]*(?:\.\.\.?|\u2026)(?:[ \t]*\.\.\.?)*[ \t]*$",
+    re.MULTILINE,
+)
 COPIES = frozenset(["clone", "copy", "deepcopy", "dup", "duplicate"])
 MAX_PROBLEMS = 50  # of what is not read; fewer are shown
 
@@ -59,6 +67,8 @@ class Reader(Calls):
 
     def read(self, root: Group) -> list[Read]:
         """Return every shape of a tree, in the order of the text."""
+        if cut := SHORTENED.search(self.text):
+            self.problems.append(f"a list is shortened ({short(cut[0])}): write all of its corners")
         self.assign(root.items)
         entries = [(self._begin(value), str(name), value) for name, value in self.env.fields.items()]
         entries += [(value.start, "", value) for value in self.loose]
@@ -91,7 +101,16 @@ class Reader(Calls):
         if any(owner in earlier for owner, _ in kept) and self._choose(TWICE, CHOICES[TWICE]) == LAST_VALUE:
             self.parts += [(shape.start, shape.end) for owner, shape in kept if owner in earlier]
             kept = [(owner, shape) for owner, shape in kept if owner not in earlier]
-        return [shape for _, shape in kept]
+        made = {(s.points, s.radius) for _, s in kept if not s.repeats}
+        named = {(s.points, s.radius, s.label) for _, s in kept if s.label}
+        again = [s for _, s in kept if (s.repeats and (s.points, s.radius) in made) or self._is_print(s, named)]
+        self.parts += [(shape.start, shape.end) for shape in again]
+        return [shape for _, shape in kept if shape not in again]
+
+    def _is_print(self, shape: Read, named: Collection[tuple[Any, ...]]) -> bool:
+        """Return whether a shape without a name stands below the name of the same shape, as a session prints it."""
+        before = self.text[: shape.start].rstrip().rpartition("\n")[2].strip()
+        return not shape.label and (shape.points, shape.radius, before) in named
 
     def _is_assigned(self, value: Any) -> bool:
         """Return whether a value stands behind a sign that assigns, and not in a log: a: (0, 0, 4, 4)."""
@@ -187,7 +206,7 @@ class Reader(Calls):
             items, at = group.items[at : at + count], at + count
             if len(items) == count and any(map(self._is_number, items)):
                 found += self._group(Group(items[0].start, items[-1].end, items, "(", name), label)
-        return found
+        return [replace(shape, repeats=True) for shape in found]
 
     def _copied(self, group: Group) -> Any:
         """Return what a call copies that has a name: a in a.clone() and in copy(a); None for other calls."""
@@ -202,11 +221,6 @@ class Reader(Calls):
         """Return a call with the name that its own stands for: var C = SAT.Circle; new C(...)."""
         other = self.env.before(group.name, group.start) if group.name else None
         return replace(group, name=other.text) if isinstance(other, Name) else group
-
-    def _has_numbers(self, value: Any) -> bool:
-        """Return whether there is a number in a value."""
-        inner = value.items if isinstance(value, Group) else [value.value] if isinstance(value, Pair) else []
-        return isinstance(value, Num) or any(map(self._has_numbers, inner))
 
     def _attached(self, group: Group, label: str) -> list[Read]:
         """Return the shapes that a call gives to a body, at the body's position: body.addShape(circle)."""
@@ -231,8 +245,10 @@ class Reader(Calls):
 
     def _after(self, group: Group, found: list[Read]) -> list[Read]:
         """Return shapes with the moves and turns behind them applied; Unreadable for any other change."""
-        for name, arguments in group.methods if found else ():
+        for name, arguments in group.methods:
             plain = name.lower()
+            if not (found or plain in HARMLESS):
+                continue
             if plain in HARMLESS and any(isinstance(v, Group) for v in arguments.items):
                 found = [*found, *self._each(arguments.items, "")]  # a.intersects(b)
                 continue
@@ -242,14 +258,13 @@ class Reader(Calls):
                     found = [moved(shape, move) for shape in found]
                     continue
             if plain in TURNS and len(arguments.items) == 1:
-                found = [self._turned(shape, arguments.items[0], TURNS[plain], self.pivot(shape)) for shape in found]
+                at = [self.pivot(shape, rotates=plain.startswith("rotate")) for shape in found]
+                found = [self._turned(s, arguments.items[0], TURNS[plain], p) for s, p in zip(found, at, strict=True)]
                 continue
-            if (
-                plain not in HARMLESS
-                and not words(plain) & OTHER_NUMBERS
-                and arguments.items
-                and self.numbers(arguments.items) is not None
-            ):
+            numbers = [v for v in arguments.items if self._is_number(v)]
+            if plain not in HARMLESS and not words(plain) & OTHER_NUMBERS and numbers:
+                if self.resolve(numbers[0]).turn is None:
+                    self.number(numbers[0])  # says why it is none
                 raise Unreadable(f".{name}(...) is not evaluated: write the result")
         return found
 

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from .atoms import holds_numbers
 from .names import Names, Obj, is_block, short
-from .notations import BOX, CIRCLE, MOVES, OTHER_SHAPE, POINT, RING, SETTERS, SHIFTS, TURNS, key, notation
+from .notations import BOX, CIRCLE, MOVES, OTHER_SHAPE, POINT, RESETS, RING, SETTERS, SHIFTS, TURNS, key, notation
 from .tree import Bad, Group, Name, Num, Pair, parts_of
 
 # Calls that add a corner to a list, that draw an outline with a pen, and that give a shape to a body.
@@ -20,7 +20,7 @@ PEN_STARTS = frozenset(["moveto", "beginpath", "beginshape", "endshape", "closep
 ATTACHERS = frozenset(["addshape", "add_shape", "createfixture", "create_fixture", "addfixture", "setshape"])
 # Calls that only sketches of Processing and p5.js have.
 _SKETCH = re.compile(
-    r"\b(?:rectMode|ellipseMode|createCanvas|beginShape|noStroke|strokeWeight|ellipse|quad|background)\("
+    r"\b(?:rectMode|ellipseMode|createCanvas|collide[A-Z]\w*|beginShape|noStroke|strokeWeight|ellipse|quad|background)\("
 )
 _MODE = re.compile(r"\b(rect|ellipse)Mode\(\s*(\w+)\s*\)")
 # Names such as x1, rect_w, ballRadius and bx: whose number it is, and which.
@@ -29,6 +29,7 @@ _NUMBERED = re.compile(rf"(?P<key>{_LETTERS}|left|top|right|bottom)_?(?P<owner>\
 _PREFIXED = re.compile(rf"(?P<owner>\w+?)(?:_(?P<key>{_LETTERS})|(?P<camel>X|Y|W|H|R|Width|Height|Radius|Diameter))")
 _CORNER = re.compile(r"(?P<name>(?:v|p|pt|point|vertex|vert|corner)?)[ _]?(?P<number>\d{1,4})", re.IGNORECASE)
 _ROUND = re.compile(r"circle|ellips|ball|dis[ck]s?\b|box|rect|center|centre", re.IGNORECASE)
+TYPES = frozenset(["float", "double", "number", "int", "integer", "f32", "f64"])
 BEFORE_POINTS = frozenset(["at", "with", "through", "by", "is", "are", "has"])  # words before corners in a sentence
 _LETTERED = re.compile(r"(?P<owner>[a-dA-DpPqQ])(?P<key>[xywhr])")
 
@@ -100,6 +101,9 @@ class Statements(Names):
             self._end_run("")
             self._line(item.value)
         elif isinstance(item, Pair):
+            ours = item.path[0] in ("this", "self")
+            if isinstance(held, Name) and ((ours and item.path[-1] == held.text) or held.text.lower() in TYPES):
+                return  # this.x = x, and x: float
             if isinstance(held, Group) and (points := self._points_behind_words(held)):
                 item = replace(item, value=points)
             self._insert(item)
@@ -125,7 +129,10 @@ class Statements(Names):
             elif points := self._points_behind_words(item):
                 self.loose.append(points)
             elif item.bracket == "," and any(isinstance(v, (Pair, Bad)) for v in item.items):
+                kind = next((v.before for v in getattr(item.items[0], "inside", ()) if isinstance(v, Group)), "")
                 for inner in item.items:
+                    if kind and isinstance(inner, Group) and not notation(inner.name):
+                        inner = replace(inner, before=kind)  # Rect a(0, 0, 4, 4), b(1, 1, 4, 4)
                     self._line(inner)
             elif not self._statement(item):
                 if not item.name and item.bracket in (" ", ",") and len(item.items) == 5 and holds_numbers(item):
@@ -163,6 +170,13 @@ class Statements(Names):
             number = int(index.value or 0) if isinstance(index, Num) else 0
             self.counts |= {index.end} if isinstance(index, Num) else set()
             self._insert(Pair(item.start, item.end, (*item.name.split("."), number), item.methods[0][1]))
+        elif last in RESETS and owner and len(item.items) > 2 and (made := self._maker(owner, item)):
+            old = self.resolve(Name(item.start, item.end, ".".join(owner)))
+            if isinstance(old, Group):  # r.setRect(0, 0, 4, 4) replaces what r was
+                self.used.add(id(old))
+                self.parts.append((old.start, old.end))
+                self.remark(f"of {'.'.join(owner)} the last numbers were taken, those of {item.name}")
+            self._insert(Pair(item.start, item.end, owner, replace(item, name=made)))
         elif last in SETTERS and owner and len(item.items) == 2:  # circle.m_p.Set(1, 2)
             self._insert(Pair(item.start, item.end, owner, replace(item, name="")))
         elif (
@@ -171,7 +185,8 @@ class Statements(Names):
             moves = last in MOVES or last in SHIFTS
             value = item if moves and len(item.items) == 2 else item.items[0]
             value = Group(item.start, item.end, item.items, "(") if value is item else value
-            field = "translation" if last in SHIFTS else "position" if moves else "angle"
+            turns = "turn" if last.startswith("rotate") else "angle"
+            field = "translation" if last in SHIFTS else "position" if moves else turns
             self._insert(Pair(item.start, item.end, (*owner, field), value))
         elif last in ADDERS and owner and (point := _point_of(item)) and not self._are_things(point):
             self._add(owner, point)
@@ -185,6 +200,13 @@ class Statements(Names):
         else:
             return False
         return True
+
+    def _maker(self, owner: tuple[str, ...], call: Group) -> str:
+        """Return the name of the call that made a box or a circle, or of one that gives it its numbers; else ""."""
+        old = self.resolve(Name(call.start, call.end, ".".join(owner)))
+        row = notation(old.name) if isinstance(old, Group) else None
+        made = old.name if row and row.kind in (BOX, CIRCLE) else ""
+        return made or (call.name if isinstance(old, Name) and len(owner) == 1 and notation(call.name) else "")
 
     def _are_things(self, point: Group) -> bool:
         """Return whether both items are names of what has been made before, as in space.add(body, shape)."""

@@ -46,25 +46,6 @@ _TOKEN = re.compile(
     """,
     re.VERBOSE | re.DOTALL,
 )
-# what a Python or IPython session writes before each line; replaced by spaces, so that places in the text stay
-_PROMPT = re.compile(r"^[ \t]*(?:>>>|\.\.\.:?(?!\s*\n\s*[\[({\d-])|In \[\d+\]:|Out\[\d+\]:)(?=\s)", re.MULTILINE)
-
-# what a log or a list writes before a shape: a date and a time, a level, a source, a number
-_TIME = r"\d\d:\d\d:\d\d(?:[.,]\d+)?"
-_STAMP = rf"\d{{4}}[-/]\d\d[-/]\d\d(?:[T ](?:{_TIME}|\d\d:\d\d)(?:Z|[+-]\d\d:?\d\d)?)?|(?:\d\d-\d\d[ ])?{_TIME}"
-# what says all of a shape: three keys with numbers (but not x, y and z), or two with points
-_KEYED = r"[A-Za-z_][\w-]*[ \t]?=[ \t]?"
-_SCALAR, _POINT, _GAP = rf"{_KEYED}[-+]?[\d.]+", rf"{_KEYED}\([^()\n]*\)", r"[ \t,;]+"
-_KEYS = rf"{_SCALAR}{_GAP}{_SCALAR}{_GAP}(?![zZ]\b){_SCALAR}|{_POINT}{_GAP}{_POINT}"
-_PREFIX = re.compile(
-    rf"""^[ \t]*(?:[\[(<]?(?:{_STAMP})(?!\d)[\])>]?[ \t:|,-]*)?
-    (?:(?:\[[A-Za-z][\w\ ./:\#-]*\]|\b(?:TRACE|DEBUG|INFO|WARN|WARNING|ERROR|FATAL)\b
-       |[VDIWEF]/[\w.-]+(?:\([ \d]+\))?:)[ \t:|-]+)*
-    (?:\d{{1,3}}[.)][ \t]+(?=[A-Za-z(\[{{]))?
-    (?:[A-Za-z_][\w.\#-]*:[ \t]+(?={_KEYS}))?
-    (?:(?:>[ ])?\d*[ \t]+\|(?=[ \t]+(?:[A-Za-z]|\^)))?""",
-    re.MULTILINE | re.VERBOSE,
-)
 
 
 class Token(NamedTuple):
@@ -87,7 +68,7 @@ def tokens(text: str) -> list[Token]:
             f"the text has {len(text):,} characters: the limit is {MAX_CHARS:,}, so paste the shapes alone"
         )
     found: list[Token] = []
-    for token in in_one_unit(_scan(_without_open_comments(_PREFIX.sub(_blank, _PROMPT.sub(_blank, text))))):
+    for token in in_one_unit(_scan(_without_open_comments(text))):
         found.append(token)
         if len(found) > MAX_TOKENS:
             raise InvalidScene(TOO_MANY)
@@ -117,11 +98,6 @@ def _without_open_comments(text: str) -> str:
         last = text.rfind(end) + 1
         text = text[:last] + text[last:].replace(sign, sign[0].ljust(len(sign)))
     return text
-
-
-def _blank(match: re.Match[str]) -> str:
-    """Return spaces in the place of a match, so that places in the text stay."""
-    return " " * len(match[0])
 
 
 def _scan(text: str) -> Iterator[Token]:

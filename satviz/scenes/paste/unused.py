@@ -2,21 +2,22 @@
 
 import re
 from bisect import bisect_left, bisect_right
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import groupby, pairwise, takewhile
 from typing import Any, NamedTuple
 
-from .account import Account, Part, root, within
+from .account import MOVERS, Account, Part, root, within
 from .boxes import Read
 from .harmless import CHANGING_CALLS, CHANGING_NUMBERS, OTHER_NUMBERS, words
 from .names import Names, Obj, short
 from .notations import POINT, RING, SHAPE_STEMS, key, notation
 from .parser import Tree
-from .tokens import NAME, NUMBER
+from .tokens import LENGTHS, NAME, NUMBER, Token
 from .tree import Bad, Group, Name, Num, Pair
 
 MIN_SAID = 12  # characters of a part that says enough without its line
+MARKUP = re.compile(r"<(?:svg|rect|circle|polygon|ellipse)\b")
 MAX_NAMED = 6  # keys that are named in a line, and numbers without a key
 
 
@@ -36,8 +37,8 @@ class Rest(NamedTuple):
     harmless: str
 
 
-def rest(tree: Tree, reads: Sequence[Read], text: str, reader: Names) -> Rest:
-    """Return what no shape has of a text."""
+def rest(tree: Tree, reads: Sequence[Read], text: str, reader: Names, *, session: bool) -> Rest:
+    """Return what no shape has of a text; `session`: it is one of Python, which prints results."""
     used = frozenset().union(*(read.used for read in reads)) | tree.indices | reader.counts
     known = {left.end: left for left in _walk(tree, tree.root, "")}
     before = {b.end: a.text for a, b in pairwise(tree.tokens) if a.kind == NAME and b.kind == NUMBER}
@@ -59,8 +60,9 @@ def rest(tree: Tree, reads: Sequence[Read], text: str, reader: Names) -> Rest:
         if isinstance(said := getattr(value, "text", getattr(value, "name", "")), str)
     }
     shapes = [read.used - tree.indices for read in reads]
+    understood = [*tree.parts, *reader.parts]
     account = Account(
-        text, tree.tokens, shapes, variables, [*tree.parts, *reader.parts], changed, aliases, reader.counts
+        text, tree.tokens, shapes, variables, understood, changed, aliases, reader.counts, session=session
     )
     parts = account.run()
     quoted = within(reader.named, parts)
@@ -69,6 +71,7 @@ def rest(tree: Tree, reads: Sequence[Read], text: str, reader: Names) -> Rest:
     left = [v for v in left if v not in inside and v.end not in account.counts]
     harmless: list[Left] = []
     missed = list(_said(parts, text))
+    missed += _without_unit(tree.numbers, used, text)
     missed += [(len(text), remark) for remark in tree.remarks if account.is_cut()]
     for _, group in groupby(left, key=_key_of_point):
         row = list(group)
@@ -77,6 +80,17 @@ def rest(tree: Tree, reads: Sequence[Read], text: str, reader: Names) -> Rest:
         else:
             missed.append((row[0].start, _named(row, text)))
     return Rest([said for _, said in sorted(missed)], _named(harmless, text) if harmless else "")
+
+
+def _without_unit(numbers: Sequence[Token], used: Collection[int], text: str) -> Iterator[tuple[int, str]]:
+    """Yield the numbers of shapes that have no unit, if others have one; in SVG, px is that of a bare number."""
+    found = [token for token in numbers if token.end in used and token.value]
+    with_unit = next((token for token in found if token.text.endswith(LENGTHS)), None)
+    if with_unit and not re.search(rf"\bin (?:{'|'.join(LENGTHS)})\b", text):
+        bare = [token for token in found if not token.text.endswith(LENGTHS)]
+        if bare and not (with_unit.text.endswith("px") and MARKUP.search(text)):
+            said = ", ".join(token.text for token in bare[:MAX_NAMED])
+            yield bare[0].start, f"{said} without a unit beside {with_unit.text}: write all lengths in one unit"
 
 
 def _said(parts: Sequence[Part], text: str) -> Iterator[tuple[int, str]]:
@@ -147,11 +161,14 @@ def _is_harmless(left: Left) -> bool:
     aside = not {"bounds", "properties"}.isdisjoint(path) and key(path[-1]) not in ("center", "half", "size")
     row = notation(left.key)
     no_radius = left.value == 0 and row is not None and row.kind == RING  # b2MakePolygon(&hull, 0.0f)
-    if "moment" in said or left.key == "pymunk.Body" or aside or no_radius:
+    drawn = row and said & {"draw", "graphics", "cv2"} and not last & CHANGING_NUMBERS  # a width, a color
+    if "moment" in said or left.key == "pymunk.Body" or aside or no_radius or drawn:
         return True
     if any(word.startswith(SHAPE_STEMS) for word in last) and not last & CHANGING_NUMBERS:
         return "count" in last
     same = left.value == (1 if any("scal" in word or word == "zoom" for word in said) else 0)
+    if path[-1].lower() in MOVERS:
+        return same  # style="translate: 5px"
     return bool(said & OTHER_NUMBERS) or (same and bool(said & CHANGING_NUMBERS))
 
 

@@ -130,9 +130,8 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
         factors[name] = timings.format_ratio((middle, low, high))
     title = "Time against corners"
     if "GJK" in factors:
-        title = "From 64 to 256 corners, twice the corners take on average, with SAT on every corner, "
-        title += f"{factors['SAT, every corner']} as long, with GJK {factors['GJK']} "
-        title += f"and with calipers {factors['rotating calipers']}"
+        title = f"With twice the corners, SAT on every corner takes {factors['SAT, every corner']} as long, GJK "
+        title += f"{factors['GJK']}, calipers {factors['rotating calipers']}: on average, from 64 to 256 corners"
 
     lines = ("Time for a pair of regular polygons, half of them apart. Bars: the spread of the processes.",)
 

@@ -40,7 +40,12 @@ COLUMNS = (
 
 def cells(settings: Settings) -> list[Cell]:
     """Return one cell, which asks for the least model of every scene."""
-    return [Cell("decision", recommend, (60 if settings.quick else 400, settings))]
+    return [Cell("decision", recommend, (shapes_in_a_scene(settings), settings))]
+
+
+def shapes_in_a_scene(settings: Settings) -> int:
+    """Return about how many shapes each scene has."""
+    return 60 if settings.quick else 400
 
 
 def recommend(n: int, settings: Settings) -> list[JsonRow]:
@@ -97,12 +102,11 @@ def rows(found: dict[str, Any]) -> dict[str, list[JsonRow]]:
 def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     """Return the table as a chart."""
     least = sum(row["kind"] != "exact" for row in rows)
-    title = (
-        f"{least} of {len(rows)} kinds of scenes need less than filtered exact SAT: model no more than a scene needs"
-    )
+    title = f"{least} of {len(rows)} such scenes need less than filtered exact SAT: model no more than a scene needs"
     lines = (
-        "The least model that satviz advise proves right for every pair of one such scene. In the last row wrong "
-        "hits are allowed. Time: the last test of the model alone, for 4-gons, or for circles in float64.",
+        "The least model that satviz advise proves right for every pair of one such scene, of about "
+        f"{shapes_in_a_scene(settings)} shapes. Another of the kind can need more. In the last row wrong hits are "
+        "allowed. Time: the last test of the model alone, for 4-gons, or for circles in float64.",
     )
     table = [_in_words(row) for row in rows]
     heights = [TEXT_LINE * max(len(wrap(words, int(width / TEXT_LETTER)))

@@ -228,7 +228,7 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     lines = (
         "Strong: half of the answers are wrong, no better than a coin. Faint: none of this sample is wrong. "
         "▲ the worst that a sample or a search found. | proven right from here on, while no product leaves the range "
-        "of float64.",
+        "of float64. In brackets: the 95 % interval.",
     )
     tall = 22.0 * (len(strips) + 1)
 

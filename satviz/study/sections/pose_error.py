@@ -139,13 +139,14 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     )
     sat = SAT_MARGIN * 2.0**-53
     title = (
-        f"{last:,} turns step by step put a corner at 1 km off by {fine} in float64 and {coarse} in float32; "
+        f"{last:,} turns step by step put a corner at 1\u00a0km off by {fine} in float64 and {coarse} in float32; "
         f"SAT loses at most {in_metres(sat * KILOMETRE)}"
     )
     lines = (
         f"Where a corner is against where it should be: the median of {rows[0]['corners']} corners, with bars for its "
         f"95 % interval, in steps of {STEP_ANGLES[0]} to {STEP_ANGLES[1]} radians. Turned once, by the number of steps "
-        f"times the step, it is off by {counted} in float64; by an angle that is added up, by {added}. So count steps.",
+        f"times the step, it is off by {counted} in float64; by an angle that is added up, by {added}. So count "
+        "such steps.",
     )
 
     def draw(fig: Figure, theme: Theme) -> None:
@@ -182,7 +183,8 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
         roundings = row["median"] / (KILOMETRE * (2.0**-53 if form == "float64" else 2.0**-24))
         text += f"{label}: off by {in_metres(row['median'])} at 1 km after {last:,} turns, {roundings:,.1f} roundings "
         text += f"of a kilometre, and {in_metres(row['worst'])} at worst. "
-    text += "The error grows in proportion to the distance. Exact predicates answer exactly about poses that are not."
+    text += "The error grows about in proportion to the distance. "
+    text += "Exact predicates answer exactly about poses that are not."
     return Chart("pose-error", title, lines, 490, draw, rows, text)
 
 

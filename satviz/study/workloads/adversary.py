@@ -61,6 +61,16 @@ def worst_kilometre_shapes(rng: Rng, n: int) -> tuple[Rings, Rings]:
     return a, b
 
 
+def worst_kilometre_shapes_in_float32(rng: Rng, n: int) -> tuple[Rings, Rings]:
+    """Return the pairs of `worst_kilometre_shapes`, in a quarter of which A has an edge that hardly bends.
+
+    float32 rounds the corners before the test.  That turns a short edge, and its line is far off at the other end.
+    """
+    a, b = worst_kilometre_shapes(rng, n)
+    a[1::4] = _nearly_straight(rng, len(a[1::4]))
+    return a, b
+
+
 def worst_shapes_within_two(rng: Rng, n: int) -> tuple[Rings, Rings]:
     """Return pairs of 4-gons with coordinates up to about 2, of which most have an edge of A that rounds most.
 
@@ -89,6 +99,20 @@ def _rounding_most(rng: Rng, at: Array, product: Array, depth: Array) -> Rings:
     normal = product[:, None] / at * rng.uniform(1, JUST_ABOVE, at.shape)
     edge = np.stack([-normal[:, 1], normal[:, 0]], axis=1)
     return _box_on(at - edge / 2, at + edge / 2, depth)
+
+
+def _nearly_straight(rng: Rng, n: int) -> Rings:
+    """Return 4-gons at the end of 1 km that rise at 45 degrees: a long first edge goes on from the short last one.
+
+    The ends of the short edge lie almost half a step of float32 from its numbers, on opposite sides of the edge.
+    """
+    along, out = np.sqrt([0.5, 0.5]), np.sqrt([0.5, 0.5]) * [1, -1]
+    short, bend = rng.uniform(LEAST_SIDE, 1.1, (n, 1)), 10.0 ** rng.uniform(-5.9, -4.5, (n, 1))
+    bent = METRES_WIDE - rng.uniform(10, 13, (n, 2))
+    aside = 0.499 * np.spacing(np.float32(METRES_WIDE)) * rng.choice([-1.0, 1.0], (n, 1)) * np.array([1, -1])
+    start, bent = ((end.astype(np.float32) + side) for end, side in ((bent - short * along, -aside), (bent, aside)))
+    end = bent + rng.uniform(0.8, 1, (n, 1)) * (MOST_ACROSS - short) * ((bent - start) / short - bend * out)
+    return np.stack([bent, end, start - rng.uniform(1, 3, (n, 1)) * out, start], axis=1)
 
 
 def _box_on(p: Array, q: Array, depth: Array) -> Rings:

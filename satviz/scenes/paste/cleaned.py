@@ -1,0 +1,76 @@
+"""A text without what stands around its shapes, of the same length: prompts, quotes, removed lines, numbers of lines.
+
+Each rule writes spaces, or as many other letters, so that every place in the cleaned text is that of the pasted one.
+"""
+
+import re
+
+from .tokens import MAX_CHARS
+
+_N = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
+# what a Python or IPython session writes before each line
+_PROMPT = r"^[ \t]*(?:>>>|\.\.\.:?(?!\s*\n\s*[\[({\d-]|[ ](?:and )?\d+ more\b)|In \[\d+\]:|Out\[\d+\]:)(?=\s)"
+# what a log or a list writes before a shape: a date and a time, a level, a source, a number
+_TIME = r"\d\d:\d\d:\d\d(?:[.,]\d+)?"
+_STAMP = rf"\d{{4}}[-/]\d\d[-/]\d\d(?:[T ](?:{_TIME}|\d\d:\d\d)(?:Z|[+-]\d\d:?\d\d)?)?|(?:\d\d-\d\d[ ])?{_TIME}"
+# what says all of a shape: three keys with numbers (but not x, y and z), or two with points
+_KEYED = r"[A-Za-z_][\w-]*[ \t]?=[ \t]?"
+_SCALAR, _POINT, _GAP = rf"{_KEYED}[-+]?[\d.]+", rf"{_KEYED}\([^()\n]*\)", r"[ \t,;]+"
+_KEYS = rf"{_SCALAR}{_GAP}{_SCALAR}{_GAP}(?![zZ]\b){_SCALAR}|{_POINT}{_GAP}{_POINT}"
+_PREFIX = rf"""(?x)^[ \t]*(?:[\[(<]?(?:{_STAMP})(?!\d)[\])>]?[ \t:|,-]*)?
+    (?:(?:\[[A-Za-z][\w\ ./:\#-]*\](?!\s*=>)|\b(?:TRACE|DEBUG|INFO|WARN|WARNING|ERROR|FATAL)\b
+       |[VDIWEF]/[\w.-]+(?:\([ \d]+\))?:)[ \t:|-]+)*
+    (?:\(?\d{{1,3}}[.)][ \t]+(?=[A-Za-z(\[{{]))?
+    (?:(?:\d+[ \t,|]+){{1,3}}(?=(?:[A-Za-z]\w*[ ]+)?(?:MULTI)?POLYGON\b))?
+    (?:(?:[A-Za-z_][\w.\#-]*[ ]){{0,2}}[A-Za-z_][\w.\#-]*:[ \t]+(?={_KEYS}))?
+    (?:(?:>[ ])?\d*[ \t]+\|(?=[ \t]+(?:[A-Za-z]|\^)))?"""
+_SHAPE = r"(?i:circle|ball|dis[ck]|rect(?:angle)?|box|polygon|triangle)"
+# Circle #1 (0, 0, 2): a number of a shape before its own numbers
+_NUMBERED = rf"\b({_SHAPE})[ ]+(?:#\d+:?|\d+:?(?=[ ]*\([ ]?{_N}[ ]?,[ ]?{_N}[ ]?,))(?=[ ]*\()"
+_LETTER = r"(?:x|y|w|h|r|width|height|radius)"
+_PLACED = r"(?:center|centre|pos|position|size|extents)"
+# Behind the sign of a line that a change adds or removes stands no number, as in -4, and not one space, as in a list.
+_REMOVED, _ADDED = r"-(?![ \t]*[-.\d]| \S).*\n", r"\+(?![ \t]*[.\d]| \S).*(?:\n|\Z)"
+_PATCH = re.compile(r"^(?:--- \S.*\n\+\+\+ \S|@@ -\d+.*@@)", re.MULTILINE)
+_CHANGE = re.compile(rf"^(?:{_REMOVED})++(?P<added>(?:{_ADDED})++)?", re.MULTILINE)
+
+
+def blank(match: re.Match[str]) -> str:
+    """Return spaces in the place of a match; its lines stay lines."""
+    return re.sub(r"[^\n]", " ", match[0])
+
+
+# One row for each: where it stands, and what is written there.
+_ROWS = [
+    (re.compile(pattern, re.MULTILINE), write)
+    for pattern, write in (
+        (_PROMPT, blank),
+        (r"^ *\[,1\] +\[,2\] *$|^ *\[\d+,\](?= )", blank),  # a matrix of R
+        (rf"\b(?!h){_LETTER} {_N}(?:[ ,;]+{_LETTER} {_N}(?![\w.])){{2,}}", lambda m: re.sub(r"(?<=[a-z]) ", "=", m[0])),
+        (rf"\b{_PLACED} \([^()\n]*\)[ ,;]+{_PLACED} (?=\()", lambda m: re.sub(r"(?<=[a-z]) ", "=", m[0])),
+        (r"(?<=\w):(?=(?:moveTo|move|rotate|setPosition|setRotation|setAngle|translate)\()", lambda _: "."),  # Lua
+        (_PREFIX, blank),
+        (r"(?<=\bat )(?:the )?origin\b|(?<=\bon )the origin\b", lambda m: "(0, 0)".rjust(len(m[0]))),
+        (_NUMBERED, lambda m: m[1].ljust(len(m[0]))),
+        (r"\(/(?=\s*[-+.\d])|(?<=[\s.\d])/\)", lambda m: {"(/": "[ ", "/)": " ]"}[m[0]]),  # Fortran
+        (r"^[ \t]*(?:real|integer)\b[^:\n]*::|(?<=\w)\([\d, ]+\)(?=[ ]*=[ ]*(?:\[ |reshape))", blank),
+    )
+]
+
+_QUOTE = re.compile(r"^>+ .*(?:\n>+(?: .*|$))*", re.MULTILINE)  # or the prompts of R and MATLAB
+_HEADS = re.compile(r"^(?:-.*|\+\+\+ .*|@@.*|diff --git.*|index [0-9a-f]{6,}\.\..*|\+)", re.MULTILINE)
+
+
+def cleaned(text: str) -> tuple[str, list[str]]:
+    """Return the text without what stands around its shapes, and sentences about it; too long a text stays as it is."""
+    if len(text) > MAX_CHARS:
+        return text, []
+    text = _QUOTE.sub(lambda m: re.sub(r"(?m)^(?:> ?)+", blank, m[0]), text)
+    if _PATCH.search(text):  # a diff with its heads
+        kept = _HEADS.sub(blank, text)
+    else:
+        kept = _CHANGE.sub(lambda m: re.sub(r"(?m)^(?:-.*|\+)", blank, m[0]) if m["added"] else m[0], text)
+    remarks = ["the lines that a change removes (-) were left out"] if kept != text else []
+    for pattern, write in _ROWS:
+        kept = pattern.sub(write, kept)
+    return kept, remarks
