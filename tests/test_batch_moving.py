@@ -55,7 +55,7 @@ def rings_one_by_one(points, start, accept_centers):
 numbers = []  # of corners, by which an engine was chosen
 
 
-@pytest.fixture(params=[*ENGINES, "one by one"])
+@pytest.fixture(params=["numpy", "one by one", pytest.param("numba", marks=pytest.mark.slow)])
 def made_by(request, monkeypatch):
     """Coordinates are checked by this engine, or by one that certifies outlines one after another as numba does."""
     if request.param == "numba":
