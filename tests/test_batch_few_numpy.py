@@ -400,6 +400,9 @@ def test_boxes_are_swept_along_the_axis_that_the_rule_says(monkeypatch):
         for name, value in zip(("MAX_ALL_PAIRS", "MAX_SWEEP_NUMPY", "MAX_SWEEP_COMPARISONS"), limits):
             monkeypatch.setattr(few, name, value)
         bounds = any_bounds(rng, 2 + k % 40)
+        if k % 4 == 0:  # one box is larger than the others, along one axis
+            bounds = np.hstack([bounds[:, :2], bounds[:, :2] + 2.0 ** rng.integers(-3, 3, 2)])
+            bounds[0, 2 + k // 4 % 2] += 20
         pairs, *found = few.candidate_pairs(bounds)
         with np.errstate(over="ignore"):
             _, comparisons, _ = rule(bounds, limits, np.inf)
