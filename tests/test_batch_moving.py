@@ -149,6 +149,8 @@ REFUSED = [
     ("circles", np.zeros((2, 2, 2)), f"corners holds 4 points: {CIRCLES_TAKE}"),
     ("circles and polygons", np.zeros((3, 3, 2)), "corners holds 9 points: expected (5, 2), all corners one after "
      "another"),
+    ("boxes", [BOX, BOX, TRIANGLE], "polygon 0: vertex 0 is array("),
+    ("polygons", [BOX, TRIANGLE, FIVE], "polygon 0: vertex 0 is array("),
     ("boxes", 3, "corners is 3: expected a sequence"),
     ("boxes", None, "corners is None: expected a sequence"),
     ("boxes", [[1, 2, 3]], "polygon 0: vertex 0 is [1, 2, 3]: expected a pair (x, y)"),
