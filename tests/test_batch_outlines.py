@@ -115,6 +115,10 @@ def test_plain_outlines_of_either_winding_are_certified_at_once(v, blocks):
                 made = outlines.certified_group(np.ascontiguousarray(given) * 2.0**e)
                 assert np.array_equal(np.stack([made.x.T, made.y.T], axis=2), rings * 2.0**e)
                 assert made.block.flags.c_contiguous
+                if made.as_complex is not None:
+                    closed, edges, radius = made.as_complex
+                    assert np.array_equal(closed[1:] - closed[:-1], edges) and closed.shape == (v + 1, n)
+                    assert np.array_equal(closed[0], closed[-1]) and radius is None
                 assert (made.as_complex is not None) == (blocks is None and 1 < n <= 64 and one_way)
 
 
@@ -160,7 +164,7 @@ def is_convex(ring):
     return all(cross(points[k - 2], points[k - 1], points[k]) > 0 for k in range(len(ring)))
 
 
-@pytest.mark.parametrize("scale", [-540, -500, -450, 0, 450, 530])
+@pytest.mark.parametrize("scale", [-540, -513, -512, -511, -500, -450, 0, 450, 507, 510, 530, 1010])
 @pytest.mark.parametrize("v", [4, 5])
 def test_no_outline_is_certified_that_is_not_convex_within_the_last_bits(v, scale):
     rng = RNG([v, scale + 600])
@@ -172,7 +176,8 @@ def test_no_outline_is_certified_that_is_not_convex_within_the_last_bits(v, scal
             for given in ring[None], np.tile(ring, (3, 1, 1)):
                 assert right or outlines.certified_group(given) is None
     plain = plain_outlines(v, 3) * 2.0**scale
-    assert (outlines.certified_group(plain) is not None) == (abs(scale) <= 450)
+    assert abs(scale) > 450 or outlines.certified_group(plain) is not None
+    assert abs(scale) < 530 or outlines.certified_group(plain) is None
 
 
 def test_a_corner_with_the_largest_error_found_is_not_taken_for_convex():
