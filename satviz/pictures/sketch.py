@@ -8,14 +8,14 @@ from math import ceil, floor, hypot
 from typing import Unpack
 
 from ..engine import describe, number_format
-from ..engine.axes import CENTERS, EARLY_EXIT, EDGE, FROM_EDGES, HULL, SLIP, VERTEX, WORLD, Axis, edge_normals
+from ..engine.axes import CENTERS, EARLY_EXIT, EDGE, FROM_EDGES, HULL, PARALLEL, SLIP, VERTEX, WORLD, Axis, edge_normals
 from ..engine.geometry import Vec
 from ..engine.landing_sum import AXIS, PLAIN, POINT, landing_sum
 from ..engine.sat import AxisTest, Projection
 from ..engine.shapes import Circle, Shape
 from ..engine.trace import Trace
 from .axis_place import AxisPlace
-from .float_geometry import gap_or_overlap, midpoint, point_along
+from .float_geometry import are_parallel, gap_or_overlap, midpoint, point_along
 from .insets import BRACKET_PT
 from .label_placer import LabelOptions, Segment
 from .labels import short_name
@@ -424,7 +424,7 @@ class Sketch(ShapeSketch):
         self.corners(as_role="guide")
         for n, axis in enumerate(self.grey_normals(), 1):
             self.small_normal("untested", axis, GREY_NORMAL, "guide", number=n)
-        names = [describe.short_axis_name(axis, (self.trace.a, self.trace.b), self.trace.names) for axis in left]
+        names = [self._name_of_untested(axis) for axis in left]
         most = MAX_LISTED_AXES if self.layout.size[0] >= NARROW_PT else MAX_NARROW_LISTED_AXES
         if len(names) > most:
             names = [*names[: most - 1], f"{len(names) - most + 1} more"]
@@ -436,3 +436,13 @@ class Sketch(ShapeSketch):
             else:
                 lines.append(piece)
         self.note("left-out", "\n".join(lines), "guide")
+
+    def _name_of_untested(self, axis: Axis) -> str:
+        """Return the short name of an axis that was not tested, with the tested axis that is parallel to it, if any."""
+        name = describe.short_axis_name(axis, (self.trace.a, self.trace.b), self.trace.names)
+        twins = (
+            f" ({describe.reason(PARALLEL, i)})"
+            for i, t in enumerate(self.trace.tests, 1)
+            if are_parallel(t.axis, axis)
+        )
+        return name + next(twins, "")
