@@ -298,10 +298,12 @@ def failed_axes(trace: Trace, *, title: str = "") -> Picture:
     worst = digits.gap(best[0].gap)
     drawn = sketch.finish(
         title,
-        f"No axis here separates {trace.names.a} and {trace.names.b}: the least overlap is {worst}. {trace.sentence}",
+        f"The {len(shown)} axes shown, of {len(trace.tests)} tested, come nearest to a gap between {trace.names.a} and "
+        f"{trace.names.b}: their least overlap is {worst}. {trace.sentence}",
         steady=False,
     )
     words = f"Each dotted line cuts {trace.names.b}: no axis shows a gap.\nYet they are apart."
+    words += f" Shown: {len(shown)} of {len(trace.tests)} axes." if len(shown) < len(trace.tests) else ""
     return with_words_below(drawn, words)
 
 
