@@ -728,6 +728,19 @@ def test_a_figure_is_as_narrow_as_a_telephones_page_so_that_no_letter_is_made_sm
     assert drawn.size[0] <= 340 and min(label.style.size for label in drawn.labels) >= 11
 
 
+@pytest.mark.parametrize("figure", FIGURES, ids=lambda f: f.name)
+def test_a_figures_sentence_says_each_gap_and_overlap_that_is_drawn(figure):
+    drawn = figure.picture()
+    for label in drawn.labels:
+        if label.part == "gap-name":
+            assert label.text.split("\n")[0].split()[-1].strip("+") in drawn.sentence, label.text
+
+
+def test_a_picture_says_what_it_leaves_out_and_why():
+    assert "(parallel to axis 2)" in " ".join(FIGURES[13].picture().texts)
+    assert any("Shown: 3 of 9 axes" in text for text in FIGURES[18].picture().texts)
+
+
 @pytest.mark.parametrize("number", [5, 16, 20])
 def test_the_panels_of_a_figure_stand_one_below_the_other(number):
     drawn = FIGURES[number - 1].picture()
