@@ -66,8 +66,8 @@ class PanelSketch(Sketch):
         return f"{'(dx, -dy)' if kind == SLIP else 'normal'} of {describe.edge_name(ends)}".replace("-", MINUS)
 
     def ends_of_edge(self, test: AxisTest) -> None:
-        """Name the two vertices of the edge after which the test's axis is called."""
-        if test.source.kind in FROM_EDGES:
+        """Name the vertices after which the test's axis is called: both of its edge, or the one that it runs through."""
+        if test.source.kind in (*FROM_EDGES, VERTEX):
             self.vertices(test.source.shape or "", test.source.ids)
 
 
@@ -249,6 +249,8 @@ def draw_proof(trace: Trace, layout: Layout) -> Sketch:
     place = layout.places[-1]
     sketch = PanelSketch(run, layout)
     sketch.shapes()
+    if test.source.kind in (CENTERS, VERTEX):
+        sketch.edge(test)
     sketch.ends_of_edge(test)
     certificate = trace.truth.certificate if trace.hit else run.certificate
     if isinstance(certificate, SeparatingLine):
