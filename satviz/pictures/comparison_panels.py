@@ -11,6 +11,7 @@ from math import ceil, comb, copysign, cos, dist, floor, hypot, isnan, pi, sin, 
 from typing import NamedTuple
 
 from ..engine import describe
+from ..engine.axes import EDGE
 from ..engine.certificate import SeparatingLine
 from ..engine.geometry import Interval, Relation, Vec
 from ..engine.number_format import number
@@ -21,6 +22,7 @@ from ..engine.trace import Trace, record
 from ..scenes.failing.saved_work import FAR_APART, MIN_SUPPORT_POINTS, SHAPE_COUNT, corner_tests
 from ..scenes.failing.true_value import FLIGHT, contact_times, separating_angles
 from ..scenes.failing.true_value import distance as true_distance
+from ..scenes.failing.wrong_conclusions import rounded
 from ..scenes.failing.wrong_projections import FIRST_EDGE_OF_B, whole_halves
 from ..scenes.shape_tools import box, translated, vertex_mean
 from .claims import is_near
@@ -36,6 +38,7 @@ from .default_panels import (
     needs_claimed_tests,
     needs_proof,
     true_run,
+    true_test,
 )
 from .draw_steps import draw_mtv, draw_separating_line
 from .float_geometry import bounding_box, crossing_point, midpoint, point_along
@@ -358,6 +361,19 @@ def draw_line_as_axis(trace: Trace, layout: Layout) -> Sketch:
     return sketch
 
 
+def draw_rounded_normal(trace: Trace, layout: Layout) -> Sketch:
+    """Draw the claimed tests, and the edge of the separating axis with its true normal and what this was rounded to."""
+    sketch, test = draw_claimed_tests(trace, layout), true_test(trace)
+    if trace.false_hit and test and test.source.kind == EDGE:
+        sketch.edge(test)
+        sketch.ends_of_edge(test)
+        sketch.normal(test)
+        n, tip = sketch.arrow_direction(test.axis), sketch.marks[-1].points[1]
+        text = "true normal {},\nrounded to {}".format(*map(describe.digits(trace).vector, (n, rounded(n))))
+        sketch.label("normal-name", text, test.source.shape or "ink", tip, prefer=n, first=2)
+    return sketch
+
+
 def with_note(panel: Panel, words: Callable[[Trace], str], role: str = "wrong") -> Panel:
     """Return a panel with words above its shapes that say what a shortcut did, or what it left out."""
 
@@ -402,6 +418,17 @@ def facing_ends(trace: Trace, how: str) -> str:
     sides = list(zip(trace.names, (test.a.interval, test.b.interval), strict=True))
     (left, first), (right, second) = sides if a_is_left(test) else sides[::-1]
     return f"{how}: {left} ends at {first.hi!r},\n{right} begins at {second.lo!r}"
+
+
+def length_rounded(trace: Trace) -> str:
+    """Return by which root a normal was divided, which float64 rounds, and where the ranges then end; "" if by none."""
+    for test in claimed_tests(trace)[:1]:
+        (x, y), length = test.axis.normal, test.axis.length
+        if not length.is_integer() and trace.claim is not trace.relation:
+            return facing_ends(trace, f"normal divided by \u221a{number(x * x + y * y)}, rounded").replace(
+                ": ", ":\n", 1
+            )
+    return ""
 
 
 def halves_rounded(trace: Trace) -> str:
@@ -608,6 +635,8 @@ PANELS: dict[str, Panel] = {
     "one side": with_note(TESTS, questions_asked),
     "as written": with_note(TESTS, lambda trace: facing_ends(trace, "as written")),
     "as stored": with_note(PROOF, lambda trace: facing_ends(true_run(trace), "in float64")),
+    "rounded normal": Panel(needs_claimed_tests, draw_rounded_normal),
+    "unit normal": with_note(TESTS, length_rounded),
     "halves": with_note(TESTS, halves_rounded),
     "far centers": with_note(TESTS, centers_compared),
     "line as axis": Panel(needs_claimed_tests, draw_line_as_axis),

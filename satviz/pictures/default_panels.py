@@ -66,7 +66,7 @@ class PanelSketch(Sketch):
         return f"{'(dx, -dy)' if kind == SLIP else 'normal'} of {describe.edge_name(ends)}".replace("-", MINUS)
 
     def ends_of_edge(self, test: AxisTest) -> None:
-        """Name the vertices after which the test's axis is called: both of its edge, or the one that it runs through."""
+        """Name the vertices after which the axis of a test is called: the ends of its edge, or one alone."""
         if test.source.kind in (*FROM_EDGES, VERTEX):
             self.vertices(test.source.shape or "", test.source.ids)
 

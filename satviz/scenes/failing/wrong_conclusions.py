@@ -178,7 +178,12 @@ def slipped_normals(a: Shape, b: Shape) -> Choice:
 def rounded_normals(a: Shape, b: Shape) -> Choice:
     """Return for each edge the axis along its unit normal with both numbers rounded to whole ones, as a Choice."""
     normals = (axis.direction for axis in edge_normals(a, b).axes)
-    return directions(*(Vec(float(round(n.x)), float(round(n.y))) for n in normals))(a, b)
+    return directions(*map(rounded, normals))(a, b)
+
+
+def rounded(n: Vec) -> Vec:
+    """Return a vector with both numbers rounded to whole ones."""
+    return Vec(float(round(n.x)), float(round(n.y)))
 
 
 def turned_by_90_radians(a: Shape, b: Shape) -> Choice:
@@ -268,6 +273,7 @@ CASES = (
         FALSE_HIT,
         (Polygon([(0, 0), (4, 0), (0, 2)]), box(3, 1, 4, 2)),
         direction_name="{}, rounded",
+        panels=Panels("rounded normal"),
     ),
     FailureCase(
         Shortcut("degrees-for-radians", "a normal has the edge's angle plus 90, in radians too", turned_by_90_radians),
