@@ -7,11 +7,11 @@ that space, which returns the sketch it has drawn.
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from itertools import pairwise
-from math import ceil, comb, copysign, cos, dist, floor, hypot, isnan, pi, sin, ulp
+from math import ceil, comb, copysign, cos, dist, floor, hypot, isclose, isnan, pi, sin, ulp
 from typing import NamedTuple
 
 from ..engine import describe
-from ..engine.axes import EDGE
+from ..engine.axes import EDGE, edge_normals
 from ..engine.certificate import SeparatingLine
 from ..engine.geometry import Interval, Relation, Vec
 from ..engine.number_format import number
@@ -45,7 +45,7 @@ from .float_geometry import bounding_box, crossing_point, midpoint, point_along
 from .insets import a_is_left
 from .label_placer import LabelOptions
 from .layout import Layout, PanelContents
-from .sketch import RING_PT, Sketch
+from .sketch import NORMAL_PT, RING_PT, Sketch
 from .solid_panels import solid_panel
 
 MAX_NOTED_AXES = 60  # axes tested, up to which there is space for words above the shapes
@@ -475,6 +475,35 @@ def draw_push_from_center(trace: Trace, layout: Layout) -> Sketch:
     return sketch
 
 
+def with_normal_of_push(panel: Panel, move_of: Callable[[Trace], Vec | None]) -> Panel:
+    """Return a panel with A's edge across a push, named, and its normal in the direction of the push."""
+
+    def draw(trace: Trace, layout: Layout) -> Sketch:
+        """Draw the panel; the edge and its normal only where the push, or its opposite, is along a normal of A."""
+        sketch, move, out = panel.draw(trace, layout), move_of(trace), trace.truth.known_mtv
+        for axis in edge_normals(trace.a, trace.b).axes if move and out and any(move) else ():
+            n = sketch.arrow_direction(axis)
+            if axis.source.shape != "A" or not isclose(n.x * out.x + n.y * out.y, hypot(*out)):
+                continue
+            (test,) = axis_tests(trace.a, trace.b, [axis])
+            sketch.edge(test)
+            sketch.ends_of_edge(test)
+            p, q = (trace.a.vertices[i] for i in axis.source.ids)
+            way = Vec(move.x / hypot(*move), move.y / hypot(*move))
+            foot, is_out = point_along(p, Vec(q.x - p.x, q.y - p.y), 0.2), way.x * n.x + way.y * n.y > 0
+            sketch.right_angle(foot, way)
+            tip = point_along(foot, way, layout.units(NORMAL_PT))
+            role = "A" if is_out else "wrong"
+            sketch.add("normal", "arrow", role, foot, tip, start=(foot,))
+            text = (
+                f"normal {describe.digits(trace).vector(way)},\npoints {'out of' if is_out else 'into'} {trace.names.a}"
+            )
+            sketch.label("normal-name", text, role, tip, prefer=Vec(way.x, -1.0), first=2)
+        return sketch
+
+    return panel._replace(draw=draw)
+
+
 def draw_moved_by_mtv(trace: Trace, layout: Layout) -> Sketch:
     """Draw B moved by the MTV, and the MTV."""
     sketch = draw_shapes(trace, layout)
@@ -617,7 +646,7 @@ def needs_pieces(trace: Trace) -> PanelContents:
 
 
 TESTS, PROOF = Panel(needs_claimed_tests, draw_claimed_tests), Panel(needs_proof, draw_proof)
-PUSH = Panel(needs_push, draw_push_alone)
+PUSH, MTV = Panel(needs_push, draw_push_alone), Panel(needs_push, draw_moved_by_mtv)
 PIECES = Panel(needs_pieces, draw_pieces_panel)
 PANELS: dict[str, Panel] = {
     "tests": TESTS,
@@ -643,7 +672,9 @@ PANELS: dict[str, Panel] = {
     "push": PUSH,
     "push from center": Panel(needs_push, draw_push_from_center),
     "push while A stays": with_note(PUSH, lambda trace: f"{trace.names.a} does not move", "A"),
-    "MTV": Panel(needs_push, draw_moved_by_mtv),
+    "push along normal": with_normal_of_push(PUSH, lambda trace: trace.push),
+    "MTV": MTV,
+    "MTV along normal": with_normal_of_push(MTV, lambda trace: trace.truth.known_mtv),
     "raw pushes": pushes_panel(Panel(needs_pushes, draw_raw_pushes), TESTS),
     "true pushes": pushes_panel(Panel(needs_pushes, draw_true_pushes), PROOF),
     "corners": Panel(_shapes_and, draw_corners),

@@ -215,7 +215,7 @@ CASES = (
         Shortcut("push-along-normal", "the normal of the least overlap points the way out", push=push_along_axis),
         WRONG_NUMBER,
         (box(0, 0, 5, 3), box(-1, 1, 1, 2)),
-        **REMAINING_OVERLAP,
+        **REMAINING_OVERLAP | {"panels": Panels("push along normal", "MTV along normal")},
         error_region=region_of_push_along_axis,
     ),
     FailureCase(
