@@ -7,7 +7,7 @@ that space, which returns the sketch it has drawn.
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from itertools import pairwise
-from math import ceil, comb, copysign, cos, dist, floor, hypot, isclose, isnan, pi, sin, ulp
+from math import comb, copysign, cos, dist, floor, hypot, isclose, isnan, pi, sin, ulp
 from typing import NamedTuple
 
 from ..engine import describe
@@ -53,19 +53,18 @@ DOT_COUNT = 12  # dots that stand for many shapes
 MAX_AXES = 3  # axes that have space side by side
 ARROW_LENGTH = 74.0  # points
 FLOATS_CORNER_PT, FLOAT_STEP_PT = (16.0, 48.0), 26.0  # where the line of float64 numbers begins; between two of them
-MIN_ARROW_PT, MAX_ARROW_TIMES = 24.0, 5  # a shorter arrow is drawn up to so many times as long
 MOVE = Vec(*map(float, FLIGHT))  # how far A flies in one frame
 
 
 def draw_pieces_panel(trace: Trace, layout: Layout) -> Sketch:
     """Draw A as the pieces that the shortcut takes one by one, and each piece's push of B."""
     sketch = Sketch(trace, layout)
-    draw_pieces(sketch, arrow_times([hypot(*pair.mtv) for pair in trace.pairs if pair.mtv], layout))
+    draw_pieces(sketch)
     return sketch
 
 
-def draw_pieces(sketch: Sketch, times: int = 1) -> None:
-    """Draw, on a given sketch, A as the shortcut's pieces, and each piece's push of B, `times` times as long."""
+def draw_pieces(sketch: Sketch) -> None:
+    """Draw, on a given sketch, A as the shortcut's pieces, and each piece's push of B."""
     trace = sketch.trace
     for pair in trace.pairs:
         sketch.shape("A", pair.names.a, pair.a)
@@ -73,7 +72,7 @@ def draw_pieces(sketch: Sketch, times: int = 1) -> None:
     for i, pair in enumerate(trace.pairs):
         if pair.mtv:
             start = centroid(trace.b)
-            tip = point_along(start, pair.mtv, times)
+            tip = point_along(start, pair.mtv, 1.0)
             sketch.add("mtv", "arrow", "move", start, tip, number=i, start=(start,))
             between = " " if 0.0 in pair.mtv else "\n"  # beside a slanting arrow short lines have more space
             text = f"{pair.names.a} pushes{between}{describe.digits(trace).vector(pair.mtv)}"
@@ -81,16 +80,8 @@ def draw_pieces(sketch: Sketch, times: int = 1) -> None:
             aside = copysign(0.7, centroid(pair.a).x - start.x)  # to the side of the piece that pushes
             prefer = Vec(pair.mtv.x / size + aside, pair.mtv.y / size)
             sketch.label("mtv-name", text, "move", tip, number=i, prefer=prefer, first=3)
-    if times > 1:
-        sketch.note("longer", f"arrows drawn {times} times as long", "guide", first=4)
     if trace.push:
         sketch.note("push-name", f"in all: push {describe.digits(trace).vector(trace.push)}", "move", first=2)
-
-
-def arrow_times(lengths: Sequence[float], layout: Layout) -> int:
-    """Return how many times as long arrows of these lengths are drawn, so that the shortest is seen as an arrow."""
-    shortest = min((length for length in lengths if length), default=0.0) * layout.scale
-    return 1 if not 0 < shortest < MIN_ARROW_PT else min(MAX_ARROW_TIMES, ceil(MIN_ARROW_PT / shortest))
 
 
 def draw_separating_directions(trace: Trace, layout: Layout) -> Sketch:
@@ -669,7 +660,6 @@ PANELS: dict[str, Panel] = {
     "halves": with_note(TESTS, halves_rounded),
     "far centers": with_note(TESTS, centers_compared),
     "line as axis": Panel(needs_claimed_tests, draw_line_as_axis),
-    "push": PUSH,
     "push from center": Panel(needs_push, draw_push_from_center),
     "push while A stays": with_note(PUSH, lambda trace: f"{trace.names.a} does not move", "A"),
     "push along normal": with_normal_of_push(PUSH, lambda trace: trace.push),

@@ -200,7 +200,7 @@ def slanted_bar(y: float) -> Polygon:
 # the fields of a case whose push leaves an overlap
 REMAINING_OVERLAP: dict[str, Any] = {
     "quantity": "overlap after the push:", "claimed_value": overlap_after_push, "true_value": overlap_after_mtv,
-    "is_about_push": True, "panels": Panels("push", "MTV"),
+    "is_about_push": True, "panels": Panels("push along normal", "MTV along normal"),
 }  # fmt: skip
 
 CASES = (
@@ -215,7 +215,7 @@ CASES = (
         Shortcut("push-along-normal", "the normal of the least overlap points the way out", push=push_along_axis),
         WRONG_NUMBER,
         (box(0, 0, 5, 3), box(-1, 1, 1, 2)),
-        **REMAINING_OVERLAP | {"panels": Panels("push along normal", "MTV along normal")},
+        **REMAINING_OVERLAP,
         error_region=region_of_push_along_axis,
     ),
     FailureCase(
@@ -261,7 +261,7 @@ CASES = (
         Shortcut("tile-seam", "each tile of a floor pushes out what sinks into it", split=tiles),
         WRONG_NUMBER,
         (box(0, 0, 8, 2), box(2.9, 1.5, 4.4, 3)),
-        quantity="push error",
+        quantity="push off the MTV by",
         claimed_value=distance_from_mtv,
         true_value=lambda a, b: 0.0,
         is_about_push=True,
