@@ -29,7 +29,7 @@ NORMAL_PT = 34.0  # the length of a normal's arrow
 RING_PT = 8.0  # the radius of a ring round a corner
 CROSS_PT = 4.5  # half of the side of a cross
 MIN_ARROW_PT, MIN_STRONG_PT = 14.0, 28.0  # a shorter edge is drawn without an arrow head, or with a thin arrow
-MIN_DOTTED_PT = 16.0  # a shorter overlap has no dots at its ends
+MIN_DOTTED_PT = 16.0  # a shorter overlap has no dots at its ends; half of it: a thin bracket
 CLEAR_OF_DOT_PT = 8.0  # from the tip of an arrow along a line to the dot at the line's end
 RIGHT_ANGLE_PT = 7.0  # the side of the mark between an edge and its normal
 MIN_TICK_PT = 24.0  # between two ticks
@@ -358,14 +358,15 @@ class Sketch(ShapeSketch):
         The label has the size, the ends if `interval`, the name `on` of the axis if it is given, and a remark.
         """
         ends = points = tuple(place.at(t) for t in gap_or_overlap(test))
-        role, kind = "overlap", "interval"
-        if test.gap < 0 and hypot(ends[0].x - ends[1].x, ends[0].y - ends[1].y) < self.layout.units(MIN_DOTTED_PT):
+        role, kind, weight = "overlap", "interval", "plain"
+        across = hypot(ends[0].x - ends[1].x, ends[0].y - ends[1].y) / self.layout.units(1.0)
+        if test.gap < 0 and across < MIN_DOTTED_PT:
             self.marks = [m for m in self.marks if m.part != "landing" or m.points[0] not in ends]  # they would hide it
         if test.gap >= 0:
             near, far = (self.layout.units(c) for c in BRACKET_PT)
             points = tuple(point_along(ends[i], place.out, c) for i, c in ((0, near), (0, far), (1, far), (1, near)))
-            role, kind = "gap", "bracket"
-        self.add("gap", kind, role, *points, axis=self.axis_id(test), start=points[:1])
+            role, kind, weight = "gap", "bracket", "faint" if across < MIN_DOTTED_PT / 2 else "plain"
+        self.add("gap", kind, role, *points, axis=self.axis_id(test), start=points[:1], weight=weight)
         if not named:
             return
         self.insets(test)
