@@ -435,6 +435,14 @@ def halves_rounded(trace: Trace) -> str:
     return ""
 
 
+def radii_compared(trace: Trace) -> str:
+    """Return how the sum of the radii of two circles apart compares with the distance of their centers, else ""."""
+    lengths = trace.a.radius + trace.b.radius, dist(centroid(trace.a), centroid(trace.b))
+    radii, apart = map(describe.digits(trace).number, lengths)
+    both_circles = trace.a.core_is_point and trace.b.core_is_point
+    return f"r1 + r2 = {radii} < distance = {apart}: taken for a hit" if trace.false_hit and both_circles else ""
+
+
 def centers_compared(trace: Trace) -> str:
     """Return how far apart the centers lie, and from where on that counts as far."""
     centers = [centroid(shape) for shape in (trace.a, trace.b)]
@@ -657,6 +665,8 @@ PANELS: dict[str, Panel] = {
     "as stored": with_note(PROOF, lambda trace: facing_ends(true_run(trace), "in float64")),
     "rounded normal": Panel(needs_claimed_tests, draw_rounded_normal),
     "unit normal": with_note(TESTS, length_rounded),
+    "right normal": with_note(PROOF, lambda trace: "the normal of (dx, dy) is (dy, \u2212dx)", "ink"),
+    "radii": with_note(TESTS, radii_compared),
     "halves": with_note(TESTS, halves_rounded),
     "far centers": with_note(TESTS, centers_compared),
     "line as axis": Panel(needs_claimed_tests, draw_line_as_axis),

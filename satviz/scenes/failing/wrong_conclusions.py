@@ -251,6 +251,7 @@ CASES = (
         Shortcut("slipped-normal", "the normal of an edge (dx, dy) is (dx, -dy)", slipped_normals),
         FALSE_HIT,
         (slanted_bar(0), slanted_bar(2)),
+        panels=Panels(actual="right normal"),
     ),
     FailureCase(
         Shortcut("touch-as-apart", "with < or with <=, the test says the same", touching_separates=True),
