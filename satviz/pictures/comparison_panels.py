@@ -480,7 +480,9 @@ def with_normal_of_push(panel: Panel, move_of: Callable[[Trace], Vec | None]) ->
     def draw(trace: Trace, layout: Layout) -> Sketch:
         """Draw the panel; the edge and its normal only where the push, or its opposite, is along a normal of A."""
         sketch, move, out = panel.draw(trace, layout), move_of(trace), trace.truth.known_mtv
-        for axis in edge_normals(trace.a, trace.b).axes if move and out and any(move) else ():
+        if not (move and out and any(move)):
+            return sketch
+        for axis in edge_normals(trace.a, trace.b).axes:
             n = sketch.arrow_direction(axis)
             if axis.source.shape != "A" or not isclose(n.x * out.x + n.y * out.y, hypot(*out)):
                 continue
