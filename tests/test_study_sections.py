@@ -485,7 +485,7 @@ def test_a_method_answers_from_arrays_as_from_prepared_shapes_and_leaves_the_arr
     assert all(map(np.array_equal, (*a, *b), (*kept[0], *kept[1])))
 
 
-def test_from_arrays_is_one_definition_in_the_study_and_in_the_bench(monkeypatch):
+def test_the_study_and_the_bench_time_from_arrays_with_the_same_function(monkeypatch):
     seen, real = set(), Method.from_arrays
     monkeypatch.setattr(Method, "from_arrays", lambda self, a, b: seen.add(self.name) or real(self, a, b))
     for work in (
@@ -508,7 +508,7 @@ def test_gjk_counts_touching_and_concentric_shapes_as_hits():
 
 
 @pytest.mark.parametrize("v", [3, 4, 7, 24, 100])
-def test_every_way_through_many_corners_gives_one_answer(v):
+def test_every_method_for_many_corners_gives_the_right_answer(v):
     rng = np.random.default_rng(v)
     for make, hit in (apart_pairs, False), (overlapping_pairs, True):
         for name, job in corner_count.ready_jobs(*make(rng, 40, v)).items():
@@ -532,7 +532,7 @@ def test_the_error_of_one_turn_is_not_lost_in_rounding():
     assert 0 < one["low"] < one["median"] < one["worst"] < 2.0**-42  # two steps of float64 at 1 km
 
 
-def test_steps_cost_more_than_sat_a_counted_angle_less_and_an_angle_added_up_more():
+def test_turning_in_steps_has_more_error_than_a_counted_angle_and_a_summed_angle_most():
     at = {(r["format"], r["way"], r["distance"], r["steps"]): r["worst"] for r in result("pose")}
     sat = speed_against_accuracy.proven_metres("SAT, raw normals")
     for form in "float64", "float32":
@@ -780,7 +780,7 @@ def test_cells_can_be_pickled_and_have_unique_names():
         assert {cell.name.endswith("-times") for cell in cells if cell.timed} == {True}
 
 
-def test_padding_is_taken_off_again():
+def test_padding_is_removed_from_polygons_of_mixed_corner_counts():
     rings, _ = WORKLOADS["mixed, 3 to 8 corners"](np.random.default_rng(2), 50)
     counts = [len(ring) for ring in unpadded_rings(rings)]
     assert set(counts) <= set(range(3, 9)) and len(set(counts)) > 3
