@@ -323,7 +323,7 @@ class Reader(Calls):
             pairs = {k: self.point(item) is not None for k, item in enumerate(items) if isinstance(item, Group)}
             if any(pairs.values()) and not all(pairs.values()):
                 place = next(k for k, is_point in pairs.items() if not is_point)
-                raise Unreadable(f"item {place} (counted from 0) of a list of corners is not a pair of numbers")
+                raise Unreadable(f"item {place} (counted from 0) of a list of corners is not a corner: write (x, y)")
         return list(self._each(items, label))
 
     def _each(self, items: Sequence[Any], label: str) -> Iterator[Read]:
