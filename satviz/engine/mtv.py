@@ -276,10 +276,10 @@ def _crossing_candidates(one: Border, other: Border, radius: float) -> Iterator[
         outs, error, opening = [m + n], 0.0, abs(m + n)
         if opening < NARROW:
             # in a narrow slot the crossing is rounded far along it; the digits of m + n are wrong, but it is at right
-            # angles to m - n; if the rounded crossing lies beyond one border, only a way that leads back across it
-            # comes free where the other border bends away
+            # angles to m - n; a way along the slot leaves an arc, which bends away, but a segment beyond which the
+            # crossing was rounded only if it leads back across
             error = ROUNDING / max(opening, ROUNDING)
-            outs += (way + back for way in (1j * (m - n), 1j * (n - m)) for back in (0, m * TILT, n * TILT))
+            outs = [way + back for way in (1j * (m - n), 1j * (n - m)) for back in (0, m * TILT)]
         if all(border.contains(move, max(error, BORDER_TOLERANCE)) for border in (one, other)):
             yield from (Candidate(abs(move), move, out, error) for out in outs)
 
