@@ -469,7 +469,7 @@ def test_the_shorter_a_side_the_deeper_the_overlap_that_float32_misses(side, dee
 @pytest.mark.parametrize("size", [2.0**70, 2.0**-80])
 def test_float32_is_wrong_where_it_holds_the_corners_but_not_their_products(size):
     box = np.array([(0, 0), (1, 0), (1, 1), (0, 1)]) * size
-    apart = box + [1.5 * size, 0]
+    apart = np.add(box, [1.5 * size, 0])
     assert np.array_equal(apart, apart.astype(np.float32)) and relate(Polygon(box), Polygon(apart)) == Relation.APART
     assert said_by_float32(box, apart)
 
