@@ -238,10 +238,8 @@ def main_chart(rows: list[JsonRow], settings: Settings) -> Chart:
         label_points(ax, labels, theme, taken)
 
     text = f"{title}. In brackets: {timings.interval_in_words(len(sat['ns_runs']))}. "
-    text += (
-        f"satviz is compared with raw normals. {SIZES}; {pairs_in_a_call(settings):,} pairs are tested in a call. A gap "
-    )
-    text += "is measured on the edge normal where it is largest; of an overlap it is the depth. "
+    text += f"satviz is compared with raw normals. {SIZES}; {pairs_in_a_call(settings):,} pairs are tested in a call. "
+    text += "A gap is measured on the edge normal where it is largest; of an overlap it is the depth. "
     for name in shown:
         row = by_name[name]
         worst = f"wrong at {in_metres(row['metres'])}" if row["metres"] else "none wrong"
