@@ -61,6 +61,8 @@ TESTS = {  # which test files judge a module
     "batch/with_numba/grid": ["batch_small", "batch_few", "batch_broad"],
     "batch/with_numba/indexed": ["batch_small", "batch_narrow", "batch_exact"],
     "batch/with_numba/outlines": ["batch_small", "batch_few", "batch_outlines", "batch_padded", "batch_validation"],
+    "batch/moving": ["batch_moving", "batch_few", "batch_padded"],
+    "batch/with_numpy/filter": ["batch_filter_numpy", "batch_narrow", "batch_exact"],
     "batch/with_numpy/few": ["batch_few_numpy", "batch_few", "batch_broad", "batch_padded"],
     "batch/with_numpy/outlines": ["batch_outlines", "batch_few", "batch_padded", "batch_validation"],
     "engine/axes": ["axes", "trace", "failing"],
@@ -83,7 +85,10 @@ ABOUT = {  # of those files only these tests, as pytest -k takes them, since eac
     " or small or tile or zero",
     "batch/with_numpy/few": "few_numpy or all_colliding or along_one or candidate_pairs or chosen or depends or giant"
     " or joined or joins or no_comparisons or odd_shape_among or padded or same_broad or swept or unlike",
-    "batch/with_numpy/outlines": "circles or kind_of_array or layout or number or outline or padded or star",
+    "batch/with_numpy/outlines": "circles or kind_of_array or number or outlines or padded or star or validates",
+    "batch/with_numpy/filter": "begins or circles or filter_numpy or float32 or hard_pairs or ordinary or upright"
+    " or width",
+    "batch/moving": "moves or moving or place or pose",
     "engine/axis_count": "axes or axis or enough or touch",
     "batch/with_numba/filter": "circles or columns or filter or float32 or hard_pairs or ordinary or scalar or small"
     " or upright",

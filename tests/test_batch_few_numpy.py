@@ -211,7 +211,7 @@ def test_every_way_of_few_shapes_finds_the_pairs_and_leaves_only_touching_ones_t
         touching = set()  # their sides tell
     only_circles = sum(map(corners_of, shapes)) == len(shapes)
     slow = len(shapes) * sum(map(corners_of, shapes)) > 300  # at the ends of float64 all signs are exact ones
-    for e in (-1070, -500, -400, 0, 400, 460, 980):
+    for e in (-1070, -500, -400, 0, 400, 980):
         whole = e in (-400, 0, 400)  # no product loses bits or overflows
         for way, constants in WAYS.items() if whole or (e == -500 and not slow) else [*WAYS.items()][:1]:
             with monkeypatch.context() as patch:
@@ -400,6 +400,9 @@ def test_boxes_are_swept_along_the_axis_that_the_rule_says(monkeypatch):
         for name, value in zip(("MAX_ALL_PAIRS", "MAX_SWEEP_NUMPY", "MAX_SWEEP_COMPARISONS"), limits):
             monkeypatch.setattr(few, name, value)
         bounds = any_bounds(rng, 2 + k % 40)
+        if k % 4 == 0:  # one box is larger than the others, along one axis
+            bounds = np.hstack([bounds[:, :2], bounds[:, :2] + 2.0 ** rng.integers(-3, 3, 2)])
+            bounds[0, 2 + k // 4 % 2] += 20
         pairs, *found = few.candidate_pairs(bounds)
         with np.errstate(over="ignore"):
             _, comparisons, _ = rule(bounds, limits, np.inf)

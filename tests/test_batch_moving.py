@@ -55,7 +55,7 @@ def rings_one_by_one(points, start, accept_centers):
 numbers = []  # of corners, by which an engine was chosen
 
 
-@pytest.fixture(params=[*ENGINES, "one by one"])
+@pytest.fixture(params=["numpy", "one by one", pytest.param("numba", marks=pytest.mark.slow)])
 def made_by(request, monkeypatch):
     """Coordinates are checked by this engine, or by one that certifies outlines one after another as numba does."""
     if request.param == "numba":
@@ -149,11 +149,14 @@ REFUSED = [
     ("circles", np.zeros((2, 2, 2)), f"corners holds 4 points: {CIRCLES_TAKE}"),
     ("circles and polygons", np.zeros((3, 3, 2)), "corners holds 9 points: expected (5, 2), all corners one after "
      "another"),
+    ("boxes", [BOX, BOX, TRIANGLE], "polygon 0: vertex 0 is array("),
+    ("polygons", [BOX, TRIANGLE, FIVE], "polygon 0: vertex 0 is array("),
     ("boxes", 3, "corners is 3: expected a sequence"),
     ("boxes", None, "corners is None: expected a sequence"),
     ("boxes", [[1, 2, 3]], "polygon 0: vertex 0 is [1, 2, 3]: expected a pair (x, y)"),
     ("boxes", [[[1, 2], [3]]], "polygon 0: vertex 0.x is [1, 2]: a coordinate must be a real number"),
     ("boxes", np.ma.masked_equal(np.array([BOX] * 3), 2), "corners has masked entries: fill or drop them first"),
+    ("boxes", np.ma.masked_equal(np.array([FIVE] * 3), 4), "corners has masked entries: fill or drop them first"),
     ("boxes", np.array([BOX] * 3, complex), "corners is an array of complex128: coordinates must be real numbers"),
     ("boxes", np.array([BOX] * 3) > 1, "corners is an array of bool: coordinates must be real numbers"),
     ("boxes", [[[True, False]] * 4] * 3, "polygon 0: vertex 0.x is True: "),

@@ -115,6 +115,10 @@ def test_plain_outlines_of_either_winding_are_certified_at_once(v, blocks):
                 made = outlines.certified_group(np.ascontiguousarray(given) * 2.0**e)
                 assert np.array_equal(np.stack([made.x.T, made.y.T], axis=2), rings * 2.0**e)
                 assert made.block.flags.c_contiguous
+                if made.as_complex is not None:
+                    closed, edges, radius = made.as_complex
+                    assert np.array_equal(closed[1:] - closed[:-1], edges) and closed.shape == (v + 1, n)
+                    assert np.array_equal(closed[0], closed[-1]) and radius is None
                 assert (made.as_complex is not None) == (blocks is None and 1 < n <= 64 and one_way)
 
 
@@ -160,7 +164,7 @@ def is_convex(ring):
     return all(cross(points[k - 2], points[k - 1], points[k]) > 0 for k in range(len(ring)))
 
 
-@pytest.mark.parametrize("scale", [-540, -500, -450, 0, 450, 530])
+@pytest.mark.parametrize("scale", [-540, -513, -512, -511, -500, -450, 0, 450, 507, 510, 530, 1010])
 @pytest.mark.parametrize("v", [4, 5])
 def test_no_outline_is_certified_that_is_not_convex_within_the_last_bits(v, scale):
     rng = RNG([v, scale + 600])
@@ -172,7 +176,8 @@ def test_no_outline_is_certified_that_is_not_convex_within_the_last_bits(v, scal
             for given in ring[None], np.tile(ring, (3, 1, 1)):
                 assert right or outlines.certified_group(given) is None
     plain = plain_outlines(v, 3) * 2.0**scale
-    assert (outlines.certified_group(plain) is not None) == (abs(scale) <= 450)
+    assert abs(scale) > 450 or outlines.certified_group(plain) is not None
+    assert abs(scale) < 530 or outlines.certified_group(plain) is None
 
 
 def test_a_corner_with_the_largest_error_found_is_not_taken_for_convex():
@@ -188,6 +193,28 @@ def test_a_corner_with_the_largest_error_found_is_not_taken_for_convex():
 def circle_arrays(n):
     rng = RNG(n)
     return rng.uniform(-9, 9, (n, 2)), rng.uniform(0.1, 2, n)
+
+
+REFLEX = [  # corners p, q, r that turn right by less than a product in float64 can say: rounded, they turn left
+    ("-0x1.c20ed1f01760dp-538 -0x1.37b49a07317c8p-537 0x1.d6p-583 0x1.2ap-583"
+     " 0x1.3b5fe7f9b13c6p-537 0x1.b4d9b83b6f164p-537"),
+    ("-0x1.28b4da2c58efap-537 -0x1.0430ead51816cp-538 -0x1.72p-584 0x1.4cp-583"
+     " 0x1.f7c0bad8196f6p-538 0x1.b9c1a8f3b08e1p-539"),
+    ("-0x1.b591115ba9d08p-538 -0x1.249ce2a06352ap-537 -0x1.3cp-583 -0x1.aep-584"
+     " 0x1.bfefc590ea93ep-539 0x1.2b8c289927dacp-538"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("rest", [[(-(2.0**-526), 2.0**-526)], [(-1, 3), (-3, 1)]], ids=len)
+@pytest.mark.parametrize("corners", REFLEX)
+def test_a_corner_whose_products_lose_their_bits_is_not_taken_for_convex(corners, rest):
+    numbers = [float.fromhex(word) for word in corners.split()]
+    ring = [*zip(numbers[::2], numbers[1::2], strict=True), *rest]
+    assert not sv.Polygon(ring).is_convex
+    with pytest.raises(sv.InvalidShape, match="polygon 0 is not convex"):
+        batch.Polygons([ring])
+    for way in (ring, ring[::-1]):
+        assert outlines.certified_group(np.array([way])) is None
 
 
 @pytest.mark.parametrize("n", [1, 2, 64, 65])

@@ -4,7 +4,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from ...engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
+from ...engine.predicates import MIN_SAFE_PRODUCT
 from ..array_types import Array, Complexes, Indices, Mask
 from ..arrays import ComplexColumns, CornerColumns, Shapes
 from ..exact_signs import ERRBOUND_A
@@ -139,9 +139,9 @@ def _turns_one_way(xy: Array) -> tuple[Mask, Mask] | None:
     turn = ahead - behind
     size = np.abs(ahead, out=ahead)
     size += np.abs(behind, out=behind)
-    certified = None  # all
-    if not (size.min(initial=1.0) > MIN_SAFE_PRODUCT and size.max(initial=1.0) < MAX_SAFE_PRODUCT):
-        certified = ((size > MIN_SAFE_PRODUCT) & (size < MAX_SAFE_PRODUCT)).all(axis=0)
+    certified = None  # all; where a product overflows, so does the size, and no turn is larger
+    if not size.min(initial=1.0) > MIN_SAFE_PRODUCT:
+        certified = (size > MIN_SAFE_PRODUCT).all(axis=0)
     if corners > 4:  # with 3 or 4 turns of one sign there is no going round twice
         rises = dx > 0  # each turn is less than 180 degrees, so each time round some edge rises and some edge does not
         once = np.count_nonzero(rises[1:] != rises[:-1], axis=0) == 2
