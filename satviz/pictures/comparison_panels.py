@@ -148,7 +148,7 @@ def _draw_neighbouring_floats(sketch: Sketch, landings: Sequence[tuple[str, floa
     step, start = ulp(least), Vec(x0 + units(FLOATS_CORNER_PT[0]), y0 + units(FLOATS_CORNER_PT[1]))
 
     def at(steps: float, up: float = 0.0) -> Vec:
-        """Return where the number so many steps above the least landing is drawn, `up` points above the line."""
+        """Return where the number `steps` steps above the least landing is drawn, `up` points above the line."""
         return Vec(start.x + units(FLOAT_STEP_PT) * (steps + 1.5), start.y + units(up))
 
     ticks = [at(k, up) for k in range(-1, 4) for up in (-5.0, 5.0)]
@@ -390,7 +390,10 @@ def with_note(panel: Panel, words: Callable[[Trace], str], role: str = "wrong") 
 
 
 def questions_asked(trace: Trace) -> str:
-    """Return which question about the order of the ranges was asked, and which was not; "" where one was enough."""
+    """Return which question about the order of two ranges a shortcut asked, and which one it did not ask, as text.
+
+    "" if one question was enough.
+    """
     for test in axis_tests(trace.a, trace.b, [test.axis for test in claimed_tests(trace)]):
         a, b = test.a.interval, test.b.interval
         if b.hi < a.lo:
