@@ -357,7 +357,7 @@ def draw_rounded_normal(trace: Trace, layout: Layout) -> Sketch:
     sketch, test = draw_claimed_tests(trace, layout), true_test(trace)
     if trace.false_hit and test and test.source.kind == EDGE:
         sketch.edge(test)
-        sketch.ends_of_edge(test)
+        sketch.vertices(test.source.shape or "A", test.source.ids)
         sketch.normal(test)
         n, tip = sketch.arrow_direction(test.axis), sketch.marks[-1].points[1]
         text = "true normal {},\nrounded to {}".format(*map(describe.digits(trace).vector, (n, rounded(n))))
@@ -491,7 +491,7 @@ def with_normal_of_push(panel: Panel, move_of: Callable[[Trace], Vec | None]) ->
                 continue
             (test,) = axis_tests(trace.a, trace.b, [axis])
             sketch.edge(test)
-            sketch.ends_of_edge(test)
+            sketch.vertices(test.source.shape or "A", test.source.ids)
             p, q = (trace.a.vertices[i] for i in axis.source.ids)
             way = Vec(move.x / hypot(*move), move.y / hypot(*move))
             foot, is_out = point_along(p, Vec(q.x - p.x, q.y - p.y), 0.2), way.x * n.x + way.y * n.y > 0
