@@ -28,6 +28,7 @@ from ..scenes.shape_tools import box, translated, vertex_mean
 from .claims import is_near
 from .curve import unit_vector
 from .default_panels import (
+    LEAST_WORDY_PT,
     Panel,
     PanelSketch,
     claimed_tests,
@@ -74,7 +75,8 @@ def draw_pieces(sketch: Sketch) -> None:
             start = centroid(trace.b)
             tip = point_along(start, pair.mtv, 1.0)
             sketch.add("mtv", "arrow", "move", start, tip, number=i, start=(start,))
-            between = " " if 0.0 in pair.mtv else "\n"  # beside a slanting arrow short lines have more space
+            # beside a slanting arrow, and in a small panel, short lines have more space
+            between = " " if 0.0 in pair.mtv and sketch.layout.size[0] >= LEAST_WORDY_PT else "\n"
             text = f"{pair.names.a} pushes{between}{describe.digits(trace).vector(pair.mtv)}"
             size = hypot(*pair.mtv) or 1.0
             aside = copysign(0.7, centroid(pair.a).x - start.x)  # to the side of the piece that pushes
@@ -360,8 +362,9 @@ def draw_rounded_normal(trace: Trace, layout: Layout) -> Sketch:
         sketch.vertices(test.source.shape or "A", test.source.ids)
         sketch.normal(test)
         n, tip = sketch.arrow_direction(test.axis), sketch.marks[-1].points[1]
-        text = "true normal {},\nrounded to {}".format(*map(describe.digits(trace).vector, (n, rounded(n))))
-        sketch.label("normal-name", text, test.source.shape or "ink", tip, prefer=n, first=2)
+        words = "true normal {},\nrounded to {}" if layout.size[0] >= LEAST_WORDY_PT else "{}\n\u2192 {}"
+        text = words.format(*map(describe.digits(trace).vector, (n, rounded(n))))
+        sketch.label("normal-name", text, test.source.shape or "ink", tip, prefer=n, optional=True, first=2)
     return sketch
 
 

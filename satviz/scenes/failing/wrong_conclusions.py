@@ -262,7 +262,7 @@ CASES = (
         Shortcut("tile-seam", "each tile of a floor pushes out what sinks into it", split=tiles),
         WRONG_NUMBER,
         (box(0, 0, 8, 2), box(2.9, 1.5, 4.4, 3)),
-        quantity="push off the MTV by",
+        quantity="off the MTV by",
         claimed_value=distance_from_mtv,
         true_value=lambda a, b: 0.0,
         is_about_push=True,
