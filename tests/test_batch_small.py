@@ -138,7 +138,10 @@ def test_shapes_beyond_the_most_for_one_call_are_not_even_copied(few, monkeypatc
 
 
 def test_boxes_beyond_the_most_for_one_call_are_left_to_the_grids(few, monkeypatch):
-    boxes, rings = batch.Polygons(np.array([UNIT] * 4, float)), batch.from_padded(*padded([np.array(UNIT, float)] * 4, RNG(0)))
+    boxes, rings = (
+        batch.Polygons(np.array([UNIT] * 4, float)),
+        batch.from_padded(*padded([np.array(UNIT, float)] * 4, RNG(0))),
+    )
     assert vars(boxes).get("runs") and not vars(rings).get("runs")
     for most in 4, 3:
         monkeypatch.setattr(few, "MAX_SHAPES", most)
@@ -150,7 +153,7 @@ def test_boxes_beyond_the_most_for_one_call_are_left_to_the_grids(few, monkeypat
 def test_the_other_axis_is_swept_only_where_one_makes_more_comparisons_than_the_most(few, monkeypatch):
     """All nine boxes meet in one range, so that the sweep compares 36 pairs, 4 a box; one is tall, the others low."""
     low = np.stack([np.arange(9), [0, 50, 6, 12, 18, 24, 30, 36, 42]], axis=1)
-    tall = np.hstack([low, low + [10, 1]]) * 1.0
+    tall = np.hstack([low, np.add(low, [10, 1])]) * 1.0
     tall[0, 3] = 100
     real, swept = few._sweep, []
     monkeypatch.setattr(few, "_sweep", lambda *given: (swept.append(given[1]), real(*given))[1])
@@ -581,13 +584,29 @@ def test_only_outlines_that_are_nearly_straight_at_a_corner_are_judged_exactly(b
 @pytest.mark.parametrize("v", [3, 4, 5, 8])
 def test_the_error_bounds_of_tiles_hold_for_the_longest_edge_and_the_farthest_corner_in_each_direction(v, doubted):
     x = np.arange(v)
-    bow = np.stack([x, x * (x - (v - 1)) / 16], axis=1) + [40, 0]  # its long edge leads to the left, its corners lie right
+    bow = np.stack([x + 40, x * (x - (v - 1)) / 16], axis=1)  # the long edge leads to the left, the corners lie right
     for _ in range(4):
         for ring in bow, bow[::-1]:
             (group,) = batch.Polygons(ring[None].copy()).runs
             assert group._maxima.tolist() == [[v - 1], [v + 39]]
         bow = np.stack([-bow[:, 1], bow[:, 0]], axis=1)
     assert not doubted
+
+
+@pytest.mark.parametrize(("v", "step"), [(5, 2), (7, 2), (7, 3), (8, 3), (9, 2), (9, 4)])
+def test_stars_that_turn_one_way_but_go_round_more_than_once_are_no_polygons(v, step, doubted):
+    star = regular(RNG(v), 1, v)[0][np.arange(v) * step % v]
+    for ring in star, star[::-1].copy():
+        given = np.stack([ring, ring + 4])
+        for make in (
+            batch.Polygons,
+            lambda rings: batch.Polygons(list(rings)),
+            lambda rings: batch.from_padded(rings, np.array([v, v]), np.zeros(2)),
+            lambda rings: batch.move(batch.Polygons(regular(RNG(0), 2, v)), rings),
+        ):
+            with pytest.raises(sv.InvalidShape):
+                make(given)
+    assert doubted
 
 
 @pytest.mark.parametrize("e", [-520, -470, 515])
