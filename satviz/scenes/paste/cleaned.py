@@ -12,25 +12,28 @@ _N = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 _PROMPT = r"^[ \t]*(?:>>>|\.\.\.:?(?!\s*\n\s*[\[({\d-]|[ ](?:and )?\d+ more\b)|In \[\d+\]:|Out\[\d+\]:)(?=\s)"
 # what a log or a list writes before a shape: a date and a time, a level, a source, a number
 _TIME = r"\d\d:\d\d:\d\d(?:[.,]\d+)?"
-_STAMP = rf"\d{{4}}[-/]\d\d[-/]\d\d(?:[T ](?:{_TIME}|\d\d:\d\d)(?:Z|[+-]\d\d:?\d\d)?)?|(?:\d\d-\d\d[ ])?{_TIME}"
+_STAMP = (
+    rf"\d{{4}}[-/]\d\d[-/]\d\d(?:[T ](?:{_TIME}|\d\d:\d\d)(?:Z|[+-]\d\d:?\d\d)?)?|(?:\d\d-\d\d[ ])?{_TIME}"
+    rf"|[A-Z][a-z]{{2}}[ ]+\d\d?[ ]{_TIME}[ ][\w.-]+[ ][\w./-]+(?:\[\d+\])?:"  # of syslog
+)
 # what says all of a shape: three keys with numbers (but not x, y and z), or two with points
 _KEYED = r"[A-Za-z_][\w-]*[ \t]?=[ \t]?"
 _SCALAR, _POINT, _GAP = rf"{_KEYED}[-+]?[\d.]+", rf"{_KEYED}\([^()\n]*\)", r"[ \t,;]+"
 _KEYS = rf"{_SCALAR}{_GAP}{_SCALAR}{_GAP}(?![zZ]\b){_SCALAR}|{_POINT}{_GAP}{_POINT}"
 _PREFIX = rf"""(?x)^[ \t]*(?:[\[(<]?(?:{_STAMP})(?!\d)[\])>]?[ \t:|,-]*)?
     (?:(?:\[[A-Za-z][\w\ ./:\#-]*\](?!\s*=>)|\b(?:TRACE|DEBUG|INFO|WARN|WARNING|ERROR|FATAL)\b
-       |[VDIWEF]/[\w.-]+(?:\([ \d]+\))?:)[ \t:|-]+)*
+       |[VDIWEF]/[\w.-]+(?:\([ \d]+\))?:|\d+[ ]+\d+[ ]+[VDIWEF][ ]+[\w.-]+[ ]*:|[a-z]\w*(?:\.\w+)+(?=[ ]-[ ][A-Za-z]))[ \t:|-]+)*
     (?:\(?\d{{1,3}}[.)][ \t]+(?=[A-Za-z(\[{{]))?
-    (?:(?:\d+[ \t,|]+){{1,3}}(?=(?:[A-Za-z]\w*[ ]+)?(?:MULTI)?POLYGON\b))?
-    (?:(?:[A-Za-z_][\w.\#-]*[ ]){{0,2}}[A-Za-z_][\w.\#-]*:[ \t]+(?={_KEYS}))?
+    (?:(?:\d+[ \t,|]+|\w+[ \t]*\|[ \t]*){{1,3}}(?=(?:[A-Za-z]\w*[ ]+)?(?:MULTI)?POLYGON\b))?
+    (?:(?:[A-Za-z_][\w.\#-]*[ ]){{0,2}}[\w.\#-]+:[ \t]+(?={_KEYS}))?
     (?:(?:>[ ])?\d*[ \t]+\|(?=[ \t]+(?:[A-Za-z]|\^)))?"""
 _SHAPE = r"(?i:circle|ball|dis[ck]|rect(?:angle)?|box|polygon|triangle)"
 # Circle #1 (0, 0, 2): a number of a shape before its own numbers
 _NUMBERED = rf"\b({_SHAPE})[ ]+(?:#\d+:?|\d+:?(?=[ ]*\([ ]?{_N}[ ]?,[ ]?{_N}[ ]?,))(?=[ ]*\()"
 _LETTER = r"(?:x|y|w|h|r|width|height|radius)"
-_PLACED = r"(?:center|centre|pos|position|size|extents)"
+_PLACED = r"(?:(?:top|bottom|upper|lower)[ -](?:left|right)|center|centre|pos|position|size|extents)"
 # Behind the sign of a line that a change adds or removes stands no number, as in -4, and not one space, as in a list.
-_REMOVED, _ADDED = r"-(?![ \t]*[-.\d]| \S).*\n", r"\+(?![ \t]*[.\d]| \S).*(?:\n|\Z)"
+_REMOVED, _ADDED = r"[ \t]*-(?![ \t]*[-.\d]| \S).*\n", r"[ \t]*\+(?![ \t]*[.\d]| \S).*(?:\n|\Z)"
 _PATCH = re.compile(r"^(?:--- \S.*\n\+\+\+ \S|@@ -\d+.*@@)", re.MULTILINE)
 _CHANGE = re.compile(rf"^(?:{_REMOVED})++(?P<added>(?:{_ADDED})++)?", re.MULTILINE)
 
@@ -40,14 +43,25 @@ def blank(match: re.Match[str]) -> str:
     return re.sub(r"[^\n]", " ", match[0])
 
 
+def keyed(match: re.Match[str]) -> str:
+    """Return a match as keys: x=10 for x 10, and top_left=(0, 0) for top left (0, 0)."""
+    return re.sub(r"(?<=[a-z])[ -](?=[a-z])", "_", re.sub(r"(?<=[a-z]) (?=[-+.\d(])", "=", match[0]))
+
+
 # One row for each: where it stands, and what is written there.
 _ROWS = [
     (re.compile(pattern, re.MULTILINE), write)
     for pattern, write in (
         (_PROMPT, blank),
         (r"^ *\[,1\] +\[,2\] *$|^ *\[\d+,\](?= )", blank),  # a matrix of R
-        (rf"\b(?!h){_LETTER} {_N}(?:[ ,;]+{_LETTER} {_N}(?![\w.])){{2,}}", lambda m: re.sub(r"(?<=[a-z]) ", "=", m[0])),
-        (rf"\b{_PLACED} \([^()\n]*\)[ ,;]+{_PLACED} (?=\()", lambda m: re.sub(r"(?<=[a-z]) ", "=", m[0])),
+        (rf"\b(?!h){_LETTER} {_N}(?:[ ,;]+{_LETTER} {_N}(?![\w.])){{2,}}", keyed),
+        (rf"\b{_PLACED} \([^()\n]*\)[ ,;]+{_PLACED} \(", keyed),
+        (
+            r"<br ?/?>|&(?:quot|#39|nbsp|amp|lt|gt);",
+            lambda m: {"&lt;": "<", "&gt;": ">"}.get(m[0], "").ljust(len(m[0])),
+        ),
+        (r"(?<=\s)--?[a-z][\w-]*[ =](?=[\"'])", blank),  # an option of a command line
+        (r"^[ \t]*\[\d+\][ \t]+(?=\{)|\{ size=\d+ \}|(?<=\})\t[\w:.<> ]+$", blank),  # a debugger's watch window
         (r"(?<=\w):(?=(?:moveTo|move|rotate|setPosition|setRotation|setAngle|translate)\()", lambda _: "."),  # Lua
         (_PREFIX, blank),
         (r"(?<=\bat )(?:the )?origin\b|(?<=\bon )the origin\b", lambda m: "(0, 0)".rjust(len(m[0]))),
@@ -57,6 +71,16 @@ _ROWS = [
     )
 ]
 
+# Letters that look like others: spaces, quotes, brackets and commas of word processors and of Chinese.
+_PLAIN = str.maketrans("\u00a0\u202f\ufeff\u200b\u201c\u201d\uff08\uff09\uff0c", '    ""(),')
+# the fields of a type with plain values: those of every shape of its kind, unless another one says its own
+_PLAIN_FIELD = r"(?:[^{}()\[\]\n;]|\([^(),{}\n]*(?:,[^(),{}\n]*)?\)|\{ ?get;[^{}]*\}|\{[-\d.f]*\})*+"
+TYPE = re.compile(
+    rf"\b(?:class|struct|record)\s+(\w+)(?:(?:\([\w., ]*\))?:[ \t]*\n(?P<lines>(?:[ \t]+[^\n(){{}}\[\]]+\n|[ \t]*\n)++)"
+    rf"|[^{{}}()=;\n]*\s*[{{(](?P<fields>(?:{_PLAIN_FIELD}[;\n])*+(?:{_PLAIN_FIELD}(?=[)}}]))?+))"
+)
+MAX_TYPES = 20  # of which the names are looked for
+
 _QUOTE = re.compile(r"^>+ .*(?:\n>+(?: .*|$))*", re.MULTILINE)  # or the prompts of R and MATLAB
 _HEADS = re.compile(r"^(?:-.*|\+\+\+ .*|@@.*|diff --git.*|index [0-9a-f]{6,}\.\..*|\+)", re.MULTILINE)
 
@@ -65,12 +89,21 @@ def cleaned(text: str) -> tuple[str, list[str]]:
     """Return the text without what stands around its shapes, and sentences about it; too long a text stays as it is."""
     if len(text) > MAX_CHARS:
         return text, []
+    text = text.translate(_PLAIN)
     text = _QUOTE.sub(lambda m: re.sub(r"(?m)^(?:> ?)+", blank, m[0]), text)
     if _PATCH.search(text):  # a diff with its heads
         kept = _HEADS.sub(blank, text)
     else:
-        kept = _CHANGE.sub(lambda m: re.sub(r"(?m)^(?:-.*|\+)", blank, m[0]) if m["added"] else m[0], text)
+        kept = _CHANGE.sub(lambda m: re.sub(r"(?m)^[ \t]*(?:-.*|\+)", blank, m[0]) if m["added"] else m[0], text)
     remarks = ["the lines that a change removes (-) were left out"] if kept != text else []
     for pattern, write in _ROWS:
         kept = pattern.sub(write, kept)
-    return kept, remarks
+    return TYPE.sub(
+        lambda m: _without_fields(m) if kept.count(m[1]) > m[0].count(m[1]) else m[0], kept, MAX_TYPES
+    ), remarks
+
+
+def _without_fields(match: re.Match[str]) -> str:
+    """Return the head of a type."""
+    fields = match["lines"] or match["fields"]
+    return match[0].removesuffix(fields) + re.sub(r"[^\n]", " ", fields)

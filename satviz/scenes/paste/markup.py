@@ -39,9 +39,8 @@ _OTHER = re.compile(
     rf"|\b(?:def +\w+|function *\w*|constructor|fn +\w+) *{_PARAMETERS}"
     r"|\bsizeof\s*\([^()]*\)\s*/\s*sizeof\s*\([^()]*\)|(?P<quote>['\"])[012FT*]{9}(?P=quote)"
     r"|(?<![\w/.-])[\w/.-]{1,80}\.(?:py|js|ts|cs|cpp|cc|c|h|hpp|rs|go|java|rb|lua|gd|kt|swift|m):\d+(?::\d+)?|TopologyException:[^\n]*"
-    r"|\bversion\W{1,6}\d+(?:\.\d+)+"
     r"|\b(?:Windows|macOS|Ubuntu|Android|iOS|Python|Node|Java|Chrome|Firefox) \d+(?:\.\d+)*"
-    r"|(?:\bv|\b(?:Using|using|with|on|in|of) \w+ v?)\d+\.\d+\.\d+\w*"
+    r"|(?:\bv|\bversion\W{1,6}|\b[a-z][\w.+-]* v?)\d+\.\d+\.\d+\w*"
     r"|\bEigen::Matrix\w+ +\w+\(\d+, *\d+\)|^\s*size\(\d+, *\d+\);",
     re.IGNORECASE | re.MULTILINE,
 )

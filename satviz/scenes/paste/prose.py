@@ -23,7 +23,10 @@ SENTENCES = (
         ),
         re.compile(rf"\n *[12]0\s+({_N})"),
     ),  # DXF; 42 is the bulge of an arc, and 210 to 230 turn the plane
-    ("circle", re.compile(rf"{_PLACE}{_FILL}(?:radius(?:[ ](?:of|is|=))?|r[ ]?=)[ ]{_N}(?![\w.%])", re.IGNORECASE)),
+    (
+        "circle",
+        re.compile(rf"{_PLACE}{_FILL}(?:radius(?:[ ](?:of|is|=))?|r[ ]?=)[ ]{_N}(?![\w.%]|[ ]*\}})", re.IGNORECASE),
+    ),
     ("circle", re.compile(rf"radius(?:[ ](?:of|is|=))?[ ]{_N}[ ,]{{1,3}}{_AT}{_PLACE}", re.IGNORECASE)),
     ("qrect", re.compile(rf"(?<=QRect)\({_N},{_N} {_N}x{_N}\)|(?<=QRectF)\({_N},{_N} {_N}x{_N}\)")),
     ("qrect", re.compile(rf"<rect\({_N}, {_N}, {_N}, {_N}\)>")),  # pygame
@@ -31,7 +34,7 @@ SENTENCES = (
     ("qrect", re.compile(rf"\(x:{_N}, y:{_N}, width:{_N}, height:{_N}\)")),  # Unity
     ("v2", re.compile(rf"<{_N}, {_N}>")),  # of C#
     ("image.rect", re.compile(rf"\bmin(?:imum)?(?: at| =|:)? {_P},?(?: and)? (?:its )?max(?:imum)?(?: at| =|:)? {_P}")),
-    ("image.rect", re.compile(rf"\b(?:rect|rectangle|box) from {_P} to {_P}", re.IGNORECASE)),
+    ("image.rect", re.compile(rf"\b(?:rect|rectangle|box)(?: [A-Za-z]+){{0,3}} from {_P} to {_P}", re.IGNORECASE)),
     ("v2", re.compile(rf"\bX={_N},? Y={_N}(?![\w.%]|[ ,]*(?!X=)[A-Za-z]\w*=)")),  # Unreal
     (
         "svg.polygon",

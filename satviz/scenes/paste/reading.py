@@ -3,9 +3,11 @@
 import re
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
+from itertools import pairwise
 from typing import Any
 
 from .atoms import holds_numbers
+from .account import within
 from .axis_lists import joined, lengths, pairs_of_lists
 from .boxes import (
     BOX_FORM,
@@ -17,6 +19,7 @@ from .boxes import (
     moved,
 )
 from .calls import Calls
+from .cleaned import TYPE
 from .harmless import HARMLESS, OTHER_NUMBERS, words
 from .names import Obj, Unreadable, is_block, short
 from .notations import (
@@ -57,6 +60,10 @@ SHORTENED = re.compile(
     r"|\b\d+ more (?:items?|points?|corners?|vertices|elements?|rows?|entries)\b|\bomitted \d+ rows|\band \d+ more\b"
     rf"|(?<=,)\s*(?:\.\.\.|\u2026)\s*(?=[,\])}}\n])|^{_ROW}\n[ \t]*(?:\.\.\.?|\u2026)(?:[ \t]*\.\.\.?)*[ \t]*$",
     re.MULTILINE,
+)
+_RESULT = re.compile(
+    r"(?:the )?(?:output|result|intersection)\b.*|(?:print\()?\w+\.(?:intersection|union|difference|buffer)\(.*\)",
+    re.IGNORECASE,
 )
 COPIES = frozenset(["clone", "copy", "deepcopy", "dup", "duplicate"])
 MAX_PROBLEMS = 50  # of what is not read; fewer are shown
@@ -101,6 +108,18 @@ class Reader(Calls):
         if any(owner in earlier for owner, _ in kept) and self._choose(TWICE, CHOICES[TWICE]) == LAST_VALUE:
             self.parts += [(shape.start, shape.end) for owner, shape in kept if owner in earlier]
             kept = [(owner, shape) for owner, shape in kept if owner not in earlier]
+        shapes = [shape for _, shape in kept]
+        fields = within([match.span() for match in TYPE.finditer(self.text)], shapes)
+        doubtful = dict.fromkeys(
+            fields if len(fields) < len(kept) else (), "fields of a class, and a shape or defaults"
+        )
+        doubtful |= {
+            s: "the result of a call or a shape" for s in shapes if _RESULT.fullmatch(s.label or self._above(s))
+        }
+        doubtful |= {s: "a bounding box or a shape" for p, s in pairwise(shapes) if s.form and _bounds(p) == s.points}
+        self.problems += [f"{short(self.text[s.start : s.end])}: {why}" for s, why in doubtful.items()]
+        self.parts += [(s.start, s.end) for s in doubtful]
+        kept = [(owner, shape) for owner, shape in kept if shape not in doubtful]
         made = {(s.points, s.radius) for _, s in kept if not s.repeats}
         named = {(s.points, s.radius, s.label) for _, s in kept if s.label}
         again = [s for _, s in kept if (s.repeats and (s.points, s.radius) in made) or self._is_print(s, named)]
@@ -109,8 +128,11 @@ class Reader(Calls):
 
     def _is_print(self, shape: Read, named: Collection[tuple[Any, ...]]) -> bool:
         """Return whether a shape without a name stands below the name of the same shape, as a session prints it."""
-        before = self.text[: shape.start].rstrip().rpartition("\n")[2].strip()
-        return not shape.label and (shape.points, shape.radius, before) in named
+        return not shape.label and (shape.points, shape.radius, self._above(shape)) in named
+
+    def _above(self, shape: Read) -> str:
+        """Return the last line above a shape, or what stands before it on its line."""
+        return self.text[: shape.start].rstrip("` \t\n<").rpartition("\n")[2].strip("` \t")
 
     def _is_assigned(self, value: Any) -> bool:
         """Return whether a value stands behind a sign that assigns, and not in a log: a: (0, 0, 4, 4)."""
@@ -358,6 +380,12 @@ class Reader(Calls):
 def _is_call(group: Group) -> bool:
     """Return whether a group is a call or a list with a type before it."""
     return bool(group.name)
+
+
+def _bounds(shape: Read) -> tuple[Pt, ...]:
+    """Return the corners of the bounding box of an outline; () for a box or a circle."""
+    (x0, *_, x1), (y0, *_, y1) = (sorted(side) for side in zip(*(shape.points * 2), strict=True))
+    return () if shape.form or shape.is_circle else ((x0, y0), (x1, y0), (x1, y1), (x0, y1))
 
 
 def _label(item: Any) -> str:
