@@ -4,6 +4,7 @@ Each rule writes spaces, or as many other letters, so that every place in the cl
 """
 
 import re
+from html import unescape
 
 from .tokens import MAX_CHARS
 
@@ -12,17 +13,15 @@ _N = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 _PROMPT = r"^[ \t]*(?:>>>|\.\.\.:?(?!\s*\n\s*[\[({\d-]|[ ](?:and )?\d+ more\b)|In \[\d+\]:|Out\[\d+\]:)(?=\s)"
 # what a log or a list writes before a shape: a date and a time, a level, a source, a number
 _TIME = r"\d\d:\d\d:\d\d(?:[.,]\d+)?"
-_STAMP = (
-    rf"\d{{4}}[-/]\d\d[-/]\d\d(?:[T ](?:{_TIME}|\d\d:\d\d)(?:Z|[+-]\d\d:?\d\d)?)?|(?:\d\d-\d\d[ ])?{_TIME}"
-    rf"|[A-Z][a-z]{{2}}[ ]+\d\d?[ ]{_TIME}[ ][\w.-]+[ ][\w./-]+(?:\[\d+\])?:"  # of syslog
-)
+_STAMP = rf"\d{{4}}[-/]\d\d[-/]\d\d(?:[T ](?:{_TIME}|\d\d:\d\d)(?:Z|[+-]\d\d:?\d\d)?)?|(?:\d\d-\d\d[ ])?{_TIME}"
 # what says all of a shape: three keys with numbers (but not x, y and z), or two with points
 _KEYED = r"[A-Za-z_][\w-]*[ \t]?=[ \t]?"
 _SCALAR, _POINT, _GAP = rf"{_KEYED}[-+]?[\d.]+", rf"{_KEYED}\([^()\n]*\)", r"[ \t,;]+"
 _KEYS = rf"{_SCALAR}{_GAP}{_SCALAR}{_GAP}(?![zZ]\b){_SCALAR}|{_POINT}{_GAP}{_POINT}"
 _PREFIX = rf"""(?x)^[ \t]*(?:[\[(<]?(?:{_STAMP})(?!\d)[\])>]?[ \t:|,-]*)?
     (?:(?:\[[A-Za-z][\w\ ./:\#-]*\](?!\s*=>)|\b(?:TRACE|DEBUG|INFO|WARN|WARNING|ERROR|FATAL)\b
-       |[VDIWEF]/[\w.-]+(?:\([ \d]+\))?:|\d+[ ]+\d+[ ]+[VDIWEF][ ]+[\w.-]+[ ]*:|[a-z]\w*(?:\.\w+)+(?=[ ]-[ ][A-Za-z]))[ \t:|-]+)*
+       |[VDIWEF]/[\w.-]+(?:\([ \d]+\))?:|\d+[ ]+\d+[ ]+[VDIWEF][ ]+[\w.-]+[ ]*:
+       |[a-z]\w*(?:\.\w+)+(?=[ ]-[ ][A-Za-z]))[ \t:|-]+)*
     (?:\(?\d{{1,3}}[.)][ \t]+(?=[A-Za-z(\[{{]))?
     (?:(?:\d+[ \t,|]+|\w+[ \t]*\|[ \t]*){{1,3}}(?=(?:[A-Za-z]\w*[ ]+)?(?:MULTI)?POLYGON\b))?
     (?:(?:[A-Za-z_][\w.\#-]*[ ]){{0,2}}[\w.\#-]+:[ \t]+(?={_KEYS}))?
@@ -38,9 +37,9 @@ _PATCH = re.compile(r"^(?:--- \S.*\n\+\+\+ \S|@@ -\d+.*@@)", re.MULTILINE)
 _CHANGE = re.compile(rf"^(?:{_REMOVED})++(?P<added>(?:{_ADDED})++)?", re.MULTILINE)
 
 
-def blank(match: re.Match[str]) -> str:
-    """Return spaces in the place of a match; its lines stay lines."""
-    return re.sub(r"[^\n]", " ", match[0])
+def blank(match: re.Match[str], part: str | int = 0) -> str:
+    """Return a match with spaces in the place of a group at its end; its lines stay lines."""
+    return match[0].removesuffix(match[part]) + re.sub(r"[^\n]", " ", match[part])
 
 
 def keyed(match: re.Match[str]) -> str:
@@ -56,10 +55,14 @@ _ROWS = [
         (r"^ *\[,1\] +\[,2\] *$|^ *\[\d+,\](?= )", blank),  # a matrix of R
         (rf"\b(?!h){_LETTER} {_N}(?:[ ,;]+{_LETTER} {_N}(?![\w.])){{2,}}", keyed),
         (rf"\b{_PLACED} \([^()\n]*\)[ ,;]+{_PLACED} \(", keyed),
-        (
-            r"<br ?/?>|&(?:quot|#39|nbsp|amp|lt|gt);",
-            lambda m: {"&lt;": "<", "&gt;": ">"}.get(m[0], "").ljust(len(m[0])),
+        (r"<br ?/?>|&(?:quot|#39|nbsp);", blank),
+        (r"&(?:amp|lt|gt);", lambda m: unescape(m[0]).ljust(len(m[0]))),
+        (rf"<([A-Za-z]\w*)>(\s*{_N}\s*)</\1>", lambda m: f" {m[1]}={m[2]};".ljust(len(m[0]))),
+        (  # of PHP: [x] => 0, and of Clojure: :x 0; a number is a place in a list
+            r"(?:\[(\w+)\]|\b(\d+))\s*=>(?=\s*(?:[Aa]rray\b|[-\d\[]))|(?<=[{\s]):([a-z]\w*)\s(?=\s*[-.\d\[{])",
+            lambda m: ("," if m[m.lastindex].isdigit() else f",{m[m.lastindex]}:").ljust(len(m[0])),
         ),
+        (rf"^[ \t]*\w{{1,40}}\s*<<(?=\s*{_N}(?:\s*,\s*{_N}){{5,}}\s*;)", lambda m: m[0].replace("<<", "= ")),  # Eigen
         (r"(?<=\s)--?[a-z][\w-]*[ =](?=[\"'])", blank),  # an option of a command line
         (r"^[ \t]*\[\d+\][ \t]+(?=\{)|\{ size=\d+ \}|(?<=\})\t[\w:.<> ]+$", blank),  # a debugger's watch window
         (r"(?<=\w):(?=(?:moveTo|move|rotate|setPosition|setRotation|setAngle|translate)\()", lambda _: "."),  # Lua
@@ -99,11 +102,5 @@ def cleaned(text: str) -> tuple[str, list[str]]:
     for pattern, write in _ROWS:
         kept = pattern.sub(write, kept)
     return TYPE.sub(
-        lambda m: _without_fields(m) if kept.count(m[1]) > m[0].count(m[1]) else m[0], kept, MAX_TYPES
+        lambda m: blank(m, m.lastgroup or 0) if kept.count(m[1]) > m[0].count(m[1]) else m[0], kept, MAX_TYPES
     ), remarks
-
-
-def _without_fields(match: re.Match[str]) -> str:
-    """Return the head of a type."""
-    fields = match["lines"] or match["fields"]
-    return match[0].removesuffix(fields) + re.sub(r"[^\n]", " ", fields)

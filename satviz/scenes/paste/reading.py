@@ -6,8 +6,8 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import Any
 
-from .atoms import holds_numbers
 from .account import within
+from .atoms import holds_numbers
 from .axis_lists import joined, lengths, pairs_of_lists
 from .boxes import (
     BOX_FORM,
@@ -62,10 +62,10 @@ SHORTENED = re.compile(
     re.MULTILINE,
 )
 _RESULT = re.compile(
-    r"(?:the )?(?:output|result|intersection)\b.*|(?:print\()?\w+\.(?:intersection|union|difference|buffer)\(.*\)",
-    re.IGNORECASE,
+    r"(?i)(output|result|intersection)\b.*|(print\()?\w+\.(intersection|union|difference|buffer)\(.*\)"
 )
 COPIES = frozenset(["clone", "copy", "deepcopy", "dup", "duplicate"])
+MAX_ABOVE = 400  # characters before a shape in which the line above it is looked for
 MAX_PROBLEMS = 50  # of what is not read; fewer are shown
 
 
@@ -110,13 +110,9 @@ class Reader(Calls):
             kept = [(owner, shape) for owner, shape in kept if owner not in earlier]
         shapes = [shape for _, shape in kept]
         fields = within([match.span() for match in TYPE.finditer(self.text)], shapes)
-        doubtful = dict.fromkeys(
-            fields if len(fields) < len(kept) else (), "fields of a class, and a shape or defaults"
-        )
-        doubtful |= {
-            s: "the result of a call or a shape" for s in shapes if _RESULT.fullmatch(s.label or self._above(s))
-        }
-        doubtful |= {s: "a bounding box or a shape" for p, s in pairwise(shapes) if s.form and _bounds(p) == s.points}
+        doubtful = dict.fromkeys(fields if len(fields) < len(kept) else (), "a shape, or what a class begins with")
+        doubtful |= {s: "a shape, or a result" for s in shapes if _RESULT.fullmatch(s.label or self._above(s))}
+        doubtful |= {s: "a shape, or a bounding box" for p, s in pairwise(shapes) if s.form and _bounds(p) == s.points}
         self.problems += [f"{short(self.text[s.start : s.end])}: {why}" for s, why in doubtful.items()]
         self.parts += [(s.start, s.end) for s in doubtful]
         kept = [(owner, shape) for owner, shape in kept if shape not in doubtful]
@@ -132,7 +128,9 @@ class Reader(Calls):
 
     def _above(self, shape: Read) -> str:
         """Return the last line above a shape, or what stands before it on its line."""
-        return self.text[: shape.start].rstrip("` \t\n<").rpartition("\n")[2].strip("` \t")
+        return (
+            self.text[max(0, shape.start - MAX_ABOVE) : shape.start].rstrip("` \t\n<").rpartition("\n")[2].strip("` \t")
+        )
 
     def _is_assigned(self, value: Any) -> bool:
         """Return whether a value stands behind a sign that assigns, and not in a log: a: (0, 0, 4, 4)."""
