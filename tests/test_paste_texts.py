@@ -141,8 +141,8 @@ def places_of_data(pasted):
     for each in pasted.readings:
         yield from ((place, AFTER_A_NUMBER) for place in sorted(each.read.used))
         for place in range(each.read.start + 1, each.read.end):
-            if re.search(r"//|#|--", text[text.rfind("\n", 0, place) + 1 : place]):
-                continue  # in a comment
+            if re.search(r"//|#|--|^-  ", text[text.rfind("\n", 0, place) + 1 : place]):
+                continue  # in a comment, or in a line that a change removes
             before, here = text[place - 1], text[place]
             if before in ")]" and place > 1 and text[place - 2].isalnum():
                 yield place, AFTER_A_BRACKET
