@@ -195,6 +195,28 @@ def circle_arrays(n):
     return rng.uniform(-9, 9, (n, 2)), rng.uniform(0.1, 2, n)
 
 
+REFLEX = [  # corners p, q, r that turn right by less than a product in float64 can say: rounded, they turn left
+    ("-0x1.c20ed1f01760dp-538 -0x1.37b49a07317c8p-537 0x1.d6p-583 0x1.2ap-583"
+     " 0x1.3b5fe7f9b13c6p-537 0x1.b4d9b83b6f164p-537"),
+    ("-0x1.28b4da2c58efap-537 -0x1.0430ead51816cp-538 -0x1.72p-584 0x1.4cp-583"
+     " 0x1.f7c0bad8196f6p-538 0x1.b9c1a8f3b08e1p-539"),
+    ("-0x1.b591115ba9d08p-538 -0x1.249ce2a06352ap-537 -0x1.3cp-583 -0x1.aep-584"
+     " 0x1.bfefc590ea93ep-539 0x1.2b8c289927dacp-538"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("rest", [[(-(2.0**-526), 2.0**-526)], [(-1, 3), (-3, 1)]], ids=len)
+@pytest.mark.parametrize("corners", REFLEX)
+def test_a_corner_whose_products_lose_their_bits_is_not_taken_for_convex(corners, rest):
+    numbers = [float.fromhex(word) for word in corners.split()]
+    ring = [*zip(numbers[::2], numbers[1::2], strict=True), *rest]
+    assert not sv.Polygon(ring).is_convex
+    with pytest.raises(sv.InvalidShape, match="polygon 0 is not convex"):
+        batch.Polygons([ring])
+    for way in (ring, ring[::-1]):
+        assert outlines.certified_group(np.array([way])) is None
+
+
 @pytest.mark.parametrize("n", [1, 2, 64, 65])
 def test_plain_circles_are_certified_at_once_and_others_left_to_slower_checks(n):
     for scale in 5e-324, 2.0**-600, 1.0, 1e307:

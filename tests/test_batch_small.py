@@ -104,15 +104,17 @@ def test_boxes_of_circles_that_reach_beyond_float64_meet_what_they_reach_in_ever
 
 
 def test_shapes_beyond_the_most_for_one_call_are_not_even_copied(few, monkeypatch):
-    boxes, box = (batch.Polygons(np.array([UNIT] * n, float)) for n in (3, 1))
-    circles = batch.Circles(np.zeros((2, 2)), 1.0)
+    boxes, box = (batch.Polygons(np.array([UNIT] * n, float)) for n in (4, 1))
+    kinds = batch.concat([box, batch.Circles(np.zeros((1, 2)), 1.0), box, box])
     taken = []
-    monkeypatch.setattr(few, "_collide", lambda *given: taken.append(len(given[3])) or (None, True))
-    for most in 3, 2:
+    monkeypatch.setattr(few, "_collide", lambda *given: taken.append(len(given[3])) or ("pairs", True))
+    for most, found in (4, "pairs"), (3, None):
         monkeypatch.setattr(few, "MAX_SHAPES", most)
-        few.colliding_pairs(boxes)
-        few.colliding_pairs(batch.concat([box, circles]))
-    assert taken == [3, 3]
+        assert few.colliding_pairs(boxes) == few.colliding_pairs(kinds) == found
+        assert taken == [4, 4]
+    kinds = batch.concat([box, batch.Circles(np.zeros((2, 2)), 1.0), boxes, boxes])
+    monkeypatch.setattr(few, "MAX_SHAPES", 99)
+    assert few.colliding_pairs(kinds) == "pairs" and taken[2:] == [11]
 
 
 class Counted:

@@ -358,6 +358,16 @@ def test_a_corner_is_added_once_however_often_the_text_is_read():
     assert shape.bounds == (0, 0, 4, 4)
 
 
+@pytest.mark.parametrize("place", range(4))
+@pytest.mark.parametrize("item", ["[1]", "[1, 2, 3, 4]", "[1, 2, 3, 4, 5]", "[(1, 2), (3, 4)]"])
+def test_the_item_of_a_list_that_is_not_a_corner_is_named_by_its_place(place, item):
+    for corners in (["(0, 0)"], ["(0, 0)", "(4, 0)"], ["(0, 0)", "(4, 0)", "(0, 4)"]):
+        if place <= len(corners):
+            text = ", ".join([*corners[:place], item, *corners[place:]])
+            with pytest.raises(sv.InvalidScene, match=rf"(item|corner) {place} \(counted from 0\)"):
+                sv.paste(f"[{text}]")
+
+
 def test_a_missing_corner_and_lists_of_two_lengths_are_named():
     for text, said in (
         ("v[0] = (0, 0); v[1] = (4, 0); v[3] = (0, 4)", r"v\[2\] is missing"),

@@ -89,7 +89,7 @@ _HEADS = re.compile(r"^(?:-.*|\+\+\+ .*|@@.*|diff --git.*|index [0-9a-f]{6,}\.\.
 
 
 def cleaned(text: str) -> tuple[str, list[str]]:
-    """Return the text without what stands around its shapes, and sentences about it; too long a text stays as it is."""
+    """Return (the text without quote marks and signs of a diff, sentences about these); a text too long is kept."""
     if len(text) > MAX_CHARS:
         return text, []
     text = text.translate(_PLAIN)

@@ -85,7 +85,7 @@ def all_tokens(text: str) -> tuple[list[Token], list[Token], list[tuple[int, int
 
 
 def _replaced(plain: list[Token], parts: list[tuple[int, int, list[Token]]]) -> Iterator[Token]:
-    """Yield the tokens with those of each part in the place of what they were."""
+    """Yield the tokens `plain`; where a part (start, end, its tokens) lies, yield its tokens instead."""
     rest = iter(parts)
     part = next(rest, None)
     reached = 0
@@ -161,7 +161,10 @@ def _pair(name: str, value: list[Token]) -> Iterator[Token]:
 
 
 def _changes(text: str, at: int) -> Iterator[Token]:
-    """Yield the calls behind a shape that its transform stands for: a move is applied, all else is refused."""
+    """Yield the tokens of the calls that a `transform` attribute stands for: a move is applied, all else is refused.
+
+    `at`: the place of the attribute's value in the whole text.
+    """
     if not _BETWEEN.fullmatch(_TRANSFORM.sub("", text)):
         yield from _call("transform", [_broken(text, at)])
     for m in _TRANSFORM.finditer(text):

@@ -112,7 +112,7 @@ class Names:
         self.used |= {id(self.resolve(item)) for item in items if isinstance(item, Name)}
 
     def as_object(self, group: Group) -> Obj:
-        """Return a group with pairs as an object."""
+        """Return a group as an object: pairs become fields (the first of equal keys), other items `rest`."""
         made = Obj(group.start, group.end)
         for item in group.items:
             if isinstance(item, Pair):

@@ -229,7 +229,7 @@ class Reader(Calls):
         return [replace(shape, repeats=True) for shape in found]
 
     def _copied(self, group: Group) -> Any:
-        """Return what a call copies that has a name: a in a.clone() and in copy(a); None for other calls."""
+        """Return the named value that a call copies: that of a in a.clone() and in copy(a); None for other calls."""
         *owner, last = parts_of(group.name)
         if last.lower() not in COPIES or len(group.items) > 1 or group.methods:
             return None
@@ -238,7 +238,7 @@ class Reader(Calls):
         return found if isinstance(named, Name) and isinstance(found, (Group, Obj)) else None
 
     def _by_its_name(self, group: Group) -> Group:
-        """Return a call with the name that its own stands for: var C = SAT.Circle; new C(...)."""
+        """Return a call with an alias in its name resolved: C is SAT.Circle after var C = SAT.Circle."""
         other = self.env.before(group.name, group.start) if group.name else None
         return replace(group, name=other.text) if isinstance(other, Name) else group
 
@@ -340,9 +340,10 @@ class Reader(Calls):
             if center is not None and size is not None:
                 return [self._made_box([*center, *size], CENTER_SIZE, group, label, items[2])]
         if not _is_call(group) and len(items) > 1:
-            pairs = [self.point(item) is not None for item in items if isinstance(item, Group)]
-            if any(pairs) and not all(pairs):
-                raise Unreadable("a list of corners holds something that is not a corner")
+            pairs = {k: self.point(item) is not None for k, item in enumerate(items) if isinstance(item, Group)}
+            if any(pairs.values()) and not all(pairs.values()):
+                place = next(k for k, is_point in pairs.items() if not is_point)
+                raise Unreadable(f"item {place} (counted from 0) of a list of corners is not a corner: write (x, y)")
         return list(self._each(items, label))
 
     def _each(self, items: Sequence[Any], label: str) -> Iterator[Read]:
@@ -387,5 +388,5 @@ def _bounds(shape: Read) -> tuple[Pt, ...]:
 
 
 def _label(item: Any) -> str:
-    """Return the name that a pair gives to its value."""
+    """Return the key of a pair as the name of its shape; "" for an item without a key."""
     return str(item.path[0]) if isinstance(item, Pair) else ""

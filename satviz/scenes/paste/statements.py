@@ -270,7 +270,7 @@ class Statements(Names):
         self._corners = None
 
     def _go_on(self, pair: Pair) -> None:
-        """Add a number to the shape that its name tells; x1 = 0; y1 = 0; r1 = 5 is one circle."""
+        """Add a variable to the shape to which its name belongs: x1 = 0; y1 = 0; r1 = 5 is one circle."""
         name = str(pair.path[0]) if len(pair.path) == 1 else ""
         owner, meaning = owner_of(name) if name else ("", "")
         if not meaning:
