@@ -316,7 +316,7 @@ def _sorted(values: Array) -> Indices:
         return _merge_sorted(values)
     start, bucket = np.zeros(n + 2, np.int32), np.empty(n, np.int32)
     for i in range(n):
-        bucket[i] = min(n - 1, int((values[i] - least) * per_unit))
+        bucket[i] = int((values[i] - least) * per_unit)  # at most n - 1: rounding adds less than 1 to it
         start[bucket[i] + 2] += 1
         if start[bucket[i] + 2] > MAX_BUCKET:
             return _merge_sorted(values)

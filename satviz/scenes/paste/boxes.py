@@ -282,7 +282,7 @@ class Boxes(Points):
         named_corner = get("corner") is not None or get("x0") is not None
         if named_center or named_corner:
             return [*place, *size], CENTER_SIZE if named_center else CORNER_SIZE
-        form = (row.form if row.form in CORNER_OR_CENTER else row.keyed) if row else ""
+        form = (row.keyed or (row.form if row.form in CORNER_OR_CENTER else "")) if row else ""
         if form:
             return [*place, *size], self._overridden(form)
         return [*place, *size], self._choose(BOX_FORM, CORNER_OR_CENTER)

@@ -94,7 +94,7 @@ class Names:
             node: Any = self.env
             for part in parts_of(value.text):
                 if isinstance(node, Group) and any(isinstance(item, Pair) for item in node.items):
-                    node = self.as_object(node).get(key(part)) if key(part) in ("x", "y") else None
+                    node = self.as_object(node).get(key(part)) if key(part) else None
                 else:
                     node = node.before(part, value.start) if isinstance(node, Obj) else None
             if node is None:

@@ -82,7 +82,7 @@ class Points(Statements):
         if any(isinstance(item, Pair) for item in value.items):
             return self._xy(self.as_object(value))
         items = value.items
-        if len(items) == 1 and isinstance(items[0], Group) and items[0].bracket in " ({[" and not items[0].name:
+        while len(items) == 1 and isinstance(items[0], Group) and items[0].bracket in " ({[" and not items[0].name:
             items = items[0].items
         if not items and origin and row and row.kind == POINT:
             return ZERO
