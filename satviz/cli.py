@@ -340,7 +340,7 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _add_scene_options(parser: argparse.ArgumentParser) -> None:
-    """Add the options of commands that take a scene."""
+    """Add SCENE and its options to a command that takes a scene."""
     from .engine.axes import NAMED
     from .scenes.failing import SHORTCUTS
 

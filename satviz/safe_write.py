@@ -37,7 +37,7 @@ def check(path: Path, *, force: bool = False) -> None:
         return
     link = path.is_symlink()
     if path.is_dir() and not link:
-        raise FileExistsError(f"{path} is a folder: satviz writes a file of that name")
+        raise FileExistsError(f"{path} is a folder, and satviz writes a file of that name: choose another folder")
     if link and not force:
         raise FileExistsError(
             f"{path} is a symbolic link: choose another folder, or put a file in its place with --force"

@@ -280,7 +280,9 @@ class Watch:
         self.note(report.nodeid)  # here too, or the last test would have no time
 
     def note(self, test: str) -> None:
-        self.out.write_text(json.dumps({"at": test, "times": self.found}))
+        whole = self.out.with_suffix(".new")  # a child that is stopped while it writes leaves the last note whole
+        whole.write_text(json.dumps({"at": test, "times": self.found}))
+        whole.replace(self.out)
 
 
 def judge(path: Path, source: str, tests: list[str], about: str, watch: Watch) -> int:

@@ -2450,8 +2450,7 @@ const b = [[5,0],[9,0],[9,4]];
         "html escaped",
         """[{&quot;x&quot;:0,&quot;y&quot;:0},{&quot;x&quot;:4,&quot;y&quot;:0},{&quot;x&quot;:0,&quot;y&quot;:3}]
 [(5,0),(9,0),(9,4)]""",
-        ((5, 0, 9, 4),),
-        says="0, 0, 4",
+        ((0, 0, 4, 3), (5, 0, 9, 4)),
     ),
     Paste(
         "scale before points",

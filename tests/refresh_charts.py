@@ -76,13 +76,14 @@ def measured_sentences() -> list[str]:
     answer, whole = (format_ratio(ratio_interval(exact[key], raw[key])) for key in ("ns_runs", "whole_runs"))
     of_others = prices_of_few_corners(run["rows"])
     found = [
-        f"in a scene of one kilometre with shapes of {{{in_metres(LEAST_SIDE)} to {in_metres(MOST_ACROSS)}}}. A gap",
+        f"with 4-gons whose sides are at least {{{in_metres(LEAST_SIDE)}}} and which are at most "
+        f"{{{in_metres(MOST_ACROSS)}}} across. A gap",
         f"`satviz bench` measured medians of {{{min(of_others):.1f} to {max(of_others):.1f}}} times for the answers "
         "alone.",
         f"with steps of {{{STEP_ANGLES[0]} to {STEP_ANGLES[1]}}} radians, as in this chart",
         f"shapely was wrong about a gap of {{{in_metres(of['shapely']['metres'])}}}, where",
         f"wrong up to {{{in_metres(raw['metres'])}}} with raw normals, and up to {{{in_metres(unit['metres'])}}} with",
-        f"and was wrong up to {{{in_metres(of['SAT, float32']['metres'])}}}. shapely",
+        f"and was wrong up to {{{in_metres(of['SAT, float32']['metres'])}}}. With",
         f"exact answers take {{{answer}}} as long",
         f"In brackets is {{{interval_in_words(len(raw['ns_runs']))}}}.",
         f"From bare arrays satviz takes {{{whole}}} as long",
@@ -94,8 +95,8 @@ def measured_sentences() -> list[str]:
             / (times["pairs", work, 0, numpy] - times["pairs", work, 0, numba])
             for work in ("triangles", "mixed, 3 to 8 corners")}  # fmt: skip
     found.append(
-        f"with up to {{{pays['triangles']:.0f}}} million pairs of triangles, or "
-        f"{{{pays['mixed, 3 to 8 corners']:.0f}}} million pairs of polygons with 3 to 8 corners"
+        f"with up to {{{pays['triangles']:.2g}}} million pairs of triangles, or "
+        f"{{{pays['mixed, 3 to 8 corners']:.2g}}} million pairs of polygons with 3 to 8 corners"
     )
     ratios = {key: time / times[shapely] for key, time in times.items()
               if key[3] in ENGINES and (shapely := (*key[:3], "shapely")) in times}  # fmt: skip
@@ -108,7 +109,7 @@ def measured_sentences() -> list[str]:
     trees = [(key, time) for key, time in frames.items() if key[2].endswith("STRtree")]
     assert all(frames[work, size, numba].is_below(time) for (work, size, _), time in trees)
     behind = [size for (work, size, _), time in trees if not frames[work, size, numpy].is_below(time)]
-    found.append(f"The NumPy engine is faster in all scenes of more than {{{max(behind):,}}} shapes.")
+    found.append(f"The NumPy engine is faster than STRtree at all these sizes above {{{max(behind):,}}} shapes.")
     short = {key[:2] for key in frames if fastest(frames, key[:2]) <= set(frames_chart.SHORT_PROGRAMS)}
     few = min(size for work, size, _ in frames if (work, size) not in short)
     last = max(size for _, size, _ in frames if size < few)

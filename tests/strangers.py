@@ -2273,4 +2273,264 @@ mouse:moveTo(400, 390)""",
 b2Polygon b = b2MakeSquare(1.0f);""",
         ((2, -2, 4, 2), (-1, -1, 1, 1)),
     ),
+    Paste(
+        "csharp class defaults",
+        """class Ball {
+    public float X = 0;
+    public float Y = 0;
+    public float R = 1;
+}
+var a = new Ball { X = 10, Y = 10, R = 5 };
+var b = new Ball { X = 17, Y = 10, R = 2 };""",
+        ((5, 5, 15, 15), (15, 8, 19, 12)),
+    ),
+    Paste(
+        "csharp class circle",
+        """public class Circle {
+    public float Radius = 1f;
+    public Vector2 Center = new Vector2(0, 0);
+}
+Circle a = new Circle { Center = new Vector2(3, 4), Radius = 5 };
+Circle b = new Circle { Center = new Vector2(13, 4), Radius = 5 };""",
+        ((-2, -1, 8, 9), (8, -1, 18, 9)),
+    ),
+    Paste(
+        "kotlin defaults",
+        """data class Circle(val x: Float = 0f, val y: Float = 0f, val r: Float = 1f)
+val a = Circle(0f, 0f, 5f)
+val b = Circle(r = 2f, x = 7f, y = 0f)""",
+        ((-5, -5, 5, 5), (5, -2, 9, 2)),
+    ),
+    Paste(
+        "cpp struct defaults",
+        """struct Circle {
+    float x = 0.f, y = 0.f;
+    float r = 1.f;
+};
+Circle a{0, 0, 5};
+Circle b{7, 0, 2};
+bool hit = overlaps(a, b);""",
+        ((-5, -5, 5, 5), (5, -2, 9, 2)),
+    ),
+    Paste(
+        "matter vertices console",
+        """body 12 vertices:
+0: {x: 10, y: 10, index: 0, body: {…}, isInternal: false}
+1: {x: 50, y: 10, index: 1, body: {…}, isInternal: false}
+2: {x: 50, y: 50, index: 2, body: {…}, isInternal: false}
+body 13 vertices:
+0: {x: 40, y: 40, index: 0, body: {…}, isInternal: false}
+1: {x: 90, y: 40, index: 1, body: {…}, isInternal: false}
+2: {x: 90, y: 90, index: 2, body: {…}, isInternal: false}""",
+        ((10, 10, 50, 50), (40, 40, 90, 90)),
+    ),
+    Paste(
+        "GEOS hex",
+        """geosop -a "POLYGON ((0 0, 10 0, 10 10, 0 10, 0 0))" -b "POLYGON ((10 0, 20 0, 20 10, 10 10, 10 0))" touches
+true""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+    ),
+    Paste(
+        "unity rectint",
+        """RectInt a = new RectInt(0, 0, 3, 3);
+RectInt b = new RectInt(new Vector2Int(3, 0), new Vector2Int(3, 3));
+print(a.Overlaps(b));""",
+        ((0, 0, 3, 3), (3, 0, 6, 3)),
+    ),
+    Paste(
+        "opencv contour print",
+        """cnt0:
+[[[ 10  10]]
+
+ [[ 90  10]]
+
+ [[ 90  80]]
+
+ [[ 10  80]]]
+cnt1:
+[[[ 85  40]]
+
+ [[150  40]]
+
+ [[150 120]]]""",
+        ((10, 10, 90, 80), (85, 40, 150, 120)),
+    ),
+    Paste(
+        "monogame watch",
+        """Name	Value	Type
+player.Bounds	{X:100 Y:200 Width:32 Height:32}	Microsoft.Xna.Framework.Rectangle
+enemy.Bounds	{X:131 Y:200 Width:32 Height:32}	Microsoft.Xna.Framework.Rectangle""",
+        ((100, 200, 132, 232), (131, 200, 163, 232)),
+    ),
+    Paste(
+        "d3 hull",
+        """const hullA = d3.polygonHull([[0, 0], [40, 0], [40, 40], [20, 20], [0, 40]]);
+const hullB = d3.polygonHull([[40, 10], [80, 10], [80, 50]]);""",
+        ((0, 0, 40, 40), (40, 10, 80, 50)),
+    ),
+    Paste(
+        "psql expanded",
+        """-[ RECORD 1 ]-----------------------
+id   | 7
+geom | POLYGON((0 0,4 0,4 4,0 4,0 0))
+-[ RECORD 2 ]-----------------------
+id   | 12
+geom | POLYGON((4 1,6 1,6 3,4 3,4 1))""",
+        ((0, 0, 4, 4), (4, 1, 6, 3)),
+    ),
+    Paste(
+        "so ask rects",
+        """rectangle 1: top left (2, 7), bottom right (9, 3)
+rectangle 2: top left (9, 5), bottom right (12, 1)""",
+        ((2, 3, 9, 7), (9, 1, 12, 5)),
+    ),
+    Paste(
+        "java fields and ctor",
+        """public class Circle {
+    double x = 0, y = 0, r = 1;
+    Circle(double x, double y, double r) { this.x = x; this.y = y; this.r = r; }
+}
+Circle a = new Circle(0, 0, 5);
+Circle b = new Circle(7, 0, 2);""",
+        ((-5, -5, 5, 5), (5, -2, 9, 2)),
+    ),
+    Paste(
+        "csharp autoprops",
+        """public class Circle {
+    public float X { get; set; } = 0;
+    public float Y { get; set; } = 0;
+    public float R { get; set; } = 1;
+}
+var a = new Circle { X = 0, Y = 0, R = 5 };
+var b = new Circle { X = 7, Y = 0, R = 2 };""",
+        ((-5, -5, 5, 5), (5, -2, 9, 2)),
+    ),
+    Paste(
+        "python dataclass defaults",
+        """@dataclass
+class Circle:
+    x: float = 0
+    y: float = 0
+    r: float = 1
+
+    def area(self):
+        return 3.14 * self.r ** 2
+
+a = Circle(0, 0, 5)
+b = Circle(7, 0, 2)""",
+        ((-5, -5, 5, 5), (5, -2, 9, 2)),
+    ),
+    Paste(
+        "swift struct methods",
+        """struct Circle {
+    var x = 0.0
+    var y = 0.0
+    var r = 1.0
+    func overlaps(_ o: Circle) -> Bool {
+        return hypot(x - o.x, y - o.y) < r + o.r
+    }
+}
+let a = Circle(x: 0, y: 0, r: 5)
+let b = Circle(x: 7, y: 0, r: 2)""",
+        ((-5, -5, 5, 5), (5, -2, 9, 2)),
+    ),
+    Paste(
+        "ts class fields",
+        """class Rect {
+  x = 0;
+  y = 0;
+  w = 10;
+  h = 10;
+}
+const a = { x: 5, y: 5, w: 20, h: 20 };
+const b = { x: 25, y: 5, w: 20, h: 20 };""",
+        ((5, 5, 25, 25), (25, 5, 45, 25)),
+        as_="corner-size leave-out",
+        asks=True,
+    ),
+    Paste(
+        "intersection printed",
+        """>>> a = Polygon([(0, 0), (4, 0), (4, 4), (0, 4)])
+>>> b = Polygon([(3, 3), (6, 3), (6, 6), (3, 6)])
+>>> a.intersection(b)
+<POLYGON ((3 4, 4 4, 4 3, 3 3, 3 4))>""",
+        ((0, 0, 4, 4), (3, 3, 6, 6)),
+        as_="leave-out",
+        asks=True,
+    ),
+    Paste(
+        "output below fence",
+        """```python
+a = Polygon([(0, 0), (4, 0), (4, 4), (0, 4)])
+b = Polygon([(3, 3), (6, 3), (6, 6), (3, 6)])
+print(a.intersection(b))
+```
+Output:
+```
+POLYGON ((3 4, 4 4, 4 3, 3 3, 3 4))
+```""",
+        ((0, 0, 4, 4), (3, 3, 6, 6)),
+        as_="leave-out",
+        asks=True,
+    ),
+    Paste(
+        "bounding boxes beside",
+        """A: POLYGON((0 0, 4 0, 4 4, 0 0)), bbox [0, 0, 4, 4]
+B: POLYGON((4 4, 8 4, 8 8, 4 4)), bbox [4, 4, 8, 8]""",
+        ((0, 0, 4, 4), (4, 4, 8, 8)),
+        as_="leave-out",
+        asks=True,
+    ),
+    Paste(
+        "aabb beside",
+        """A vertices: (0, 0), (4, 0), (4, 4); AABB min (0, 0) max (4, 4)
+B vertices: (4, 4), (8, 4), (8, 8); AABB min (4, 4) max (8, 8)""",
+        ((0, 0, 4, 4), (4, 4, 8, 8)),
+        as_="leave-out",
+        asks=True,
+    ),
+    Paste(
+        "axes listed",
+        """poly1 = [(0,0),(4,0),(4,4)]
+poly2 = [(4,4),(8,4),(8,8)]
+axes = [(0,1),(1,0),(0.7,-0.7)]""",
+        ((0, 0, 4, 4), (4, 4, 8, 8)),
+    ),
+    Paste(
+        "simplex",
+        """A = [(0,0),(4,0),(4,4)]
+B = [(4,4),(8,4),(8,8)]
+simplex = [(-4, 0), (0, 4), (1, 1)]""",
+        ((0, 0, 4, 4), (4, 4, 8, 8)),
+        as_="leave-out",
+        asks=True,
+    ),
+    Paste(
+        "minkowski",
+        """A = [(0,0),(4,0),(4,4)]
+B = [(4,4),(8,4),(8,8)]
+Minkowski difference: (-8,-8), (0,-4), (0, 0), (-4, 0)""",
+        ((0, 0, 4, 4), (4, 4, 8, 8)),
+        as_="leave-out",
+        asks=True,
+    ),
+    Paste(
+        "numbered prose",
+        """1) Box A spans from (0,0) to (2,2).
+2) Box B spans from (2,1) to (4,3).
+Then A.intersects(B) returns true in 3.1 but false in 3.0.""",
+        ((0, 0, 2, 2), (2, 1, 4, 3)),
+    ),
+    Paste(
+        "android logcat",
+        """03-11 09:12:44.120  1234  1250 D Collision: a=RectF(0.0, 0.0, 10.0, 10.0) b=RectF(10.0, 0.0, 20.0, 10.0)""",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+    ),
+    Paste(
+        "json lines log",
+        """{"t":1710000000.123,"lvl":"info","a":{"x":0,"y":0,"r":2},"b":{"x":4,"y":0,"r":2}}""",
+        ((-2, -2, 2, 2), (2, -2, 6, 2)),
+        as_="leave-out",
+        asks=True,
+    ),
 )

@@ -893,7 +893,7 @@ def test_every_failure_can_be_drawn_with_the_true_relation():
     assert seen[BOUNDING_CIRCLES, False] and seen[BOUNDING_CIRCLES, True] and seen[AABB, True], seen
 
 
-def test_the_convex_parts_of_a_polygon_are_its_outline_again():
+def test_the_convex_parts_of_a_polygon_join_to_its_outline():
     seen = 0
     for kind, a, _ in pairs(64, 40, ["concave", "in the notch"]):
         if len(pieces := parts(a)) > 1:

@@ -72,7 +72,7 @@ def found_in(source: axes.Source, a: sv.Polygon | sv.Circle, b: sv.Polygon | sv.
 
 
 @pytest.mark.parametrize("name", ["needed", "edge-normals", "hull-normals", "centers", "nearest-vertex"])
-def test_the_exact_integers_of_a_direction_follow_from_its_source(name):
+def test_the_exact_normal_of_an_axis_is_that_of_the_edge_or_line_it_comes_from(name):
     rng, kinds = Random(6), set()
     for _ in range(200):
         sizes = [2.0 ** rng.randint(-40, 40) for _ in "ab"]

@@ -431,7 +431,7 @@ def test_the_comparisons_of_the_grid_grow_linearly_with_shapes_and_pairs(monkeyp
         assert 0 < sum(counts) <= 5 * broad_phase.MAX_CANDIDATES_PER_BOX * (1500 + found), (name, sum(counts), found)
 
 
-def test_colliding_pairs_are_those_of_every_pair():
+def test_colliding_pairs_are_those_found_by_testing_every_pair():
     rng = RNG(8)
     shapes = batch.concat(
         [batch.Polygons(ngons(rng, 60, 3, 8)), circles(rng, 40, 8), batch.Polygons(ngons(rng, 30, 7, 8))]

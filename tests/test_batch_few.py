@@ -20,7 +20,7 @@ from strategies import nearly_straight
 
 import satviz as sv
 from satviz import batch
-from satviz.batch import broad_rule, constructors, engines
+from satviz.batch import broad_phase, broad_rule, constructors, engines
 from satviz.batch.arrays import TILE_SHAPES
 from satviz.batch.codes import UNDECIDED
 from satviz.batch.ragged import concat_rings
@@ -412,6 +412,35 @@ def test_the_broad_phase_that_is_chosen_is_named(engine, few, most):
     assert way == batch.broad_phase_of(parts.parts, engine=engine) == ("sort and sweep", 70)
     with pytest.raises(TypeError, match="make it with"):
         batch.broad_phase_of(ells)
+
+
+@pytest.mark.parametrize("n, numpy", [(300, "sort and sweep"), (512, "grid")])
+def test_crowds_of_up_to_512_are_swept_with_numba_but_with_numpy_only_if_few_comparisons_are_enough(n, numpy):
+    kernels_of("few")
+    crowd = boxes_of(np.tile([0.0, 0, 1, 1], (n, 1)))
+    ways = [batch.broad_phase_of(crowd, engine=engine).name for engine in ("numpy", "numba")]
+    assert ways == [numpy, "sort and sweep"]
+
+
+@pytest.mark.parametrize("n, giants", [(5000, 0), (5000, 3), (5000, 40)])
+def test_the_cells_of_a_grid_are_at_least_as_large_as_the_largest_box_in_it(n, giants):
+    """A few giants are in no grid; of more, grids of their own are made."""
+    rng, cells = RNG(n + giants), []
+    low = rng.uniform(0, 3 * n**0.5, (n, 2))
+    bounds = np.hstack([low, low + rng.uniform(0.5, 1, (n, 2))])
+    bounds[:giants, 2:] += 1000
+    engine = engines.engine_of("numpy")
+
+    def watched(bounds, one, other, cell, most):
+        both = one if other is None else np.concatenate([one, other])
+        cells.append((cell, (bounds[both, 2:] - bounds[both, :2]).max(axis=0), len(both)))
+        return engine.grid(bounds, one, other, cell, most)
+
+    watching = engine._replace(grid=watched)
+    pairs = broad_phase.sort_pairs(list(broad_phase.candidate_blocks(bounds, watching)))
+    assert np.array_equal(pairs, meeting(bounds))
+    assert cells and all(np.greater_equal(cell, largest).all() for cell, largest, _ in cells)
+    assert cells[0][2] == (n if giants > broad_phase.MAX_OUTLIERS else n - giants)
 
 
 @pytest.mark.parametrize("engine", ENGINES)

@@ -199,7 +199,7 @@ def test_numbers_in_lists_of_outlines_are_checked_as_in_single_shapes(kind, made
             batch.move(MADE[kind](), form)
 
 
-def test_a_number_that_is_none_is_named_by_its_shape(made_by):
+def test_a_coordinate_that_is_not_finite_is_named_by_its_shape(made_by):
     for kind in "boxes", "polygons", "circles", "circles and polygons":
         shapes = MADE[kind]()
         corners, start = corners_of(shapes), shapes.rings.start
@@ -249,11 +249,11 @@ def test_a_place_is_computed_from_the_first_outlines_each_time(kind, made_by):
 
 
 PLACES = [
-    (np.zeros((2, 2)), 0.0, "there are 2 offsets and 1 angles for 3 shapes"),
-    (np.zeros((4, 2)), 0.0, "there are 4 offsets and 1 angles for 3 shapes"),
-    (np.zeros((3, 2)), [1.0, 2.0], "there are 3 offsets and 2 angles for 3 shapes"),
-    (np.zeros((1, 2)), [1.0, 2.0, 3.0], "there are 1 offsets and 3 angles for 3 shapes"),
-    (np.zeros((3, 2)), np.zeros((3, 1)), "there are 3 offsets and 3 angles for 3 shapes"),
+    (np.zeros((2, 2)), 0.0, "there are 2 offsets and 1 angles for 3 shapes: give 3 of each, or one angle"),
+    (np.zeros((4, 2)), 0.0, "there are 4 offsets and 1 angles for 3 shapes: give 3 of each, or one angle"),
+    (np.zeros((3, 2)), [1.0, 2.0], "there are 3 offsets and 2 angles for 3 shapes: give 3 of each, or one angle"),
+    (np.zeros((1, 2)), [1.0, 2.0, 3.0], "there are 1 offsets and 3 angles for 3 shapes: give 3 of each, or one angle"),
+    (np.zeros((3, 2)), np.zeros((3, 1)), "there are 3 offsets and 3 angles for 3 shapes: give 3 of each, or one angle"),
     (np.array([[0, 0], [np.nan, 1], [0, 0]]), 0.0, "offset 1.x is nan: numbers must be finite"),
     (np.zeros((3, 2)), [0, np.inf, 0], "angle 1 is inf: numbers must be finite"),
     (np.zeros((3, 2)), np.nan, "angle is nan: numbers must be finite"),
@@ -273,7 +273,7 @@ def test_places_that_do_not_fit_are_refused_in_one_line(offsets, angles, said, m
     assert str(error.value) == said and shapes.bounds.tolist() == before
 
 
-def test_what_is_no_batch_or_has_split_polygons_is_not_moved():
+def test_a_batch_with_split_polygons_and_a_list_are_not_moved():
     ell = [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)]
     parts = batch.Polygons([ell], concave="split")
     for function, given in (batch.move, np.zeros((6, 2))), (batch.place, np.zeros((1, 2))):

@@ -174,7 +174,7 @@ def test_faults_of_padded_arrays_name_the_shape(fault, made_by):
         batch.from_padded(corners, counts, radii)
 
 
-def test_corners_and_forms_of_padded_arrays_are_checked(made_by):
+def test_coordinates_shapes_and_types_of_padded_arrays_are_checked(made_by):
     dart = np.array([(0.0, 0), (4, 0), (1, 1), (0, 4)])
     corners, counts, radii = padded([dart + 9, ((1, 1), 1.0)], RNG(1))
     with pytest.raises(sv.InvalidShape, match=r"^polygon 0 is not convex: split it with satviz.parts first$"):

@@ -74,9 +74,9 @@ def test_numba_chooses_the_broad_phase_by_its_rule_whatever_the_limits(seed, few
         )
         set_limits(monkeypatch, few, limits)
         candidates = limits[3] * n + int(rng.integers(2))
-        monkeypatch.setattr(few, "count_candidates", lambda *_: candidates)  # noqa: B023
+        monkeypatch.setattr(few, "count_candidates", lambda _, once, __: candidates if once else 1e9)  # noqa: B023
         right, cells = rule(bounds, limits, candidates), []
-        monkeypatch.setattr(few, "build_table", lambda *given: cells.append(given[2:4]) or build_table(*given))  # noqa: B023
+        monkeypatch.setattr(few, "build_table", lambda *given: cells.append(given[2:]) or build_table(*given))  # noqa: B023
         pairs, *way = few.candidate_pairs(bounds)
         assert tuple(way) == right[:2], (bounds.tolist(), limits)
         assert (pairs is not None) == right[2]
@@ -85,8 +85,28 @@ def test_numba_chooses_the_broad_phase_by_its_rule_whatever_the_limits(seed, few
         ways.add((right[0], right[2]))
         if cells:  # as large as the largest box, but never so small that they run together
             size = np.maximum((bounds[:, 2:] - bounds[:, :2]).max(axis=0), np.abs(bounds).max() * 2.0**-48)
-            assert cells == [tuple(size)]
+            assert cells == [(*size, 1 << (2 * n - 1).bit_length())]
     assert len(ways) == 4
+
+
+@pytest.mark.parametrize("limits", [(99, 99, 99, 99), (0, 99, 99, 99), (0, 0, 99, 99), (0, 0, 99, 0)])
+def test_boxes_that_all_meet_are_found_however_many_pairs_they_make(limits, few, monkeypatch):
+    """There is space for 4 pairs a box at first."""
+    set_limits(monkeypatch, few, limits)
+    for n in 1, 2, 8, 9, 10, 33:
+        bounds = np.add.outer(np.arange(n) / n, [0.0, 0, 1, 1])
+        pairs, *_ = few.candidate_pairs(bounds)
+        assert sorted(pairs.tolist()) == list(map(list, combinations(range(n), 2)))
+        assert pairs.dtype == np.intp
+
+
+def test_one_grid_has_no_cells_of_which_too_many_for_floats_make_a_unit(few, monkeypatch):
+    set_limits(monkeypatch, few, (0, 0, 99, 99))
+    for ex, ey in (-1030, -990), (-990, -1030), (-1030, -1030), (1000, 990), (990, 1000), (990, 990), (-990, -990):
+        bounds = np.add.outer(np.arange(-3, 4), [0.0, 0, 1, 1]) * 2.0 ** np.array([ex, ey, ex, ey])
+        pairs, way, _ = few.candidate_pairs(bounds)
+        assert way == (broad_rule.GRID if abs(ex) == abs(ey) == 990 else broad_rule.SWEEP)
+        assert sorted(pairs.tolist()) == meeting(bounds).tolist()
 
 
 @pytest.mark.parametrize("limits", [(99, 99, 0, 9), (0, 99, 0, 9), (0, 0, 99, 9), (0, 0, 0, 9)])
@@ -115,6 +135,36 @@ def test_shapes_beyond_the_most_for_one_call_are_not_even_copied(few, monkeypatc
     kinds = batch.concat([box, batch.Circles(np.zeros((2, 2)), 1.0), boxes, boxes])
     monkeypatch.setattr(few, "MAX_SHAPES", 99)
     assert few.colliding_pairs(kinds) == "pairs" and taken[2:] == [11]
+
+
+def test_boxes_beyond_the_most_for_one_call_are_left_to_the_grids(few, monkeypatch):
+    boxes, rings = (
+        batch.Polygons(np.array([UNIT] * 4, float)),
+        batch.from_padded(*padded([np.array(UNIT, float)] * 4, RNG(0))),
+    )
+    assert vars(boxes).get("runs") and not vars(rings).get("runs")
+    for most in 4, 3:
+        monkeypatch.setattr(few, "MAX_SHAPES", most)
+        pairs, *way = few.candidate_pairs(boxes.bounds)
+        assert way == ([broad_rule.ALL_PAIRS, 6] if most == 4 else [broad_rule.GRID, -1]) and isinstance(way[1], int)
+        assert [pairs is None, *(few.colliding_pairs(some) is None for some in (boxes, rings))] == [most == 3] * 3
+
+
+def test_the_other_axis_is_swept_only_where_one_makes_more_comparisons_than_the_most(few, monkeypatch):
+    """All nine boxes meet in one range, so that the sweep compares 36 pairs, 4 a box; one is tall, the others low."""
+    low = np.stack([np.arange(9), [0, 50, 6, 12, 18, 24, 30, 36, 42]], axis=1)
+    tall = np.hstack([low, np.add(low, [10, 1])]) * 1.0
+    tall[0, 3] = 100
+    real, swept = few._sweep, []
+    monkeypatch.setattr(few, "_sweep", lambda *given: (swept.append(given[1]), real(*given))[1])
+    for turn, sweep, most in product((0, 1), (99, 0), (4, 3)):
+        bounds = np.roll(tall.reshape(9, 2, 2), turn, axis=2).reshape(9, 4)
+        set_limits(monkeypatch, few, (0, sweep, most, 0))
+        pairs, *way = few.candidate_pairs(bounds)
+        assert way == [broad_rule.SWEEP, 36 if most == 4 else 8] and isinstance(way[1], int | np.integer)
+        assert sorted(pairs.tolist()) == meeting(bounds).tolist()
+        assert swept == ([turn] if most == 4 else [turn, 1 - turn][-2 if sweep else -1 :])
+        swept.clear()
 
 
 class Counted:
@@ -160,7 +210,20 @@ def test_a_box_with_one_corner_slid_along_a_side_is_not_taken_for_a_box(few):
             made = [batch.Polygons(np.array(rings)), batch.concat([batch.Polygons([ring]) for ring in rings])]
             for shapes in made:
                 assert len(few.colliding_pairs(shapes)) == (not apart)
-                assert few.flatten(shapes).upright.tolist() == upright
+                flat = few.flatten(shapes)
+                assert flat.upright.tolist() == upright and flat.upright.dtype == bool
+                assert flat.bounds.tolist() == shapes.bounds.tolist()
+
+
+def test_the_boxes_of_circles_are_rounded_outwards(few):
+    for e in 0, -60:
+        rng = RNG(e + 60)
+        centers, radii = rng.uniform(-4, 4, (50, 2)), rng.uniform(0.1, 9, 50) * 2.0**e
+        bounds = few.flatten(batch.Circles(centers, radii)).bounds
+        for center, r, box in zip(centers.tolist(), radii.tolist(), bounds.tolist(), strict=True):
+            for d in range(2):
+                low, high = Fraction(center[d]) - Fraction(r), Fraction(center[d]) + Fraction(r)
+                assert box[d] < low < high < box[d + 2]
 
 
 # -- scenes answered by rationals
@@ -252,9 +315,9 @@ def test_small_scenes_are_answered_by_every_broad_phase_as_in_rationals(limits, 
     left = 0
     for shapes, right in small_scenes(1)[2::3]:
         index = np.stack(np.triu_indices(len(shapes), 1), axis=1)
-        made = joined(shapes)
-        for form in made, made[np.arange(len(made))]:
+        for form in joined(shapes), joined(shapes)[np.arange(len(shapes))]:  # indexing joins the groups of a batch
             assert batch.colliding_pairs(form, engine="numba").tolist() == index[np.array(right) > 0].tolist()
+            assert few.colliding_pairs(form) is None or few.colliding_pairs(form).dtype == np.intp
             left += few.colliding_pairs(form) is None
     assert left or any(limits)  # then grids for several sizes find the pairs
 
@@ -265,8 +328,8 @@ def test_small_scenes_are_answered_as_in_rationals_at_every_scale(engine, e):
     for shapes, right in small_scenes(e + 500)[:: 6 if abs(e) == 500 else 1]:  # there integers decide
         index = np.stack(np.triu_indices(len(shapes), 1), axis=1)
         shapes = scaled(shapes, 2.0**e)
-        made = joined(shapes)
-        for form in made, batch.concat([made, made[:0]]), batch.from_padded(*padded(shapes, RNG(0))):
+        with_none = batch.concat([joined(shapes), joined(shapes)[:0]])
+        for form in joined(shapes), with_none, batch.from_padded(*padded(shapes, RNG(0))):
             assert batch.colliding_pairs(form, engine=engine).tolist() == index[np.array(right) > 0].tolist()
             assert batch.relate(form, form, index, engine=engine).tolist() == right
 
@@ -489,7 +552,7 @@ def test_only_outlines_that_are_nearly_straight_at_a_corner_are_judged_exactly(b
             rings = np.array([np.roll(bent(v, some)[::turn], start, axis=0) * mirrored for some in (1, bend, 1)])
             rings[2] *= 2
             every = np.append(rings.reshape(-1, 2), [(9.0, 9)], axis=0)
-            counts, radii = np.array([v, v, v, 1]), np.array([0.0, 0, 0, 1])
+            counts, radii = np.array([v, v, v, 1]), np.array([0.0, -0.0, 0, 1])
             padded_ = np.zeros((4, v, 2))
             padded_[:3], padded_[3, 0] = rings, every[-1]
             made = [
@@ -510,6 +573,40 @@ def test_only_outlines_that_are_nearly_straight_at_a_corner_are_judged_exactly(b
                 assert group._maxima.tolist() == np.stack(arrays.CornerColumns(group.block).tile_maxima).tolist()
             assert sorted(doubted) == straight * [0, 0, *[1] * (len(made) + 1)], (v, turn, start)
             doubted.clear()
+            for shapes in made:  # one after another, counter-clockwise from the first corner or the last, without -0.0
+                x, y, first = shapes.rings
+                corners = np.stack([x, y], axis=1)
+                assert len(corners) == first[-1] and not np.signbit(shapes.radius).any()
+                assert straight or corners[: 3 * v].tolist() == rings[:, ::turn].reshape(-1, 2).tolist()
+                assert not np.signbit(corners[corners == 0]).any()
+
+
+@pytest.mark.parametrize("v", [3, 4, 5, 8])
+def test_the_error_bounds_of_tiles_hold_for_the_longest_edge_and_the_farthest_corner_in_each_direction(v, doubted):
+    x = np.arange(v)
+    bow = np.stack([x + 40, x * (x - (v - 1)) / 16], axis=1)  # the long edge leads to the left, the corners lie right
+    for _ in range(4):
+        for ring in bow, bow[::-1]:
+            (group,) = batch.Polygons(ring[None].copy()).runs
+            assert group._maxima.tolist() == [[v - 1], [v + 39]]
+        bow = np.stack([-bow[:, 1], bow[:, 0]], axis=1)
+    assert not doubted
+
+
+@pytest.mark.parametrize(("v", "step"), [(5, 2), (7, 2), (7, 3), (8, 3), (9, 2), (9, 4)])
+def test_stars_that_turn_one_way_but_go_round_more_than_once_are_no_polygons(v, step, doubted):
+    star = regular(RNG(v), 1, v)[0][np.arange(v) * step % v]
+    for ring in star, star[::-1].copy():
+        given = np.stack([ring, ring + 4])
+        for make in (
+            batch.Polygons,
+            lambda rings: batch.Polygons(list(rings)),
+            lambda rings: batch.from_padded(rings, np.array([v, v]), np.zeros(2)),
+            lambda rings: batch.move(batch.Polygons(regular(RNG(0), 2, v)), rings),
+        ):
+            with pytest.raises(sv.InvalidShape):
+                make(given)
+    assert doubted
 
 
 @pytest.mark.parametrize("e", [-520, -470, 515])

@@ -328,7 +328,7 @@ def test_boxes_may_be_lists_and_an_invalid_box_is_named():
 @pytest.mark.parametrize("places", [(-1, 1), (-1, 0, 1), (-1, -1, -1, 1, 1)])
 @pytest.mark.parametrize("far", [1e308, 1.7e308])
 @pytest.mark.parametrize("size", [1e294, 1e300, 5e306])
-def test_coordinates_near_the_end_of_float64_warn_of_nothing(places, far, size):
+def test_coordinates_near_the_end_of_float64_raise_no_warning(places, far, size):
     at = far * np.array([(x, y) for x in places for y in places])
     shapes = batch.Polygons(at[:, None] + size * np.array(TRIANGLE))
     coins = batch.Circles(at, size)
@@ -791,7 +791,7 @@ def test_an_engine_does_all_its_work_in_its_own_modules(name):
     assert engine is engines.engine_of(name)
 
 
-def test_masked_indices_are_refused_and_a_tuple_is_a_list():
+def test_masked_indices_are_refused_and_a_tuple_of_indices_is_read_as_a_list():
     for split in "refuse", "split":
         shapes = batch.Polygons(
             [TRIANGLE, [(x + 1, y) for x, y in TRIANGLE], ELL][: 2 + (split == "split")], concave=split

@@ -959,7 +959,7 @@ def test_a_built_in_scene_has_its_own_picture_until_python_has_come(visit):
     assert page.locator(".live .still img").get_attribute("src") == "pictures/circles.svg"
 
 
-def test_a_copy_without_python_shows_no_other_scene_than_that_of_the_link(visit):
+def test_a_page_without_python_shows_no_picture_of_another_scene_than_its_link_names(visit):
     """The scene of the page itself is no answer to a link to shapes of one's own."""
     page = visit("scene.html", live=False, service_workers="block")
 

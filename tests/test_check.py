@@ -375,7 +375,7 @@ def test_the_first_pairs_are_small_boxes():
     )
 
 
-def test_pairs_in_rounded_numbers_are_near():
+def test_pairs_in_rounded_numbers_nearly_touch():
     from satviz.advice.relative_margin import relative_margin
 
     margins = [relative_margin(p.a, p.b) for p in near_pairs(("convex",), 1, 60)]

@@ -335,7 +335,7 @@ def tiled(rng: Random) -> list[Shape]:
 
 
 @pytest.mark.parametrize("engine", ENGINES)
-def test_colliding_pairs_are_those_of_every_pair_of_tiles(engine):
+def test_colliding_pairs_of_tiles_are_those_found_by_testing_every_pair(engine):
     rng = Random(1)
     for _ in range(60):
         shapes = tiled(rng)

@@ -71,7 +71,7 @@ def test_style_sheets_write_text_decoration_only_as_webkit_reads_it():
 
 
 @pytest.mark.parametrize("scene", SCENES, ids=lambda scene: scene.name)
-def test_a_show_holds_every_step_as_it_is_drawn(scene):
+def test_a_playback_holds_every_step_as_it_is_drawn(scene):
     trace = scene.record()
     found = playback(trace)
     assert len(found["steps"]) == len(sv.steps(trace))
@@ -133,7 +133,7 @@ def test_a_step_of_a_test_lights_the_row_of_that_test(scene):
             assert row["pair"] == (f"{run.names.a} and {run.names.b}" if trace.pairs else "")
 
 
-def test_the_rows_have_one_for_all_that_are_parallel_to_one_axis():
+def test_all_axes_parallel_to_one_axis_share_one_row_of_the_page():
     found = playback(sv.scene("concave").record())
     assert [row["reason"] for row in found["rows"] if row["pair"] == "A and B1" and "reason" in row] == [
         "early exit: axis 1 separates",

@@ -157,7 +157,7 @@ def test_an_outline_that_is_not_a_polygon_is_refused(text):
         sv.paste(text)
 
 
-def test_a_name_within_its_own_value_ends():
+def test_a_name_that_occurs_in_its_own_value_is_refused_without_an_endless_loop():
     for text in ("a = [a, a, a]", "p.v[0] = (1, p); p.v[1] = (p, 2); p.v[2] = p", "a = b\nb = a\nPolygon(a)"):
         with pytest.raises(sv.InvalidScene):
             sv.paste(text)

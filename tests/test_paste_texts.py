@@ -141,8 +141,8 @@ def places_of_data(pasted):
     for each in pasted.readings:
         yield from ((place, AFTER_A_NUMBER) for place in sorted(each.read.used))
         for place in range(each.read.start + 1, each.read.end):
-            if re.search(r"//|#|--", text[text.rfind("\n", 0, place) + 1 : place]):
-                continue  # in a comment
+            if re.search(r"//|#|--|^-  ", text[text.rfind("\n", 0, place) + 1 : place]):
+                continue  # in a comment, or in a line that a change removes
             before, here = text[place - 1], text[place]
             if before in ")]" and place > 1 and text[place - 2].isalnum():
                 yield place, AFTER_A_BRACKET
@@ -358,6 +358,16 @@ def test_a_corner_is_added_once_however_often_the_text_is_read():
     assert shape.bounds == (0, 0, 4, 4)
 
 
+@pytest.mark.parametrize("place", range(4))
+@pytest.mark.parametrize("item", ["[1]", "[1, 2, 3, 4]", "[1, 2, 3, 4, 5]", "[(1, 2), (3, 4)]"])
+def test_the_item_of_a_list_that_is_not_a_corner_is_named_by_its_place(place, item):
+    for corners in (["(0, 0)"], ["(0, 0)", "(4, 0)"], ["(0, 0)", "(4, 0)", "(0, 4)"]):
+        if place <= len(corners):
+            text = ", ".join([*corners[:place], item, *corners[place:]])
+            with pytest.raises(sv.InvalidScene, match=rf"(item|corner) {place} \(counted from 0\)"):
+                sv.paste(f"[{text}]")
+
+
 def test_a_missing_corner_and_lists_of_two_lengths_are_named():
     for text, said in (
         ("v[0] = (0, 0); v[1] = (4, 0); v[3] = (0, 4)", r"v\[2\] is missing"),
@@ -497,3 +507,26 @@ def test_a_long_text_in_these_notations_is_refused_within_a_second(text):
     with pytest.raises(sv.InvalidScene):
         sv.paste(text)
     assert time.process_time() - start < 1.5  # a second of a quiet machine
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda text: text.replace(" ", "\u00a0"),
+        lambda text: "\ufeff" + text,
+        lambda text: text.replace("(", "\uff08").replace(")", "\uff09").replace(",", "\uff0c"),
+        lambda text: text.replace("\n", "<br>\n"),
+        lambda text: every_line(text, "    "),
+        lambda text: "class Thing {\n    float x = 0, y = 0;\n    float r = 1;\n}\nThing t;\n" + text,
+        lambda text: "class Thing:\n    x = 0\n    y = 0\n    r = 1\n\nprint(Thing)\n" + text,
+    ],
+)
+def test_what_a_page_or_a_class_adds_to_a_text_makes_no_other_shape(change):
+    text = "a = Circle(0, 0, 5)\nb = Polygon([(4, 0), (9, 0), (9, 4)])"
+    assert answer(change(text))[1] == answer(text)[1] and not answer(change(text))[0]
+
+
+@pytest.mark.parametrize("words", ["contact points", "normals", "axes", "simplex", "Minkowski difference", "overlap"])
+def test_what_a_test_prints_is_no_shape(words):
+    text = "a = Circle(0, 0, 5)\nb = Circle(9, 0, 5)\n"
+    assert answer(f"{text}{words}: (5, 0), (6, 2), (7, 9)")[1] == answer(text)[1]

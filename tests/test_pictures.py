@@ -299,7 +299,7 @@ def same_way(one, other):
 
 
 @pytest.mark.parametrize("name", one_in(2, [name for name in names() if not refused_case(name)]))
-def test_an_axis_has_one_direction_in_table_sentence_and_arrow_and_its_normal_that_or_the_other(name):
+def test_an_axis_has_one_direction_in_table_sentence_and_arrow_and_its_normal_that_or_the_opposite_one(name):
     """A normal is drawn out of its shape; where the axis points the other way, the sentence says both."""
     trace = scene(name).record().without_early_exit()
     table, begins = table_rows(trace), first_row_numbers(trace)
@@ -650,7 +650,7 @@ def test_two_panels_have_one_canvas_for_every_way_to_request_them():
     assert sv.picture(trace, 0, by_itself=True) == sv.picture(trace, 0)
 
 
-def test_a_normal_is_said_to_be_its_edge_turned_by_a_quarter_and_is():
+def test_the_sentence_about_a_normal_turns_its_edge_by_a_quarter_and_gives_its_numbers():
     trace = sv.scene("triangles").record().without_early_exit()
     for i in range(len(trace.tests)):
         said = sv.picture(trace, sv.Step(sv.Stage.NORMAL, i)).sentence.replace("\N{MINUS SIGN}", "-")
@@ -726,6 +726,19 @@ def test_a_label_far_from_its_corner_has_a_line_to_it_or_is_left_out():
 def test_a_figure_is_as_narrow_as_a_telephones_page_so_that_no_letter_is_made_smaller_there(figure):
     drawn = figure.picture()
     assert drawn.size[0] <= 340 and min(label.style.size for label in drawn.labels) >= 11
+
+
+@pytest.mark.parametrize("figure", FIGURES, ids=lambda f: f.name)
+def test_a_figures_sentence_says_each_gap_and_overlap_that_is_drawn(figure):
+    drawn = figure.picture()
+    for label in drawn.labels:
+        if label.part == "gap-name":
+            assert label.text.split("\n")[0].split()[-1].strip("+") in drawn.sentence, label.text
+
+
+def test_a_picture_says_what_it_leaves_out_and_why():
+    assert "(parallel to axis 2)" in " ".join(FIGURES[13].picture().texts)
+    assert any("Shown: 3 of 9 axes" in text for text in FIGURES[18].picture().texts)
 
 
 @pytest.mark.parametrize("number", [5, 16, 20])

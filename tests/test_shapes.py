@@ -432,7 +432,7 @@ def test_duplicate_neighbours_are_kept_and_noted():
     assert [note.split(":")[0] for note in shape.notes] == ["vertex 2 repeats vertex 1", "vertex 3 repeats vertex 1"]
 
 
-def test_minus_zero_is_kept_but_never_walked():
+def test_minus_zero_is_kept_in_vertices_and_becomes_zero_in_corners():
     shape = Polygon([(-0.0, 0), (4, -0.0), (0, 4)])
     assert math.copysign(1, shape.vertices[0].x) == math.copysign(1, shape.vertices[1].y) == -1
     assert all(math.copysign(1, c) == 1 for v in shape.corners for c in v)
@@ -528,7 +528,7 @@ def test_a_shapely_polygon_is_accepted_and_comes_back():
     assert Polygon(Polygon(DENTED)).corners == Polygon(DENTED).corners
 
 
-def test_an_outline_goes_out_closed():
+def test_the_geo_interface_of_an_outline_repeats_its_first_vertex():
     assert Polygon(DENTED).__geo_interface__ == {"type": "Polygon", "coordinates": ((*DENTED, DENTED[0]),)}
 
 
@@ -938,7 +938,7 @@ def test_a_slab_holds_all_corners_and_ends_on_an_edge(ring, count):
         assert sum(lo > -math.inf for _, _, lo, _, _ in slabs) == len(ring) - count
 
 
-def test_what_is_not_convex_has_no_slabs():
+def test_a_shape_that_is_not_convex_has_no_slabs():
     assert Polygon(DENTED).slabs is None
     assert Circle((0, 0), 1).slabs is None
 
@@ -1052,7 +1052,7 @@ def test_a_shape_is_computed_once():
 
 
 @pytest.mark.parametrize("make", [lambda: Polygon(TRIANGLE), lambda: Circle((1, 2), 3)], ids=["polygon", "circle"])
-def test_shapes_are_not_made_silently_where_small_numbers_are_taken_for_nothing(make, monkeypatch):
+def test_making_a_shape_warns_where_subnormal_numbers_are_flushed_to_zero(make, monkeypatch):
     make()
     monkeypatch.setattr(predicates, "MIN_FLOAT", 0.0)
     with pytest.warns(RuntimeWarning, match="answers are exact only where"):

@@ -536,12 +536,12 @@ def opened(text):
 
 
 @pytest.mark.parametrize("name", [scene.name for scene in SCENES] + [r.name for r in FAILURE_CASES if r.how != REFUSED])
-def test_a_built_in_scene_is_its_name(name):
+def test_the_link_of_a_built_in_scene_is_its_name(name):
     assert sv.link(name) == f"scene.html#{name}"
     assert links.parse_fragment(name)[0] == sv.scene(name)
 
 
-def test_any_other_scene_comes_whole_and_is_the_same_again():
+def test_the_link_of_any_other_scene_holds_the_scene_and_its_view():
     mine = sv.Scene(
         "kite", sv.Polygon([(0, 0), (0.1, -1), (6, 0)], ["w", "é", "n"]), sv.Circle((5.5, 3), 1), title="Ä & <b>"
     )
@@ -623,6 +623,12 @@ def test_a_malformed_link_is_refused_as_invalid_scene(text):
     with pytest.raises(InvalidScene):
         links.parse_fragment(text)
     assert opened(text)["kind"] == "refused"
+
+
+@pytest.mark.parametrize("key", [key.replace("_", "-") for key in links.ViewOptions._fields])
+def test_a_link_with_an_invalid_value_says_what_is_expected(key):
+    with pytest.raises(InvalidScene, match=r": (expected|choose one of) \S"):
+        links.parse_fragment(f"triangles&{key}=?")
 
 
 def test_a_link_beyond_all_bounds_is_not_even_decoded():
@@ -736,7 +742,7 @@ def test_draw_prints_the_link(capsys, tmp_path):
     printed = capsys.readouterr()
     shown, _ = links.parse_fragment(printed.out.strip().partition("#")[2])
     assert shown.axes == "world"
-    assert "--site URL makes it whole" in printed.err  # without a site the link alone opens nothing
+    assert "add the site with --site URL" in printed.err  # without a site the link alone opens nothing
 
 
 def test_draw_prints_the_link_beside_the_files(capsys, tmp_path):
@@ -752,7 +758,7 @@ def stands(goal, a, b, axes="needed"):
     return goals.evaluate_goal(goal, sv.Scene("mine", a, b, axes))
 
 
-def test_exactly_one_axis_is_one():
+def test_the_one_axis_challenge_counts_separating_axes():
     box, turned = sv.Polygon([(0, 0), (2, 0), (2, 2), (0, 2)]), sv.Polygon([(2.2, 1), (3.2, 0), (4.2, 1), (3.2, 2)])
     assert stands("one-axis", box, turned).status == "Exactly one axis separates them."
     assert not stands("one-axis", box, sv.Polygon([(9, 9), (11, 9), (10, 12)])).met

@@ -207,7 +207,7 @@ def test_wilson_covers_the_rate_and_never_says_none_is_certain():
     assert low < 0.3 < high and abs(low - 0.2189) < 1e-3 and abs(high - 0.3958) < 1e-3  # as in textbooks
 
 
-def test_the_command_refuses_what_it_cannot_do_in_one_line(tmp_path, capsys):
+def test_the_study_command_refuses_invalid_options_in_one_line(tmp_path, capsys):
     for bad in (["--executor", "nowhere"], ["--out", __file__]):
         assert main(["study", "--quick", "--out", str(tmp_path), *bad]) == 2
         assert capsys.readouterr().err.count("\n") == 1
@@ -247,7 +247,7 @@ def test_a_chart_in_the_guides_is_what_its_numbers_draw(stem, theme):
 
 
 @pytest.mark.parametrize("stem", IN_GUIDES)
-def test_a_chart_in_the_guides_has_its_title_and_what_its_reading_begins_with_as_alternative_text(stem):
+def test_the_alternative_text_of_a_chart_in_the_guides_begins_with_its_title(stem):
     (alt,) = re.findall(rf'<img src="../../figures/{stem}\.svg"[^>]* alt="([^"]*)"', GUIDES)
     assert alt == refresh_charts.alternative_text(IN_GUIDES[stem]) and alt.startswith(IN_GUIDES[stem].title)
     assert len(alt) < 450  # it is read aloud
@@ -282,7 +282,7 @@ def test_the_guide_is_right_about_who_is_the_fastest():
     assert any(len(methods) > 1 for methods in shared) and "often the fastest ones cannot be told apart" in GUIDES
 
 
-def test_the_bench_in_the_readme_was_measured_on_a_quiet_machine_and_none_was_wrong():
+def test_the_stored_bench_was_measured_on_a_quiet_machine_and_satviz_was_never_wrong():
     assert not BENCH["rough"]
     assert all(row["wrong"] == 0 for row in BENCH["rows"] if row["method"].startswith("satviz"))
 
@@ -324,7 +324,7 @@ def test_every_workload_where_satviz_is_slower_than_shapely_is_named():
     assert "from 0.2 times as fast as shapely unprepared (10 boxes, even)" in prose and "100,000 boxes" not in prose
 
 
-def test_times_as_fast_as_shapely_say_which_shapely():
+def test_a_speed_compared_with_shapely_says_whether_shapely_was_prepared():
     rows = [of_bench("shapely", 8.0), of_bench("shapely, prepared", 4.0), of_bench("satviz numba", 1.0)]
     prose = bench_chart.bench_chart(rows, "").reading
     assert "8.0 times (tiles; 4.0 times as fast as prepared)" in prose

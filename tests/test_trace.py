@@ -82,7 +82,7 @@ def test_skipped_axes_have_a_reason():
     assert len(trace.tests) + len(trace.skipped) == 6
 
 
-def test_the_table_has_one_line_for_all_that_are_parallel_to_one_axis():
+def test_all_axes_parallel_to_one_axis_share_one_line_of_the_table():
     square = [(0, 0), (1, 0), (1, 1), (0, 1)]
     text = str(sv.record(sv.Polygon(square), sv.Polygon([(x + 0.5, y + 0.5) for x, y in square])))
     lines = [line for line in text.splitlines() if line.startswith("-")]
@@ -817,7 +817,7 @@ def test_a_trace_file_with_a_negated_flag_is_refused(name):
 
 
 @pytest.mark.parametrize("name", ONE_OF_EACH)
-def test_one_of_each_survives_json_and_the_rounding_of_another_machine(name):
+def test_a_trace_of_each_kind_survives_json_and_the_rounding_of_another_machine(name):
     trace = ONE_OF_EACH[name]
     assert sv.Trace.from_json(trace.to_json()) == trace.from_json(trace.to_json()) == trace
     data = json.loads(trace.to_json())
@@ -943,7 +943,7 @@ def test_the_smallest_shapes_land_within_the_smallest_float(name):
 
 
 @pytest.mark.parametrize("name", [None, "lengths"])
-def test_a_run_that_outgrew_its_limit_in_a_file_is_refused_in_the_words_of_record(name, monkeypatch):
+def test_a_trace_file_over_the_size_limit_is_refused_with_the_message_of_record(name, monkeypatch):
     text = sv.record(A, B, axes=SHORTCUTS[name] if name else axes.needed).to_json()
     monkeypatch.setattr(trace_module, "MAX_SIZE", 10)
     with pytest.raises(sv.InvalidScene, match=r"^A and B have 6 points to project on"):

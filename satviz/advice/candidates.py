@@ -98,9 +98,9 @@ def candidates(
     """Return the candidate models, from the fewest axes to the most, then from the lowest precision to exact.
 
     `axes`: how many SAT tests for the largest pair; `directions`: the distinct ones of all edge normals, () for no
-    k-DOP; `only_circles`: whether all shapes are circles.  `alone`: None for given pairs.  For all pairs of a batch,
-    whose bounding boxes are compared first: the kinds of models, with fewer axes than the boxes, that are candidates
-    without the boxes too; all others follow the boxes.
+    k-DOP; `only_circles`: whether all shapes are circles.  `alone`: None if the pairs are given.  For all pairs of a
+    batch the bounding boxes are compared first, and each model follows them.  The kinds of models in `alone` are also
+    candidates without the boxes before them.
     """
     found = [] if only_circles else [Model(BOUNDING_CIRCLES, 1)]
     found.append(Model(AABB, 2))

@@ -217,7 +217,7 @@ def _classify_ranges(model: Model, pairs: PartPairs) -> Relations:
 
 
 def _projects_exactly(shapes: Shapes, model: Model) -> NDArray[np.bool_]:
-    """Return (N, k) bool: does projecting all corners of shape i on direction k round nothing?"""
+    """Return an (N, k) mask, True where no rounding occurs when all corners of shape i are projected on direction k."""
     x, y, start = shapes.rings
     found = np.empty((len(shapes), len(model.directions)), bool)
     for k, (nx, ny) in enumerate(model.directions):

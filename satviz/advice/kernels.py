@@ -79,10 +79,10 @@ def sat(
 ) -> None:  # fmt: skip
     """Fill `out` with the relations of convex parts ia[k] of A and ib[k] of B: by their boxes, then every edge of both.
 
-    x, y: all corners; part i has those from start[i] to start[i + 1], radius r[i] (0: polygon) and box[i].
-    Two circles, or a circle and a polygon, are compared by squared distances.
+    x, y: all corners; part i has those from start[i] to start[i + 1], the radius r[i] (0 for a polygon), and the box
+    box[i], a row x0, y0, x1, y1.  Two circles, or a circle and a polygon, are compared by squared distances.
 
-    Polygons of up to 4 and of up to 8 corners wait until LANES pairs can be evaluated side by side.
+    Pairs of polygons with at most 4 corners, and those with at most 8, are collected and evaluated LANES at a time.
     """
     best = np.empty(LANES, x_a.dtype)
     corners, waiting = np.empty((4, 9, LANE_STRIDE), x_a.dtype), np.empty((2, LANES), np.intp)

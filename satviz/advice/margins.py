@@ -113,7 +113,10 @@ def _polygon_gap(a: CornerColumns, b: CornerColumns) -> Array:
 
 
 def _most_clearance(own: CornerColumns, other: CornerColumns) -> Array:
-    """Return for each pair the largest clearance / span of an edge of `own`; NaN if an edge is too short."""
+    """Return for each pair the largest clearance / span of an edge of `own`, two numbers of `edge_clearances`.
+
+    The span of an edge is its larger component.  NaN if one is below MIN_LENGTH.
+    """
     best = np.full(own.x.shape[1], -np.inf)
     for clearance, span in edge_clearances(own, other):
         span[span < MIN_LENGTH] = np.nan

@@ -70,7 +70,7 @@ class ConvertedParts:
 
 
 def indexed(a: Shapes, b: Shapes, pairs: ArrayLike | None) -> tuple[Indices, Indices]:
-    """Return (ia, ib), the indices of the pairs; row by row if `pairs` is None. Errors as in `relate`."""
+    """Return (ia, ib), the indices of the pairs; if `pairs` is None, shape i of both. Errors as in `relate`."""
     if pairs is not None:
         return check_pairs(pairs, len(a), len(b))
     if len(a) != len(b):
@@ -90,7 +90,7 @@ def part_pairs(a: Shapes, ia: Indices, b: Shapes, ib: Indices) -> tuple[Indices,
 
 
 def tests_per_pair(a: Shapes, ia: Indices, b: Shapes, ib: Indices) -> Array:
-    """Return for each pair of shapes how many tests of an edge against a corner it takes, both ways."""
+    """Return for each pair how often an edge of one outline is tested against a corner of the other, both ways."""
     corners = [np.diff(s.rings.start[s.starts])[i].astype(float) for s, i in ((a, ia), (b, ib))]
     tests: Array = 2 * corners[0] * corners[1]
     return tests

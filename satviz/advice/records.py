@@ -133,7 +133,8 @@ def for_hits(results: Sequence[ModelResult]) -> ModelResult:
 
 
 def anywhere(summary: InputSummary, results: Sequence[ModelResult]) -> Model:
-    """Return the simplest model that is right at any position: AABB for upright boxes, else the exact filter."""
+    """Return the simplest model of these results that is right wherever the shapes lie: AABB if all are upright boxes,
+    else the exact filter."""
     kind = AABB if set(summary.kinds) == {UPRIGHT_BOXES} else EXACT_FILTER
     return next(j.model for j in results if j.model.kind == kind)
 

@@ -98,7 +98,8 @@ def _header(held: zipfile.ZipFile, member: zipfile.ZipInfo) -> tuple[tuple[int, 
     elif version == (2, 0):
         shape, _, dtype = npy.read_array_header_2_0(start)
     else:
-        raise ValueError(f"{member.filename} has version {version} of the .npy format: expected (1, 0) or (2, 0)")
+        name = member.filename
+        raise ValueError(f"{name} has version {version} of the .npy format: expected (1, 0), as numpy.savez writes it")
     return shape, dtype
 
 

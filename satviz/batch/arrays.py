@@ -87,7 +87,7 @@ class CornerColumns:
 
     @cached_property
     def tile_maxima(self) -> "TileMaxima":
-        """Return the largest numbers of each tile of polygons, for error bounds."""
+        """Return the largest edge component and coordinate of each tile of polygons, for error bounds."""
         if self._maxima is not None:
             return TileMaxima(*self._maxima)
         starts = np.arange(0, len(self), TILE_SHAPES)

@@ -40,12 +40,13 @@ class BroadPhase(NamedTuple):
 def broad_phase_of(shapes: Shapes, *, engine: str | None = None) -> BroadPhase:
     """Return the broad phase that `colliding_pairs` chooses for these shapes (for the convex parts of concave ones).
 
-    Up to 128 boxes are compared all with all.  Up to 512 (with NumPy 4,096, if that makes at most 160
-    comparisons a box) are sorted along one axis and swept: the axis on which they are spread more widely, in units of
-    the largest box, or the other one if more than 160 become fewer.  More are put into a grid with cells as large as
-    the largest box.  Where sizes differ so much that one grid would compare more than 48 boxes with each, up to 16,384
-    are swept with numba if that makes at most 160 comparisons a box; all others are put into several grids, one for
-    each size.
+    Up to 128 boxes are compared all with all.  With numba up to 512, and with NumPy up to 4,096 if that makes at most
+    160 comparisons a box, are sorted along one axis and swept: the axis on which they are spread more widely, in units
+    of the largest box, or the other one if more than 160 become fewer.  More are put into a grid, whose cells are at
+    least as large as the largest box in it.  Where sizes differ so much that one grid would compare more than 48 boxes
+    with each, up to 16,384 are swept with numba if that makes at most 160 comparisons a box.  Else a few boxes that are
+    far larger than the others or far from them are compared with all, and the others are split by size, into a grid
+    for each size.
     `engine`: as in `relate`.
     """
     kernels = engine_of(engine)

@@ -84,7 +84,7 @@ def _next_in_ring(c: NDArray[Value], start: Indices) -> NDArray[Value]:
 
 
 def _leads_right(px: Array, py: Array, qx: Array, qy: Array) -> Mask:
-    """Return a mask: does the step from p to q go to the right, or straight up?"""
+    """Return the mask of the steps from p to q that go to the right, or straight up."""
     rises: Mask = (qx > px) | ((qx == px) & (qy > py))
     return rises
 

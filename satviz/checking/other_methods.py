@@ -121,7 +121,7 @@ def normals_and_centers(a: Shape, b: Shape) -> Choice:
 def _centers(a: Shape, b: Shape) -> tuple[Vec, Vec]:
     """Return the centers of two circles; ValueError for other shapes."""
     if not (a.core_is_point and b.core_is_point):
-        raise ValueError("no two circles")
+        raise ValueError("this method compares two circles")
     return a.core[0], b.core[0]
 
 

@@ -258,7 +258,11 @@ def _found(
     notes: Sequence[str],
     alike: tuple[Likeness, ...],
 ) -> Checked:
-    """Return the Checked of a function with a fault; `bad`: the result that shows it, `alike`: the known mistakes."""
+    """Return the Checked of a function with a fault.
+
+    bad: the result that shows the fault; unasked: the pairs that were left out; notes: remarks for the
+    reader; alike: the known mistakes that the function behaves like, the likest first.
+    """
     shown = alike[0].name if alike and explains(alike[0].name, bad.a, bad.b, bad.answer, rules) else ""
     truth: Relation | float | Vec | None = bad.truth.relation
     if rules.returns == DEPTH:

@@ -167,7 +167,7 @@ def angle_in_degrees(dx: float, dy: float) -> Vec:
 
 
 def rounded_to(round_to: Callable[[float], float], dx: float, dy: float) -> Vec:
-    """Return the normal of an edge, brought to length 1, with both of its numbers rounded."""
+    """Return the normal (dy, -dx) of an edge at length 1, with both of its numbers rounded."""
     length = hypot(dx, dy)
     return Vec(round_to(dy / length), round_to(-dx / length))
 
@@ -250,7 +250,7 @@ def a_before_b(a: Interval, b: Interval) -> float:
 
 
 def by_an_end_of_a(a: Interval, b: Interval) -> float:
-    """Return the larger depth at which an end of A's range lies inside B's range; negative if both lie outside."""
+    """Return how deep an end of A's range lies inside B's range, at the deeper end; negative if both lie outside."""
     return max(min(b.hi - end, end - b.lo) for end in a)
 
 

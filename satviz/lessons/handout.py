@@ -227,6 +227,6 @@ def _table(trace: Trace, *, filled: bool) -> str:
 
 
 def _figure(drawn: Picture, kind: str = "") -> str:
-    """Return a picture whose colours are those of the handout's style sheet, at its own size."""
+    """Return a picture as an HTML figure of the class `kind`, whose colours come from the handout's style sheet."""
     of_kind = f' class="{kind}"' if kind else ""
     return f"<figure{of_kind}>{themed_svg(bundle(drawn)['image/svg+xml'])}</figure>"

@@ -185,7 +185,7 @@ def _actual_panel(trace: Trace, largest: tuple[float, float]) -> Picture:
 
 
 def draw_answer(sketch: Sketch, trace: Trace, part: str, word: str, number: str) -> None:
-    """Write the verdict `word` as the label `part`, with `number` unless this is a gap, which its bar shows."""
+    """Write the verdict `word` as the label `part`, and `number`; a gap has a bar instead of it."""
     if word:
         sketch.note(part, word, "ink", weight="title", first=0)
     case = case_of(trace.shortcut)

@@ -41,7 +41,7 @@ def drag_view(
     sketch.marks += [mark for mark in region if mark.part == "reference"]  # words keep off it
     test = trace.tests[shown.test] if shown and trace.tests else None
     if trace.pairs:
-        comparison_panels.draw_pieces(sketch)  # at their true lengths: a factor would change in leaps
+        comparison_panels.draw_pieces(sketch)
     else:
         sketch.shapes()
         sketch.corners({test.source.shape for test in trace.tests})

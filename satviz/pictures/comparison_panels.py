@@ -7,10 +7,11 @@ that space, which returns the sketch it has drawn.
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from itertools import pairwise
-from math import ceil, comb, copysign, cos, dist, floor, hypot, isnan, pi, sin, ulp
+from math import comb, copysign, cos, dist, floor, hypot, isclose, isnan, pi, sin, ulp
 from typing import NamedTuple
 
 from ..engine import describe
+from ..engine.axes import EDGE, edge_normals
 from ..engine.certificate import SeparatingLine
 from ..engine.geometry import Interval, Relation, Vec
 from ..engine.number_format import number
@@ -21,11 +22,13 @@ from ..engine.trace import Trace, record
 from ..scenes.failing.saved_work import FAR_APART, MIN_SUPPORT_POINTS, SHAPE_COUNT, corner_tests
 from ..scenes.failing.true_value import FLIGHT, contact_times, separating_angles
 from ..scenes.failing.true_value import distance as true_distance
+from ..scenes.failing.wrong_conclusions import rounded
 from ..scenes.failing.wrong_projections import FIRST_EDGE_OF_B, whole_halves
 from ..scenes.shape_tools import box, translated, vertex_mean
 from .claims import is_near
 from .curve import unit_vector
 from .default_panels import (
+    LEAST_WORDY_PT,
     Panel,
     PanelSketch,
     claimed_tests,
@@ -36,13 +39,14 @@ from .default_panels import (
     needs_claimed_tests,
     needs_proof,
     true_run,
+    true_test,
 )
 from .draw_steps import draw_mtv, draw_separating_line
 from .float_geometry import bounding_box, crossing_point, midpoint, point_along
 from .insets import a_is_left
 from .label_placer import LabelOptions
 from .layout import Layout, PanelContents
-from .sketch import RING_PT, Sketch
+from .sketch import NORMAL_PT, RING_PT, Sketch
 from .solid_panels import solid_panel
 
 MAX_NOTED_AXES = 60  # axes tested, up to which there is space for words above the shapes
@@ -50,19 +54,18 @@ DOT_COUNT = 12  # dots that stand for many shapes
 MAX_AXES = 3  # axes that have space side by side
 ARROW_LENGTH = 74.0  # points
 FLOATS_CORNER_PT, FLOAT_STEP_PT = (16.0, 48.0), 26.0  # where the line of float64 numbers begins; between two of them
-MIN_ARROW_PT, MAX_ARROW_TIMES = 24.0, 5  # a shorter arrow is drawn up to so many times as long
 MOVE = Vec(*map(float, FLIGHT))  # how far A flies in one frame
 
 
 def draw_pieces_panel(trace: Trace, layout: Layout) -> Sketch:
     """Draw A as the pieces that the shortcut takes one by one, and each piece's push of B."""
     sketch = Sketch(trace, layout)
-    draw_pieces(sketch, arrow_times([hypot(*pair.mtv) for pair in trace.pairs if pair.mtv], layout))
+    draw_pieces(sketch)
     return sketch
 
 
-def draw_pieces(sketch: Sketch, times: int = 1) -> None:
-    """Draw, on a given sketch, A as the shortcut's pieces, and each piece's push of B, `times` times as long."""
+def draw_pieces(sketch: Sketch) -> None:
+    """Draw, on a given sketch, A as the shortcut's pieces, and each piece's push of B."""
     trace = sketch.trace
     for pair in trace.pairs:
         sketch.shape("A", pair.names.a, pair.a)
@@ -70,24 +73,17 @@ def draw_pieces(sketch: Sketch, times: int = 1) -> None:
     for i, pair in enumerate(trace.pairs):
         if pair.mtv:
             start = centroid(trace.b)
-            tip = point_along(start, pair.mtv, times)
+            tip = point_along(start, pair.mtv, 1.0)
             sketch.add("mtv", "arrow", "move", start, tip, number=i, start=(start,))
-            between = " " if 0.0 in pair.mtv else "\n"  # beside a slanting arrow short lines have more space
+            # beside a slanting arrow, and in a small panel, short lines have more space
+            between = " " if 0.0 in pair.mtv and sketch.layout.size[0] >= LEAST_WORDY_PT else "\n"
             text = f"{pair.names.a} pushes{between}{describe.digits(trace).vector(pair.mtv)}"
             size = hypot(*pair.mtv) or 1.0
             aside = copysign(0.7, centroid(pair.a).x - start.x)  # to the side of the piece that pushes
             prefer = Vec(pair.mtv.x / size + aside, pair.mtv.y / size)
             sketch.label("mtv-name", text, "move", tip, number=i, prefer=prefer, first=3)
-    if times > 1:
-        sketch.note("longer", f"arrows drawn {times} times as long", "guide", first=4)
     if trace.push:
         sketch.note("push-name", f"in all: push {describe.digits(trace).vector(trace.push)}", "move", first=2)
-
-
-def arrow_times(lengths: Sequence[float], layout: Layout) -> int:
-    """Return how many times as long arrows of these lengths are drawn, so that the shortest is seen as an arrow."""
-    shortest = min((length for length in lengths if length), default=0.0) * layout.scale
-    return 1 if not 0 < shortest < MIN_ARROW_PT else min(MAX_ARROW_TIMES, ceil(MIN_ARROW_PT / shortest))
 
 
 def draw_separating_directions(trace: Trace, layout: Layout) -> Sketch:
@@ -154,7 +150,7 @@ def _draw_neighbouring_floats(sketch: Sketch, landings: Sequence[tuple[str, floa
     step, start = ulp(least), Vec(x0 + units(FLOATS_CORNER_PT[0]), y0 + units(FLOATS_CORNER_PT[1]))
 
     def at(steps: float, up: float = 0.0) -> Vec:
-        """Return where the number so many steps above the least landing is drawn, `up` points above the line."""
+        """Return where the number `steps` steps above the least landing is drawn, `up` points above the line."""
         return Vec(start.x + units(FLOAT_STEP_PT) * (steps + 1.5), start.y + units(up))
 
     ticks = [at(k, up) for k in range(-1, 4) for up in (-5.0, 5.0)]
@@ -358,6 +354,20 @@ def draw_line_as_axis(trace: Trace, layout: Layout) -> Sketch:
     return sketch
 
 
+def draw_rounded_normal(trace: Trace, layout: Layout) -> Sketch:
+    """Draw the claimed tests, and the edge of the separating axis with its true normal and what this was rounded to."""
+    sketch, test = draw_claimed_tests(trace, layout), true_test(trace)
+    if trace.false_hit and test and test.source.kind == EDGE:
+        sketch.edge(test)
+        sketch.vertices(test.source.shape or "A", test.source.ids)
+        sketch.normal(test)
+        n, tip = sketch.arrow_direction(test.axis), sketch.marks[-1].points[1]
+        words = "true normal {},\nrounded to {}" if layout.size[0] >= LEAST_WORDY_PT else "{}\n\u2192 {}"
+        text = words.format(*map(describe.digits(trace).vector, (n, rounded(n))))
+        sketch.label("normal-name", text, test.source.shape or "ink", tip, prefer=n, optional=True, first=2)
+    return sketch
+
+
 def with_note(panel: Panel, words: Callable[[Trace], str], role: str = "wrong") -> Panel:
     """Return a panel with words above its shapes that say what a shortcut did, or what it left out."""
 
@@ -383,7 +393,10 @@ def with_note(panel: Panel, words: Callable[[Trace], str], role: str = "wrong") 
 
 
 def questions_asked(trace: Trace) -> str:
-    """Return which question about the order of the ranges was asked, and which was not; "" where one was enough."""
+    """Return which question about the order of two ranges a shortcut asked, and which one it did not ask, as text.
+
+    "" if one question was enough.
+    """
     for test in axis_tests(trace.a, trace.b, [test.axis for test in claimed_tests(trace)]):
         a, b = test.a.interval, test.b.interval
         if b.hi < a.lo:
@@ -404,6 +417,17 @@ def facing_ends(trace: Trace, how: str) -> str:
     return f"{how}: {left} ends at {first.hi!r},\n{right} begins at {second.lo!r}"
 
 
+def length_rounded(trace: Trace) -> str:
+    """Return by which root a normal was divided, which float64 rounds, and where the ranges then end; "" if by none."""
+    for test in claimed_tests(trace)[:1]:
+        (x, y), length = test.axis.normal, test.axis.length
+        if not length.is_integer() and trace.claim is not trace.relation:
+            return facing_ends(trace, f"normal divided by \u221a{number(x * x + y * y)}, rounded").replace(
+                ": ", ":\n", 1
+            )
+    return ""
+
+
 def halves_rounded(trace: Trace) -> str:
     """Return how the first range whose middle or half is no whole number was rounded; "" if there is none."""
     for test in axis_tests(trace.a, trace.b, [test.axis for test in claimed_tests(trace)]):
@@ -415,6 +439,14 @@ def halves_rounded(trace: Trace) -> str:
                 start = f"{name} {digits.interval(lo, hi)}: middle {digits.landing(middle)} kept as {floor(middle)},"
                 return f"{start}\nhalf {digits.number(half)} kept as {floor(half)}: {digits.interval(*kept)}"
     return ""
+
+
+def radii_compared(trace: Trace) -> str:
+    """Return how the sum of the radii of two circles apart compares with the distance of their centers, else ""."""
+    lengths = trace.a.radius + trace.b.radius, dist(centroid(trace.a), centroid(trace.b))
+    radii, apart = map(describe.digits(trace).number, lengths)
+    both_circles = trace.a.core_is_point and trace.b.core_is_point
+    return f"r1 + r2 = {radii} < distance = {apart}: taken for a hit" if trace.false_hit and both_circles else ""
 
 
 def centers_compared(trace: Trace) -> str:
@@ -446,6 +478,37 @@ def draw_push_from_center(trace: Trace, layout: Layout) -> Sketch:
         aside = Vec(0.8, 0.6) if role == "A" else Vec(0.8, -0.6)
         sketch.label("mean-name", f"{name}'s center", role, mean, owner=name, prefer=aside, first=2)
     return sketch
+
+
+def with_normal_of_push(panel: Panel, move_of: Callable[[Trace], Vec | None]) -> Panel:
+    """Return a panel with A's edge across a push, named, and its normal in the direction of the push."""
+
+    def draw(trace: Trace, layout: Layout) -> Sketch:
+        """Draw the panel; the edge and its normal only where the push, or its opposite, is along a normal of A."""
+        sketch, move, out = panel.draw(trace, layout), move_of(trace), trace.truth.known_mtv
+        if not (move and out and any(move)):
+            return sketch
+        for axis in edge_normals(trace.a, trace.b).axes:
+            n = sketch.arrow_direction(axis)
+            if axis.source.shape != "A" or not isclose(n.x * out.x + n.y * out.y, hypot(*out)):
+                continue
+            (test,) = axis_tests(trace.a, trace.b, [axis])
+            sketch.edge(test)
+            sketch.vertices(test.source.shape or "A", test.source.ids)
+            p, q = (trace.a.vertices[i] for i in axis.source.ids)
+            way = Vec(move.x / hypot(*move), move.y / hypot(*move))
+            foot, is_out = point_along(p, Vec(q.x - p.x, q.y - p.y), 0.2), way.x * n.x + way.y * n.y > 0
+            sketch.right_angle(foot, way)
+            tip = point_along(foot, way, layout.units(NORMAL_PT))
+            role = "A" if is_out else "wrong"
+            sketch.add("normal", "arrow", role, foot, tip, start=(foot,))
+            text = (
+                f"normal {describe.digits(trace).vector(way)},\npoints {'out of' if is_out else 'into'} {trace.names.a}"
+            )
+            sketch.label("normal-name", text, role, tip, prefer=Vec(way.x, -1.0), first=2)
+        return sketch
+
+    return panel._replace(draw=draw)
 
 
 def draw_moved_by_mtv(trace: Trace, layout: Layout) -> Sketch:
@@ -590,7 +653,7 @@ def needs_pieces(trace: Trace) -> PanelContents:
 
 
 TESTS, PROOF = Panel(needs_claimed_tests, draw_claimed_tests), Panel(needs_proof, draw_proof)
-PUSH = Panel(needs_push, draw_push_alone)
+PUSH, MTV = Panel(needs_push, draw_push_alone), Panel(needs_push, draw_moved_by_mtv)
 PIECES = Panel(needs_pieces, draw_pieces_panel)
 PANELS: dict[str, Panel] = {
     "tests": TESTS,
@@ -608,13 +671,18 @@ PANELS: dict[str, Panel] = {
     "one side": with_note(TESTS, questions_asked),
     "as written": with_note(TESTS, lambda trace: facing_ends(trace, "as written")),
     "as stored": with_note(PROOF, lambda trace: facing_ends(true_run(trace), "in float64")),
+    "rounded normal": Panel(needs_claimed_tests, draw_rounded_normal),
+    "unit normal": with_note(TESTS, length_rounded),
+    "right normal": with_note(PROOF, lambda trace: "the normal of (dx, dy) is (dy, \u2212dx)", "ink"),
+    "radii": with_note(TESTS, radii_compared),
     "halves": with_note(TESTS, halves_rounded),
     "far centers": with_note(TESTS, centers_compared),
     "line as axis": Panel(needs_claimed_tests, draw_line_as_axis),
-    "push": PUSH,
     "push from center": Panel(needs_push, draw_push_from_center),
     "push while A stays": with_note(PUSH, lambda trace: f"{trace.names.a} does not move", "A"),
-    "MTV": Panel(needs_push, draw_moved_by_mtv),
+    "push along normal": with_normal_of_push(PUSH, lambda trace: trace.push),
+    "MTV": MTV,
+    "MTV along normal": with_normal_of_push(MTV, lambda trace: trace.truth.known_mtv),
     "raw pushes": pushes_panel(Panel(needs_pushes, draw_raw_pushes), TESTS),
     "true pushes": pushes_panel(Panel(needs_pushes, draw_true_pushes), PROOF),
     "corners": Panel(_shapes_and, draw_corners),

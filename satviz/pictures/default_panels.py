@@ -32,7 +32,7 @@ from ..scenes.failing import case_of
 from ..scenes.shape_tools import translated
 from .claims import is_about_push, is_near
 from .draw_steps import draw_mtv, draw_separating_line, draw_verdict
-from .float_geometry import gap_or_overlap, midpoint, point_along
+from .float_geometry import are_parallel, gap_or_overlap, midpoint, point_along
 from .labels import short_name
 from .layout import Layout, PanelContents
 from .sketch import RIGHT_ANGLE_PT, RING_PT, Sketch
@@ -66,8 +66,8 @@ class PanelSketch(Sketch):
         return f"{'(dx, -dy)' if kind == SLIP else 'normal'} of {describe.edge_name(ends)}".replace("-", MINUS)
 
     def ends_of_edge(self, test: AxisTest) -> None:
-        """Name the two vertices of the edge after which the test's axis is called."""
-        if test.source.kind in FROM_EDGES:
+        """Name the vertices after which the axis of a test is called: the ends of its edge, or one alone."""
+        if test.source.kind in (*FROM_EDGES, VERTEX):
             self.vertices(test.source.shape or "", test.source.ids)
 
 
@@ -153,7 +153,7 @@ def forgotten_normals(trace: Trace) -> list[Axis]:
         return []
     tested = [test.axis for test in trace.tests]
     every = edge_normals(trace.a, trace.b).axes
-    return [axis for axis in every if not any(_are_parallel(axis, other) for other in tested)]
+    return [axis for axis in every if not any(are_parallel(axis, other) for other in tested)]
 
 
 def _draw_what_is_missing(sketch: Sketch, test: AxisTest) -> None:
@@ -192,7 +192,7 @@ def _draw_missing_edges(sketch: Sketch, left_out: Sequence[Axis]) -> bool:
         sketch.add("open-outline", "bracket", role, *shape.vertices, owner=name)
         p, q = shape.vertices[0], shape.vertices[-1]
         sketch.add("missing-edge", "segment", role, p, q, owner=name, weight="faint")
-    sketch.note("missing-name", "dotted: the edges that were left out", "wrong", first=7)
+    sketch.note("missing-name", "dotted side of each shape: left out", "wrong", first=7)
     return True
 
 
@@ -208,16 +208,11 @@ def claimed_tests(trace: Trace) -> list[AxisTest]:
         return list(trace.tests) if len(trace.tests) == 2 else []
     best = max(trace.truth.tests, key=lambda test: test.gap, default=None)
     if best and is_about_push(trace):
-        rivals = (test for test in trace.tests if _are_parallel(test.axis, best.axis))
+        rivals = (test for test in trace.tests if are_parallel(test.axis, best.axis))
         rival = max(rivals, key=lambda test: test.gap, default=None)
-        if rival and not (is_measured_correctly(trace, rival) or _are_parallel(rival.axis, trace.shallowest.axis)):
+        if rival and not (is_measured_correctly(trace, rival) or are_parallel(rival.axis, trace.shallowest.axis)):
             return [trace.shallowest, rival]
     return [trace.shallowest]
-
-
-def _are_parallel(p: Axis, q: Axis) -> bool:
-    """Check whether two axes have one direction, up to the rounding of their normals."""
-    return p.normal.x * q.normal.y == p.normal.y * q.normal.x
 
 
 def draw_push(sketch: Sketch) -> None:
@@ -254,6 +249,8 @@ def draw_proof(trace: Trace, layout: Layout) -> Sketch:
     place = layout.places[-1]
     sketch = PanelSketch(run, layout)
     sketch.shapes()
+    if test.source.kind in (CENTERS, VERTEX):
+        sketch.edge(test)
     sketch.ends_of_edge(test)
     certificate = trace.truth.certificate if trace.hit else run.certificate
     if isinstance(certificate, SeparatingLine):

@@ -118,3 +118,8 @@ def clip_segment(
         return None
     start, end = clip_line((sx, sy), (tx - sx, ty - sy), (x0, y0, x1, y1), 0.0, 1.0)
     return (start, end) if start <= end else None
+
+
+def are_parallel(p: Axis, q: Axis) -> bool:
+    """Check whether two axes have one direction, up to the rounding of their normals."""
+    return p.normal.x * q.normal.y == p.normal.y * q.normal.x

@@ -44,9 +44,10 @@ def is_too_small(shape: Shape, scale: float) -> bool:
 
 
 def add_insets(layouts: Sequence[Layout], shapes: Sequence[tuple[str, Shape]]) -> list[Layout]:
-    """Return layouts of one frame with a strip of insets, still as one frame.
+    """Return layouts of one size with a strip of insets, still of one size.
 
-    Each shape, needle's end or gap that is too small to be seen has an inset.
+    shapes: (name, shape) of A and of B.  Each shape, short edge of a thin shape (a needle), or gap that is too small
+    to be seen has an inset.
     """
     found = [_details(layout, shapes) for layout in layouts]
     rows = max(map(len, found))

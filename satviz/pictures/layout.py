@@ -84,7 +84,7 @@ class Layout(NamedTuple):
         return x0, top, x1, y1
 
     def units(self, points: float) -> float:
-        """Return a length of so many points on the canvas in scene units."""
+        """Return the length in scene units of `points` points on the canvas."""
         return points / self.scale
 
 

@@ -22,7 +22,7 @@ def outlines_picture(name: str, ring: Sequence[Vec], crossing: Vec | None, meant
     xs, ys = [p.x for p in ring], [p.y for p in ring]
     wide, high = max(xs) - min(xs), max(ys) - min(ys)
     if not (isfinite(wide) and isfinite(high)):
-        raise ValueError("the outline is too large to be drawn")
+        raise ValueError("the outline is too large to be drawn: scale it down")
     scale = DRAWN_PT / (max(wide, high) or 1.0)
     size = WIDTH_PT, high * scale + 2 * RIM_PT
     left = (WIDTH_PT - wide * scale) / 2

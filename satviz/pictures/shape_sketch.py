@@ -119,7 +119,7 @@ class ShapeSketch:
         return name, shape
 
     def named_polygon(self, role: str | None) -> tuple[str, Polygon]:
-        """Return the name and the shape of a role; the shape must be a polygon."""
+        """Return the name and the shape of role "A" or "B"; the caller knows that the shape is a polygon."""
         name, shape = self.named_shape(role)
         assert isinstance(shape, Polygon)
         return name, shape

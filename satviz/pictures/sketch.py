@@ -8,14 +8,14 @@ from math import ceil, floor, hypot
 from typing import Unpack
 
 from ..engine import describe, number_format
-from ..engine.axes import CENTERS, EARLY_EXIT, EDGE, FROM_EDGES, HULL, SLIP, VERTEX, WORLD, Axis, edge_normals
+from ..engine.axes import CENTERS, EARLY_EXIT, EDGE, FROM_EDGES, HULL, PARALLEL, SLIP, VERTEX, WORLD, Axis, edge_normals
 from ..engine.geometry import Vec
 from ..engine.landing_sum import AXIS, PLAIN, POINT, landing_sum
 from ..engine.sat import AxisTest, Projection
 from ..engine.shapes import Circle, Shape
 from ..engine.trace import Trace
 from .axis_place import AxisPlace
-from .float_geometry import gap_or_overlap, midpoint, point_along
+from .float_geometry import are_parallel, gap_or_overlap, midpoint, point_along
 from .insets import BRACKET_PT
 from .label_placer import LabelOptions, Segment
 from .labels import short_name
@@ -29,7 +29,7 @@ NORMAL_PT = 34.0  # the length of a normal's arrow
 RING_PT = 8.0  # the radius of a ring round a corner
 CROSS_PT = 4.5  # half of the side of a cross
 MIN_ARROW_PT, MIN_STRONG_PT = 14.0, 28.0  # a shorter edge is drawn without an arrow head, or with a thin arrow
-MIN_DOTTED_PT = 16.0  # a shorter overlap has no dots at its ends
+MIN_DOTTED_PT = 16.0  # a shorter overlap has no dots at its ends; half of it: a thin bracket
 CLEAR_OF_DOT_PT = 8.0  # from the tip of an arrow along a line to the dot at the line's end
 RIGHT_ANGLE_PT = 7.0  # the side of the mark between an edge and its normal
 MIN_TICK_PT = 24.0  # between two ticks
@@ -358,14 +358,15 @@ class Sketch(ShapeSketch):
         The label has the size, the ends if `interval`, the name `on` of the axis if it is given, and a remark.
         """
         ends = points = tuple(place.at(t) for t in gap_or_overlap(test))
-        role, kind = "overlap", "interval"
-        if test.gap < 0 and hypot(ends[0].x - ends[1].x, ends[0].y - ends[1].y) < self.layout.units(MIN_DOTTED_PT):
+        role, kind, weight = "overlap", "interval", "plain"
+        across = hypot(ends[0].x - ends[1].x, ends[0].y - ends[1].y) / self.layout.units(1.0)
+        if test.gap < 0 and across < MIN_DOTTED_PT:
             self.marks = [m for m in self.marks if m.part != "landing" or m.points[0] not in ends]  # they would hide it
         if test.gap >= 0:
             near, far = (self.layout.units(c) for c in BRACKET_PT)
             points = tuple(point_along(ends[i], place.out, c) for i, c in ((0, near), (0, far), (1, far), (1, near)))
-            role, kind = "gap", "bracket"
-        self.add("gap", kind, role, *points, axis=self.axis_id(test), start=points[:1])
+            role, kind, weight = "gap", "bracket", "faint" if across < MIN_DOTTED_PT / 2 else "plain"
+        self.add("gap", kind, role, *points, axis=self.axis_id(test), start=points[:1], weight=weight)
         if not named:
             return
         self.insets(test)
@@ -424,7 +425,7 @@ class Sketch(ShapeSketch):
         self.corners(as_role="guide")
         for n, axis in enumerate(self.grey_normals(), 1):
             self.small_normal("untested", axis, GREY_NORMAL, "guide", number=n)
-        names = [describe.short_axis_name(axis, (self.trace.a, self.trace.b), self.trace.names) for axis in left]
+        names = [self._name_of_untested(axis) for axis in left]
         most = MAX_LISTED_AXES if self.layout.size[0] >= NARROW_PT else MAX_NARROW_LISTED_AXES
         if len(names) > most:
             names = [*names[: most - 1], f"{len(names) - most + 1} more"]
@@ -436,3 +437,13 @@ class Sketch(ShapeSketch):
             else:
                 lines.append(piece)
         self.note("left-out", "\n".join(lines), "guide")
+
+    def _name_of_untested(self, axis: Axis) -> str:
+        """Return the short name of an axis that was not tested, with the tested axis that is parallel to it, if any."""
+        name = describe.short_axis_name(axis, (self.trace.a, self.trace.b), self.trace.names)
+        twins = (
+            f" ({describe.reason(PARALLEL, i)})"
+            for i, t in enumerate(self.trace.tests, 1)
+            if are_parallel(t.axis, axis)
+        )
+        return name + next(twins, "")

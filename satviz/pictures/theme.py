@@ -93,7 +93,8 @@ def style_of(kind: str, role: str, weight: str) -> Style:
         fill, width = (FILL_OPACITY / 3, GUIDE_PT) if faint else (FILL_OPACITY, OUTLINE_PT)
         return line._replace(width=width, dash=DASHES if role == "B" else (), fill=fill)
     if kind == "bracket":
-        return line._replace(dash=DASHES if role == "B" else ())
+        width = GUIDE_PT if faint else OUTLINE_PT  # a thin one stays open in a narrow gap
+        return line._replace(width=width, opacity=1.0, dash=DASHES if role == "B" else ())
     if kind == "interval":
         return line._replace(width=OVERLAP_BAR_PT if role == "overlap" else BAR_PT)
     if kind == "arrow":

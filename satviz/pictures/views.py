@@ -117,7 +117,8 @@ def all_tests(trace: Trace, *, title: str = "") -> Picture:
     tests = " ".join(describe.test_sentence(trace, i) for i in range(len(trace.tests)))
     drawn = sketch.finish(title, f"{tests} {trace.sentence}")
     panels = [drawn, *(_missing_axis(trace, test, layout) for test, layout in zip(missing, rest, strict=True))]
-    return panel_grid(panels, 1, title=title, sentence=drawn.sentence) if missing else drawn
+    sentence = " ".join(panel.sentence for panel in panels)
+    return panel_grid(panels, 1, title=title, sentence=sentence) if missing else drawn
 
 
 def _missing_axis(trace: Trace, test: AxisTest, layout: Layout) -> Picture:
@@ -130,7 +131,9 @@ def _missing_axis(trace: Trace, test: AxisTest, layout: Layout) -> Picture:
     sketch.project(test, layout.places[0], named=False, numbers=False)
     name = describe.axis_name(test.axis, (trace.a, trace.b), trace.names)
     sketch.note("verdict", f"not tested: the {name}", "ink", first=1)
-    return sketch.finish("", "")
+    numbers = describe.digits(trace, test)
+    found = f"{describe.both_ranges(trace, test, numbers)}, {describe.outcome(test, numbers)}"
+    return sketch.finish("", f"Not tested, in the lower panel: the {name}: {found}.")
 
 
 def separation(trace: Trace, *, title: str = "") -> Picture:
@@ -149,14 +152,14 @@ def separation(trace: Trace, *, title: str = "") -> Picture:
     for role in "AB":
         sketch.range(test, place, role)
     sketch.gap(test, place, named=False)
-    text, ends = describe.outcome(test, describe.digits(trace, test)), gap_or_overlap(test)
+    gap, ends = describe.outcome(test, describe.digits(trace, test)), gap_or_overlap(test)
     near_a = place.at(ends.lo if a_is_left(test) else ends.hi)  # B's name stands on the other side of the line
     below = point_along(near_a, place.out, layout.units(BRACKET_PT[1]))
-    sketch.label("gap-name", text, "gap", below, axis=sketch.axis_id(test), prefer=place.out, first=2)
+    sketch.label("gap-name", gap, "gap", below, axis=sketch.axis_id(test), prefer=place.out, first=2)
     line = certificate.equation
     draw_separating_line(sketch, certificate, f"separating line:\n{line}")
     return sketch.finish(
-        title, f"The separating axis is {name}; the separating line {line} runs across it, through the gap."
+        title, f"The separating axis is {name}; the separating line {line} runs across it, through the {gap}."
     )
 
 
@@ -298,10 +301,12 @@ def failed_axes(trace: Trace, *, title: str = "") -> Picture:
     worst = digits.gap(best[0].gap)
     drawn = sketch.finish(
         title,
-        f"No axis here separates {trace.names.a} and {trace.names.b}: the least overlap is {worst}. {trace.sentence}",
+        f"The {len(shown)} axes shown, of {len(trace.tests)} tested, come nearest to a gap between {trace.names.a} and "
+        f"{trace.names.b}: their least overlap is {worst}. {trace.sentence}",
         steady=False,
     )
     words = f"Each dotted line cuts {trace.names.b}: no axis shows a gap.\nYet they are apart."
+    words += f" Shown: {len(shown)} of {len(trace.tests)} axes." if len(shown) < len(trace.tests) else ""
     return with_words_below(drawn, words)
 
 

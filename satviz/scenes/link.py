@@ -147,7 +147,7 @@ def parse_fragment(text: str) -> tuple[Scene, ViewOptions]:
             known = ", ".join(ViewOptions._fields).replace("_", "-")
             raise InvalidScene(f"the link has the unknown option {key[:40]!r}; known: {known}")
         if key.replace("-", "_") in values:
-            raise InvalidScene(f"the link has the option {key[:40]!r} twice")
+            raise InvalidScene(f"the link has the option {key[:40]!r} twice: give it once")
         values[key.replace("-", "_")] = _parse_value(key, value)
     found = _scene_of_name(first) if NAME.fullmatch(first) else _decode_scene(first)
     return found, ViewOptions(**values)
@@ -185,4 +185,5 @@ def _parse_value(key: str, text: str) -> Any:
         raise InvalidScene(f"no {what} is called {short_repr(text)}: choose one of {', '.join(choices)}")
     if key in ("mtv", "difference", "predict", "every-axis") and text == "1":
         return True
-    raise InvalidScene(f"the link has {key}={text[:40]!r}, which is not a value of {key}")
+    expected = {"free": "an angle in degrees", "row": "a whole number", "step": "a whole number"}.get(key, f"{key}=1")
+    raise InvalidScene(f"the link has {key}={text[:40]!r}: expected {expected}")

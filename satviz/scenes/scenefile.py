@@ -140,7 +140,8 @@ def shape_data(shape: Shape) -> dict[str, object]:
     if shape.core_is_point:
         return {"circle": list(shape.core[0]), "radius": shape.radius}
     if len(shape.vertices) > MAX_VERTICES:
-        raise InvalidScene(f"a polygon has {len(shape.vertices):,} vertices: a file can hold {MAX_VERTICES:,}")
+        many = len(shape.vertices)
+        raise InvalidScene(f"a polygon has {many:,} vertices: a file can hold {MAX_VERTICES:,}; simplify it")
     data: dict[str, object] = {"polygon": [list(v) for v in shape.vertices]}
     if shape.labels:
         data["labels"] = list(shape.labels)

@@ -91,7 +91,7 @@ def _object_without_duplicates(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     found = dict(pairs)
     if len(found) < len(pairs):
         twice = next(key for key, times in Counter(key for key, _ in pairs).items() if times > 1)
-        raise InvalidScene(f"the key {_quoted([twice])} is given twice in one object")
+        raise InvalidScene(f"the key {_quoted([twice])} is given twice in one object: keep one of them")
     return found
 
 
@@ -104,14 +104,14 @@ def _parse_finite(text: str) -> float:
     """Return the float that the text stands for; InvalidScene if it is too large for float64."""
     value = float(text)
     if abs(value) == float("inf"):
-        raise InvalidScene(f"{short_repr(text)} is too large for float64")
+        raise InvalidScene(f"{short_repr(text)} is too large for float64: scale the scene down")
     return value
 
 
 def _parse_whole(text: str) -> int:
     """Return the integer that the text stands for; InvalidScene if it has over 400 letters."""
     if len(text) > 400:  # no float64 is longer; int() of a million digits takes seconds
-        raise InvalidScene(f"a number of {len(text)} digits is too large for float64")
+        raise InvalidScene(f"a number of {len(text)} digits is too large for float64: scale the scene down")
     return int(text)
 
 

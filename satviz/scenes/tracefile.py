@@ -78,7 +78,7 @@ def _parse_shortcut(name: Any) -> Shortcut | None:
     if name is None:
         return None
     if require_type(name, "trace.shortcut", str) not in SHORTCUTS:
-        raise InvalidScene(f"trace.shortcut is {short_repr(name)}: there is no shortcut of that name")
+        raise InvalidScene(f"trace.shortcut is {short_repr(name)}: choose the name of a shortcut of satviz")
     return SHORTCUTS[name]
 
 
@@ -300,7 +300,7 @@ def _require_same_run(trace: Trace, again: Trace, where: str) -> None:
             tolerance = max((own_max if trace.gaps_are_proofs else max_coordinate) * rounding, MIN_FLOAT)
             flat = [c for p in mine.points for c in p], [c for p in other.points for c in p]
             if not (_all_near(*flat, tolerance) and _all_near(mine.landings, other.landings, tolerance)):
-                raise InvalidScene(f"{where}.tests[{i}].{name} is not the projection of these shapes")
+                raise InvalidScene(f"{where}.tests[{i}].{name} is not the projection of these shapes: record again")
 
 
 def _all_near(mine: Any, ours: Any, tolerance: float) -> bool:

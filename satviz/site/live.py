@@ -40,7 +40,10 @@ def answer(place: str, text: str) -> str:
 
 
 def _open(place: str, content: dict[str, Any]) -> dict[str, Any]:
-    """Return the reply to an "open" message: an explorer's state, a player's steps, or why the link is refused."""
+    """Return the reply to an "open" message: an explorer's state, a player's steps, or why the link is refused.
+
+    place: the explorer's id on the page; content: "hash" and "query" of the link, and the "width" of a narrow place.
+    """
     try:
         scene, shown = parse_fragment(require_type(content.get("hash"), "the link", str))
         options = parse_query(require_type(content.get("query", ""), "the address", str))

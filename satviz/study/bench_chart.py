@@ -20,7 +20,7 @@ MARKS = {"satviz numba": "o", "satviz numpy": "s", PREPARED: "D"}
 SHADES = {"satviz numba": "gap", "satviz numpy": "A", PREPARED: "guide", "shapely": "guide"}
 DASHES = {"apart": "-", "overlapping": "--", "touching": ":"}
 SHAPELY = "shapely"
-SUBTITLE = "The speed of shapely, unprepared, is 1. Bars show quartiles. Below: time against V, the number of corners."
+SUBTITLE = "Bars show quartiles. Lower chart: at its end a time grows as the shown power of V, the number of corners."
 
 
 @dataclass(frozen=True)
@@ -57,16 +57,15 @@ def bench_chart(rows: Sequence[TimingRow], warning: str) -> Chart:
     if wrong := wrong_counts([row for row in rows if row.method in ENGINES]):
         reading += f" Wrong answers of satviz, both engines together: {wrong}."
 
-    summary = [_summary(method, charted, corners) for method in _methods_in(charted) if method in ENGINES]
-
-    title = "In the first chart " + "; ".join(
-        f"{method} is {_range_in_words([ratio.times for ratio in charted if ratio.method == method])} as fast as "
-        "shapely unprepared"
-        for method in _methods_in(charted)
-        if method in ENGINES
+    engines = [method for method in _methods_in(charted) if method in ENGINES]
+    title = ", ".join(
+        f"{method} is {_range_in_words([ratio.times for ratio in charted if ratio.method == method])}"
+        for method in engines
     )
+    title += " as fast as shapely unprepared (upper chart)"
+    slower = "; ".join(f"{method} {_where_slower(method, charted, corners)}" for method in engines)
     works = list(dict.fromkeys(ratio.work for ratio in charted))
-    lines = [SUBTITLE, *summary]
+    lines = [SUBTITLE, f"Slower than shapely: {slower}."]
     height = ROW * len(works) + CORNERS + 190
 
     def draw(fig: Figure, theme: Theme) -> None:
@@ -82,18 +81,14 @@ def _fastest_and_slowest(method: str, ratios: Sequence[SpeedRatio]) -> str:
     own = sorted((r for r in ratios if r.method == method), key=lambda r: r.times)
     least, most = own[0], own[-1]
     slowest, quickest = (" or ".join(least_of({r.work: r.spread(sign) for r in own})) for sign in (1, -1))
-    text = f"In the first chart {method} is from {_times_in_words(least.times)} as fast as shapely unprepared "
+    text = f"In the upper chart {method} is from {_times_in_words(least.times)} as fast as shapely unprepared "
     text += f"({slowest}) to {_times_in_words(most.times)} ({quickest}"
     prepared = next((r for r in ratios if (r.work, r.method) == (most.work, PREPARED)), None)
     return text + (f"; {_times_in_words(most.times / prepared.times)} as fast as prepared)." if prepared else ").")
 
 
-def _summary(method: str, charted: Sequence[SpeedRatio], corners: Sequence[TimingRow]) -> str:
-    """Return in one line a method's largest ratio, to shapely unprepared and prepared, and where it is slower."""
-    most = max((r for r in charted if r.method == method), key=lambda r: r.times)
-    prepared = next((r for r in charted if (r.work, r.method) == (most.work, PREPARED)), None)
-    text = f"{method}: in the first chart up to {_times_in_words(most.times)} as fast"
-    text += f", {_times_in_words(most.times / prepared.times)} as fast as prepared" if prepared else ""
+def _where_slower(method: str, charted: Sequence[SpeedRatio], corners: Sequence[TimingRow]) -> str:
+    """Return in words where a method is slower than unprepared shapely: in which works, and from how many corners."""
     works = sum(r.method == method and r.is_slower() for r in charted)
     many = []
     for work in dict.fromkeys(row.work for row in corners):
@@ -101,8 +96,8 @@ def _summary(method: str, charted: Sequence[SpeedRatio], corners: Sequence[Timin
                         for m in (method, SHAPELY))  # fmt: skip
         if (start := faster_from(shapely, own)) is not None:
             many.append(f"{work} from {start}")
-    slower = [f"{works} works of the first chart"] * bool(works) + [f"{', '.join(many)} corners on"] * bool(many)
-    return f"{text} ({most.work}). Slower: {'; '.join(slower) or 'nowhere'}."
+    slower = [f"in {works} works of the upper chart"] * bool(works) + [f"{', '.join(many)} corners on"] * bool(many)
+    return ", ".join(slower) or "nowhere"
 
 
 def _slower_works(slower: Sequence[SpeedRatio]) -> str:

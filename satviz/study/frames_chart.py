@@ -42,7 +42,7 @@ def frames_chart(rows: Sequence[TimingRow], warning: str) -> Chart:
     fastest = {work: fastest_by_size(times) for work, times in works.items()}
     below = {work: [crossings(times, m) for m in sorted(ENGINES) if m in times] for work, times in works.items()}
     differences = [words for method, words in DIFFERENCES.items() if any(method in times for times in works.values())]
-    notes = [*_notes_of_arrays(rows), " ".join([*differences, *_stopped_early(works)])]
+    note = " ".join([*differences, *_stopped_early(works)])
     reading = " ".join(f"{work.capitalize()}. {fastest[work]} {' '.join(said)}" for work, said in below.items())
     counted = (
         f"Wrong answers {whose}: {wrong}."
@@ -53,17 +53,17 @@ def frames_chart(rows: Sequence[TimingRow], warning: str) -> Chart:
         if (wrong := wrong_counts(own))
     )
     title, subtitle = headline_of(works)
-    reading = " ".join([reading, *notes, *counted])
+    reading = " ".join([reading, *_notes_of_arrays(rows), note, *counted])
 
     all_times = [spread.middle for times in works.values() for own in times.values() for spread in own.values()]
     low, high = min(all_times), max(all_times)
     above = {work: wrapped(fastest[work]) for work in works}
     beneath = {work: [line for said in below[work] for line in wrapped(said)] for work in works}
-    ending = [line for note in notes for line in wrapped(note)]
+    ending = wrapped(note)
     tall = len(works) * PANEL + TEXT_LINE * len([*ending, *chain(*above.values(), *beneath.values())]) + 30
 
     def draw(fig: Figure, theme: Theme) -> None:
-        """Draw the charts of all works below each other, each between its sentences, and the notes at the bottom."""
+        """Draw the charts of all works below each other, each between its sentences, and the note at the bottom."""
         up = tall - 8
         for work, times in works.items():
             _write_lines(fig, theme, up, [work.capitalize()], fontweight="bold")

@@ -173,11 +173,14 @@ def _lowest_corner(x: Array, y: Array, i0: int, i1: int, dx: float, dy: float) -
 def _gjk(
     x: Array, y: Array, i0: int, i1: int, p: Array, q: Array, j0: int, j1: int, max_coordinate: float
 ) -> tuple[int, int, int]:
-    """Return (APART or OVERLAPPING if a few steps of GJK prove it, else UNDECIDED; the last corner of each shape).
+    """Return (the relation, i, j): APART or OVERLAPPING if a few steps of GJK prove it, else UNDECIDED.
 
-    The differences of B's corners and A's span a polygon about the origin if the shapes overlap: its lowest
-    corner along an axis above zero proves a gap, a triangle of its corners about the origin a shared
-    point (Gilbert, Johnson and Keerthi 1988).  With it the corners of both at which the search ended.
+    i and j are the corners of A and B, as indices into x and p, at which the search ended.  A has the corners i0 to
+    i1 of x, y; B has j0 to j1 of p, q.  `max_coordinate` gives the error bound.
+
+    The differences of B's corners and A's span a polygon, which contains the origin if the shapes overlap.  If its
+    lowest corner along an axis is above zero, the shapes are apart.  If a triangle of its corners contains the
+    origin, the shapes share a point (Gilbert, Johnson and Keerthi 1988).
     """
     i, j = (i0 + i1) // 2, (j0 + j1) // 2
     dx, dy = (p[j0] - x[i0]) + (p[j] - x[i]), (q[j0] - y[i0]) + (q[j] - y[i])

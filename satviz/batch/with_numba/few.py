@@ -87,7 +87,7 @@ def _collide_blocks(a: Array, b: Array, c: Array, d: Array) -> tuple[Pairs, bool
 
 @compiled
 def _collide(x: Array, y: Array, start: Indices, radius: Array) -> tuple[Pairs, bool]:
-    """Return (pairs i < j of the shapes that share a point, in order; False if there is a pair that is not decided)."""
+    """Return (pairs i < j of the shapes that share a point, in order; whether all pairs are decided)."""
     n = radius.size
     if n > MAX_SHAPES:
         return np.empty((0, 2), np.intp), False
@@ -104,7 +104,7 @@ def _collide(x: Array, y: Array, start: Indices, radius: Array) -> tuple[Pairs, 
 
 @compiled
 def _hits_in_order(first: Indices, second: Indices, found: Signs, n: int) -> tuple[Pairs, bool]:
-    """Return ((K, 2) pairs that are not apart, sorted by i, then by j; False if a pair is undecided).
+    """Return ((K, 2) pairs that are not apart, sorted by i, then by j; whether all pairs are decided).
 
     Pair k is (first[k], second[k]) with the relation found[k]; n is the number of shapes.
     """
@@ -137,7 +137,7 @@ def flatten(shapes: Shapes) -> Flat:
 
 @compiled
 def fill_boxes(x: Array, y: Array, start: Indices, radius: Array, bounds: Array, upright: Mask) -> None:
-    """Fill `bounds` with the bounding boxes, circles' rounded outwards; `upright`: is it a box along x and y?"""
+    """Fill `bounds` with rows x0, y0, x1, y1, circles' rounded outwards; `upright`: whether a shape is its box."""
     for i in range(radius.size):
         x0 = y0 = np.inf
         x1 = y1 = -np.inf
@@ -168,10 +168,10 @@ def candidate_pairs(bounds: Array) -> tuple[Pairs | None, int, int]:
 
 @compiled
 def _candidate_pairs(bounds: Array) -> tuple[Pairs, int, int, bool]:
-    """Return (pairs i < j of boxes that share a point, code of the broad phase, its comparisons or -1, found?).
+    """Return (pairs i < j of boxes that share a point, code of the broad phase, comparisons or -1, complete).
 
-    The broad phase is chosen by the rule of `broad_rule`.  The pairs are not found where one grid and a sweep would
-    both compare too many boxes.
+    The broad phase is chosen by the rule of `broad_rule`.  It is not completed where one grid and a sweep would both
+    compare too many boxes.
     """
     n = len(bounds)
     if n <= MAX_ALL_PAIRS:
@@ -316,7 +316,7 @@ def _sorted(values: Array) -> Indices:
         return _merge_sorted(values)
     start, bucket = np.zeros(n + 2, np.int32), np.empty(n, np.int32)
     for i in range(n):
-        bucket[i] = min(n - 1, int((values[i] - least) * per_unit))
+        bucket[i] = int((values[i] - least) * per_unit)  # at most n - 1: rounding adds less than 1 to it
         start[bucket[i] + 2] += 1
         if start[bucket[i] + 2] > MAX_BUCKET:
             return _merge_sorted(values)
@@ -378,7 +378,7 @@ def _count_comparisons(bounds: Array, axis: int) -> int:
 
 @compiled
 def sweep_axis(bounds: Array) -> int:
-    """Return the axis on which boxes are spread more widely in units of the largest box: 0 for x, 1 for y."""
+    """Return the axis (0 for x, 1 for y) on which boxes, rows x0, y0, x1, y1, spread over more of the longest box."""
     least_x = least_y = np.inf
     most_x = most_y = -np.inf
     width = height = 0.0

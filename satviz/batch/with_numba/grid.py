@@ -113,7 +113,10 @@ def _first_cell(low: float, max_length: float, cells_per_unit: float, least: int
 
 @compiled
 def _stored_range(start: Starts, c0: int, c1: int, row: int, stride: int, part: int) -> tuple[int, int]:
-    """Return where cells c0 to c1 of a row are stored: up to the table's end (part 0), or from its start (part 1)."""
+    """Return (first, last): the boxes of cells c0 to c1 of a row stand from `first` up to, without, `last`.
+
+    Cells wrap around at the table's end: part 0 stops there, and part 1 continues at the table's start.
+    """
     size = start.size - 1
     first, many = (c0 + row * stride) & (size - 1), max(0, min(c1 - c0 + 1, size))
     if part == 0:

@@ -212,7 +212,7 @@ def _signs_of_sums(pairs: Products, remainder: Array, no_remainder: NDArray[np.b
 
 
 def _contains_center(cx: Array, cy: Array, px: Array, py: Array) -> NDArray[np.bool_]:
-    """Return a mask: is the center strictly left of every edge, that is, inside?"""
+    """Return the mask of the centers strictly left of every edge of their polygon, that is, inside it."""
     ends = [np.ravel(c) for c in (px[:-1], py[:-1], px[1:], py[1:])]
     centers = [np.tile(c, len(px) - 1) for c in (cx, cy)]
     left = (exact_signs.orient(*ends, *centers) > 0).reshape(len(px) - 1, -1)

@@ -151,9 +151,10 @@ def colliding_pairs(shapes: Shapes) -> Pairs | None:
 
 
 def _decided(clear: Array, bound: float) -> tuple[Mask, Indices]:
-    """Return (is the shape not certainly apart? the places of those that are not certain either way).
+    """Return (mask of the pairs that certainly overlap, indices of the pairs that are undecided).
 
-    clear: gaps, certain above the bound and below its negative; NaN is not certain.
+    clear: the gaps of the pairs.  A pair is certainly apart above `bound`, and certainly overlaps below -`bound`; all
+    others, and NaN, are undecided.
     """
     hit, apart = clear < -bound, clear > bound
     if np.count_nonzero(hit) + np.count_nonzero(apart) == len(clear):
@@ -225,9 +226,9 @@ def _largest(values: Array | Complexes) -> float:
 
 
 def _distances(away: Complexes, edges: Complexes) -> Array:
-    """Return the distances from centers to outlines that do not hold them, from the boundary otherwise.
+    """Return the distances of centers from the boundaries of outlines, also where a center lies inside.
 
-    away: (V, ...) from each corner to the center; edges: (V, ...) from it to the next corner.
+    away: (V, ...) from each corner to the center; edges: (V, ...) from each corner to the next one.
     """
     back = edges.conj()
     along = (back * away).real / (back * edges).real
@@ -264,10 +265,11 @@ def _clearances(columns: ComplexColumns, i: Indices, j: Indices) -> Array:
 
 
 def _round_clearances(columns: ComplexColumns, a: Indices, b: Indices, radius_sum: Array, is_coin: Mask) -> Array:
-    """Return what `_clearances` does for circles a[k] and shapes b[k]; is_coin: is b[k] a circle too?
+    """Return what `_clearances` does for circles a[k] and shapes b[k]; is_coin: mask of the circles b[k].
 
-    The gap is the distance from the center to the outline minus the sum of radii, if the center is certainly outside;
-    it is certainly negative if the center is certainly inside; in between only a hit by the distance is certain.
+    If the center is certainly outside, the gap is the distance from the center to the outline minus the sum of radii.
+    If the center is certainly inside, the gap is certainly negative.  If neither is certain,
+    only an overlap that follows from the distance is certain.
     """
     closed, edges, _ = columns
     away, own = closed[0].take(a) - closed[:-1].take(b, axis=1), edges.take(b, axis=1)
@@ -359,5 +361,5 @@ def _are_many_corners(most: int, n: int) -> bool:
 
 
 def _rows(most: int) -> int:
-    """Return the rows of closed columns of shapes with up to so many corners."""
+    """Return how many rows closed columns of shapes with at most `most` corners have."""
     return most + 1 if most > 1 else 1

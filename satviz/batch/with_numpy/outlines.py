@@ -55,7 +55,7 @@ def _certified_columns(vertices: Array) -> ComplexColumns | None:
 
 
 def _certified_left(closed: Complexes) -> tuple[Complexes, Mask]:
-    """Return (edges, are each and the next one certified to be counter-clockwise?).
+    """Return (edges, mask of the edges after which the outline certainly turns left).
 
     closed: (V + 2, n) corners, the first two again at the end.
     """

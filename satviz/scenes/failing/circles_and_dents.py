@@ -61,6 +61,7 @@ CASES = (
         FALSE_HIT,
         (Circle((0, 0), 1), Circle((3, 0), 1)),
         error_region=region_everywhere,
+        panels=Panels("radii"),
     ),
     FailureCase(
         Shortcut("no-nearest-vertex", "for a circle, too, the polygon's normals are enough", edge_normals),

@@ -155,8 +155,10 @@ class FailureCase(NamedTuple):
         claimed, actual = self.in_words(self.claimed), self.in_words(self.actual)
         if self.how in (FALSE_HIT, MISSED_HIT) and not isinstance(self.actual, tuple):
             trace = self.record()
-            claimed = self.verdict_in_words(trace.claim, self.claimed)
-            return claimed, self.verdict_in_words(trace.relation, self.actual)
+            actual = self.verdict_in_words(trace.relation, self.actual)
+            if self.how == MISSED_HIT and self.actual and trace.truth.tests:  # as the picture of the true axis says it
+                actual = describe.outcome(max(trace.truth.tests, key=lambda test: test.gap), USUAL_DIGITS)
+            return self.verdict_in_words(trace.claim, self.claimed), actual
         return claimed, actual
 
     def __str__(self) -> str:

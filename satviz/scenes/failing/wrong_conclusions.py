@@ -178,7 +178,12 @@ def slipped_normals(a: Shape, b: Shape) -> Choice:
 def rounded_normals(a: Shape, b: Shape) -> Choice:
     """Return for each edge the axis along its unit normal with both numbers rounded to whole ones, as a Choice."""
     normals = (axis.direction for axis in edge_normals(a, b).axes)
-    return directions(*(Vec(float(round(n.x)), float(round(n.y))) for n in normals))(a, b)
+    return directions(*map(rounded, normals))(a, b)
+
+
+def rounded(n: Vec) -> Vec:
+    """Return a vector with both numbers rounded to whole ones."""
+    return Vec(float(round(n.x)), float(round(n.y)))
 
 
 def turned_by_90_radians(a: Shape, b: Shape) -> Choice:
@@ -195,7 +200,7 @@ def slanted_bar(y: float) -> Polygon:
 # the fields of a case whose push leaves an overlap
 REMAINING_OVERLAP: dict[str, Any] = {
     "quantity": "overlap after the push:", "claimed_value": overlap_after_push, "true_value": overlap_after_mtv,
-    "is_about_push": True, "panels": Panels("push", "MTV"),
+    "is_about_push": True, "panels": Panels("push along normal", "MTV along normal"),
 }  # fmt: skip
 
 CASES = (
@@ -246,6 +251,7 @@ CASES = (
         Shortcut("slipped-normal", "the normal of an edge (dx, dy) is (dx, -dy)", slipped_normals),
         FALSE_HIT,
         (slanted_bar(0), slanted_bar(2)),
+        panels=Panels(actual="right normal"),
     ),
     FailureCase(
         Shortcut("touch-as-apart", "with < or with <=, the test says the same", touching_separates=True),
@@ -256,7 +262,7 @@ CASES = (
         Shortcut("tile-seam", "each tile of a floor pushes out what sinks into it", split=tiles),
         WRONG_NUMBER,
         (box(0, 0, 8, 2), box(2.9, 1.5, 4.4, 3)),
-        quantity="push error",
+        quantity="off the MTV by",
         claimed_value=distance_from_mtv,
         true_value=lambda a, b: 0.0,
         is_about_push=True,
@@ -268,6 +274,7 @@ CASES = (
         FALSE_HIT,
         (Polygon([(0, 0), (4, 0), (0, 2)]), box(3, 1, 4, 2)),
         direction_name="{}, rounded",
+        panels=Panels("rounded normal"),
     ),
     FailureCase(
         Shortcut("degrees-for-radians", "a normal has the edge's angle plus 90, in radians too", turned_by_90_radians),

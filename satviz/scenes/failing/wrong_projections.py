@@ -112,6 +112,7 @@ CASES = (
         MISSED_HIT,
         (Polygon([(-7, 5), (2, -2), (-1, 4)]), Polygon([(1, -3), (-9, 7), (-2, -1)])),
         error_region=lambda a, b, window: ROUNDING,
+        panels=Panels("unit normal"),
     ),
     FailureCase(
         Shortcut("raw-depth", "the depth can be read off with normals of any length", edge_normals, raw_normals),

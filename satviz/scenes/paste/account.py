@@ -153,7 +153,7 @@ class Account:
         return found
 
     def _is_of_shape(self, i: int) -> bool:
-        """Return whether a token is a number or a name of a shape."""
+        """Return whether token `i` belongs to a shape: a number of it, or a name that stands for it."""
         token = self.tokens[i]
         return self.holds(token.start, token.end) if token.kind in (NUMBER, TEXT) else self.is_variable(token)
 
@@ -537,7 +537,7 @@ class Account:
         return self.at(i).text in ("=", ":=")
 
     def takes_value(self, i: int) -> bool:
-        """Return whether what stands behind a sign is data, which the numbers account for, or a new line."""
+        """Return whether data of a shape, a bracket or the end of the line follows token `i`, a sign."""
         while self.at(i + 1).kind == NAME and self.at(i + 2).kind in (OPEN, NAME):
             i += 1
         return self.is_data(i + 1) or self.at(i + 1).kind in (OPEN, LINE)
@@ -586,7 +586,7 @@ class Account:
             self.miss(i, i)
 
     def check_text(self, i: int, frame: BracketFrame) -> None:
-        """Name a text in quotes among the numbers of a shape that is on no list; look into one with such numbers."""
+        """Record a quoted text among the numbers of a shape as missed if it is unknown; look into one with numbers."""
         token = self.at(i)
         inner = token.text[1:-1]
         if self.holds(token.start, token.end):

@@ -31,7 +31,7 @@ def pairs_of_lists(fields: Mapping[str | int, Any]) -> Iterator[tuple[str, Group
 
 
 def is_flat(value: Any, least: int = LEAST) -> bool:
-    """Return whether a value is a list of so many numbers or more, and nothing else."""
+    """Return whether a value is a list of at least `least` numbers, and nothing else."""
     inner = value.items if isinstance(value, Group) else []
     if len(inner) == 1 and isinstance(inner[0], Group) and not inner[0].name:  # np.array([0, 1]), [0 1 2]
         inner = inner[0].items
@@ -60,10 +60,11 @@ def lengths(x: Group, y: Group, count: int | None = None) -> str:
 
 
 def are_axes(given: Sequence[Any], values: Sequence[Any], name: str) -> bool:
-    """Return whether the arguments of a call are a list of x and a list of y, and no two outlines.
+    """Return whether the arguments of a call are a list of x and a list of y, rather than two outlines.
 
-    They are two lists of one length of which at least one sign says so: an odd length, fewer than three pairs in each,
-    a number of corners behind them, names of x and y, or a call that takes nothing else.
+    At least one of these signs is needed: a list of odd length, fewer than three pairs in a list, the number of
+    corners as a third argument, names such as xs and ys, or a call (`name`) that takes nothing else.  `given` has the
+    arguments as they were written, `values` has what their names stand for.
     """
     if len(values) < 2 or not (is_flat(values[0]) and is_flat(values[1])):
         return False

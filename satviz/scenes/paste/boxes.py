@@ -67,7 +67,7 @@ ORDERS = {X_THEN_Y: (CORNER_CORNER, (0, 2, 1, 3)), SIZE_CORNER: (CORNER_SIZE, (2
 
 @dataclass(frozen=True, slots=True)
 class Read:
-    """A shape as it was read: exact points (of a circle its center), the words for it, and where it stands."""
+    """A shape as it was read: exact points (of a circle its center), the words for it, and its place in the text."""
 
     points: tuple[Pt, ...]
     radius: Fraction | None
@@ -101,7 +101,10 @@ class Boxes(Points):
         self.keeps = False  # a choice of a form is for the boxes whose form is asked, and for no others
 
     def _overridden(self, form: str) -> str:
-        """Return the form that the user chose for all boxes, if none is asked about; else `form`, of the notation."""
+        """Return the form that the user chose for all boxes, or `form`, that of the notation.
+
+        While the form of some boxes is asked (`keeps`), the choice is for these alone.
+        """
         return form if self.keeps else next((c for c in self.chosen if c in ANY_BOX), form)
 
     def mode(self, group: Group) -> str:
@@ -279,7 +282,7 @@ class Boxes(Points):
         named_corner = get("corner") is not None or get("x0") is not None
         if named_center or named_corner:
             return [*place, *size], CENTER_SIZE if named_center else CORNER_SIZE
-        form = (row.form if row.form in CORNER_OR_CENTER else row.keyed) if row else ""
+        form = (row.keyed or (row.form if row.form in CORNER_OR_CENTER else "")) if row else ""
         if form:
             return [*place, *size], self._overridden(form)
         return [*place, *size], self._choose(BOX_FORM, CORNER_OR_CENTER)

@@ -91,7 +91,7 @@ class Calls(Keyed):
         return made if made.get("radius", "diameter", "width", "size", "half", "halfwidth", "min", "x1") else None
 
     def _body(self, arguments: list[Any]) -> tuple[list[Any], Pt | None, Any]:
-        """Return (arguments without a physics body, the body's position, its angle); None for what it has not."""
+        """Return (arguments without a physics body, the body's position, its angle); None for what the body lacks."""
         for i, item in enumerate(arguments):
             value = self.resolve(item)
             if isinstance(value, Obj) and self._xy(value) is None and not any(isinstance(k, int) for k in value.fields):

@@ -4,6 +4,7 @@ Each rule writes spaces, or as many other letters, so that every place in the cl
 """
 
 import re
+from html import unescape
 
 from .tokens import MAX_CHARS
 
@@ -19,25 +20,31 @@ _SCALAR, _POINT, _GAP = rf"{_KEYED}[-+]?[\d.]+", rf"{_KEYED}\([^()\n]*\)", r"[ \
 _KEYS = rf"{_SCALAR}{_GAP}{_SCALAR}{_GAP}(?![zZ]\b){_SCALAR}|{_POINT}{_GAP}{_POINT}"
 _PREFIX = rf"""(?x)^[ \t]*(?:[\[(<]?(?:{_STAMP})(?!\d)[\])>]?[ \t:|,-]*)?
     (?:(?:\[[A-Za-z][\w\ ./:\#-]*\](?!\s*=>)|\b(?:TRACE|DEBUG|INFO|WARN|WARNING|ERROR|FATAL)\b
-       |[VDIWEF]/[\w.-]+(?:\([ \d]+\))?:)[ \t:|-]+)*
+       |[VDIWEF]/[\w.-]+(?:\([ \d]+\))?:|\d+[ ]+\d+[ ]+[VDIWEF][ ]+[\w.-]+[ ]*:
+       |[a-z]\w*(?:\.\w+)+(?=[ ]-[ ][A-Za-z]))[ \t:|-]+)*
     (?:\(?\d{{1,3}}[.)][ \t]+(?=[A-Za-z(\[{{]))?
-    (?:(?:\d+[ \t,|]+){{1,3}}(?=(?:[A-Za-z]\w*[ ]+)?(?:MULTI)?POLYGON\b))?
-    (?:(?:[A-Za-z_][\w.\#-]*[ ]){{0,2}}[A-Za-z_][\w.\#-]*:[ \t]+(?={_KEYS}))?
+    (?:(?:\d+[ \t,|]+|\w+[ \t]*\|[ \t]*){{1,3}}(?=(?:[A-Za-z]\w*[ ]+)?(?:MULTI)?POLYGON\b))?
+    (?:(?:[A-Za-z_][\w.\#-]*[ ]){{0,2}}[\w.\#-]+:[ \t]+(?={_KEYS}))?
     (?:(?:>[ ])?\d*[ \t]+\|(?=[ \t]+(?:[A-Za-z]|\^)))?"""
 _SHAPE = r"(?i:circle|ball|dis[ck]|rect(?:angle)?|box|polygon|triangle)"
 # Circle #1 (0, 0, 2): a number of a shape before its own numbers
 _NUMBERED = rf"\b({_SHAPE})[ ]+(?:#\d+:?|\d+:?(?=[ ]*\([ ]?{_N}[ ]?,[ ]?{_N}[ ]?,))(?=[ ]*\()"
 _LETTER = r"(?:x|y|w|h|r|width|height|radius)"
-_PLACED = r"(?:center|centre|pos|position|size|extents)"
+_PLACED = r"(?:(?:top|bottom|upper|lower)[ -](?:left|right)|center|centre|pos|position|size|extents)"
 # Behind the sign of a line that a change adds or removes stands no number, as in -4, and not one space, as in a list.
-_REMOVED, _ADDED = r"-(?![ \t]*[-.\d]| \S).*\n", r"\+(?![ \t]*[.\d]| \S).*(?:\n|\Z)"
+_REMOVED, _ADDED = r"[ \t]*-(?![ \t]*[-.\d]| \S).*\n", r"[ \t]*\+(?![ \t]*[.\d]| \S).*(?:\n|\Z)"
 _PATCH = re.compile(r"^(?:--- \S.*\n\+\+\+ \S|@@ -\d+.*@@)", re.MULTILINE)
 _CHANGE = re.compile(rf"^(?:{_REMOVED})++(?P<added>(?:{_ADDED})++)?", re.MULTILINE)
 
 
-def blank(match: re.Match[str]) -> str:
-    """Return spaces in the place of a match; its lines stay lines."""
-    return re.sub(r"[^\n]", " ", match[0])
+def blank(match: re.Match[str], part: str | int = 0) -> str:
+    """Return a match with spaces in the place of a group at its end; its lines stay lines."""
+    return match[0].removesuffix(match[part]) + re.sub(r"[^\n]", " ", match[part])
+
+
+def keyed(match: re.Match[str]) -> str:
+    """Return a match as keys: x=10 for x 10, and top_left=(0, 0) for top left (0, 0)."""
+    return re.sub(r"(?<=[a-z])[ -](?=[a-z])", "_", re.sub(r"(?<=[a-z]) (?=[-+.\d(])", "=", match[0]))
 
 
 # One row for each: where it stands, and what is written there.
@@ -46,8 +53,18 @@ _ROWS = [
     for pattern, write in (
         (_PROMPT, blank),
         (r"^ *\[,1\] +\[,2\] *$|^ *\[\d+,\](?= )", blank),  # a matrix of R
-        (rf"\b(?!h){_LETTER} {_N}(?:[ ,;]+{_LETTER} {_N}(?![\w.])){{2,}}", lambda m: re.sub(r"(?<=[a-z]) ", "=", m[0])),
-        (rf"\b{_PLACED} \([^()\n]*\)[ ,;]+{_PLACED} (?=\()", lambda m: re.sub(r"(?<=[a-z]) ", "=", m[0])),
+        (rf"\b(?!h){_LETTER} {_N}(?:[ ,;]+{_LETTER} {_N}(?![\w.])){{2,}}", keyed),
+        (rf"\b{_PLACED} \([^()\n]*\)[ ,;]+{_PLACED} \(", keyed),
+        (r"<br ?/?>|&(?:quot|#39|nbsp);", blank),
+        (r"&(?:amp|lt|gt);", lambda m: unescape(m[0]).ljust(len(m[0]))),
+        (rf"<([A-Za-z]\w*)>(\s*{_N}\s*)</\1>", lambda m: f" {m[1]}={m[2]};".ljust(len(m[0]))),
+        (  # of PHP: [x] => 0, and of Clojure: :x 0; a number is a place in a list
+            r"(?:\[(\w+)\]|\b(\d+))\s*=>(?=\s*(?:[Aa]rray\b|[-\d\[]))|(?<=[{\s]):([a-z]\w*)\s(?=\s*[-.\d\[{])",
+            lambda m: ("," if m[m.lastindex].isdigit() else f",{m[m.lastindex]}:").ljust(len(m[0])),
+        ),
+        (rf"^[ \t]*\w{{1,40}}\s*<<(?=\s*{_N}(?:\s*,\s*{_N}){{5,}}\s*;)", lambda m: m[0].replace("<<", "= ")),  # Eigen
+        (r"(?<=\s)--?[a-z][\w-]*[ =](?=[\"'])", blank),  # an option of a command line
+        (r"^[ \t]*\[\d+\][ \t]+(?=\{)|\{ size=\d+ \}|(?<=\})\t[\w:.<> ]+$", blank),  # a debugger's watch window
         (r"(?<=\w):(?=(?:moveTo|move|rotate|setPosition|setRotation|setAngle|translate)\()", lambda _: "."),  # Lua
         (_PREFIX, blank),
         (r"(?<=\bat )(?:the )?origin\b|(?<=\bon )the origin\b", lambda m: "(0, 0)".rjust(len(m[0]))),
@@ -57,20 +74,33 @@ _ROWS = [
     )
 ]
 
+# Letters that look like others: spaces, quotes, brackets and commas of word processors and of Chinese.
+_PLAIN = str.maketrans("\u00a0\u202f\ufeff\u200b\u201c\u201d\uff08\uff09\uff0c", '    ""(),')
+# the fields of a type with plain values: those of every shape of its kind, unless another one says its own
+_PLAIN_FIELD = r"(?:[^{}()\[\]\n;]|\([^(),{}\n]*(?:,[^(),{}\n]*)?\)|\{ ?get;[^{}]*\}|\{[-\d.f]*\})*+"
+TYPE = re.compile(
+    rf"\b(?:class|struct|record)\s+(\w+)(?:(?:\([\w., ]*\))?:[ \t]*\n(?P<lines>(?:[ \t]+[^\n(){{}}\[\]]+\n|[ \t]*\n)++)"
+    rf"|[^{{}}()=;\n]*\s*[{{(](?P<fields>(?:{_PLAIN_FIELD}[;\n])*+(?:{_PLAIN_FIELD}(?=[)}}]))?+))"
+)
+MAX_TYPES = 20  # of which the names are looked for
+
 _QUOTE = re.compile(r"^>+ .*(?:\n>+(?: .*|$))*", re.MULTILINE)  # or the prompts of R and MATLAB
 _HEADS = re.compile(r"^(?:-.*|\+\+\+ .*|@@.*|diff --git.*|index [0-9a-f]{6,}\.\..*|\+)", re.MULTILINE)
 
 
 def cleaned(text: str) -> tuple[str, list[str]]:
-    """Return the text without what stands around its shapes, and sentences about it; too long a text stays as it is."""
+    """Return (the text without quote marks and signs of a diff, sentences about these); a text too long is kept."""
     if len(text) > MAX_CHARS:
         return text, []
+    text = text.translate(_PLAIN)
     text = _QUOTE.sub(lambda m: re.sub(r"(?m)^(?:> ?)+", blank, m[0]), text)
     if _PATCH.search(text):  # a diff with its heads
         kept = _HEADS.sub(blank, text)
     else:
-        kept = _CHANGE.sub(lambda m: re.sub(r"(?m)^(?:-.*|\+)", blank, m[0]) if m["added"] else m[0], text)
+        kept = _CHANGE.sub(lambda m: re.sub(r"(?m)^[ \t]*(?:-.*|\+)", blank, m[0]) if m["added"] else m[0], text)
     remarks = ["the lines that a change removes (-) were left out"] if kept != text else []
     for pattern, write in _ROWS:
         kept = pattern.sub(write, kept)
-    return kept, remarks
+    return TYPE.sub(
+        lambda m: blank(m, m.lastgroup or 0) if kept.count(m[1]) > m[0].count(m[1]) else m[0], kept, MAX_TYPES
+    ), remarks

@@ -99,7 +99,7 @@ def make_shape(read: Read) -> Shape:
 
 
 def exact_of(read: Read) -> Exact:
-    """Return what was read in exact numbers."""
+    """Return the points and the radius of a shape as exact fractions."""
     return Exact(read.points, read.radius)
 
 

@@ -8,7 +8,7 @@ def listed(text: str) -> frozenset[str]:
     return frozenset(text.split())
 
 
-PUNCTUATION = frozenset("'\u2018\u2019\u201c\u201d\"`\u00b7\u2026\u3002\uff0c\u200b\u202a\u202b\u202c\u202d\u202e$\\#")
+PUNCTUATION = frozenset("'\u2018\u2019\"`\u00b7\u2026\u3002\u202a\u202b\u202c\u202d\u202e$\\#")
 
 # Calls that test, print, draw or hold shapes, by the words of their names.
 CALLS = listed(
@@ -61,7 +61,7 @@ KEYS = listed(
     density friction restitution mass velocity crs srid properties features satviz version expected relation hit area
     length count closed isclosed convex isconvex collides collision overlap overlaps intersects result shape_type flags
     line width linewidth edgecolor facecolor zindex z_index dtype x y z enabled active selected hover url user
-    created updated filename axes every_axis device rotated internal isinternal level iscrowd byrow bbox
+    created updated lvl filename axes every_axis device rotated internal isinternal level iscrowd byrow bbox
     fillstyle strokestyle linejoin linecap geometry shape shapes fillcolor strokecolor valid
     """
 )
@@ -106,7 +106,8 @@ OTHER_NUMBERS = listed(
     time timestamp step size_t sleep stiffness damping damp slop constraint render print printf println log assert
     prev previous impulse motion tolerance epsilon eps expected distance camera image version line error warn info
     background strokeweight fps framerate type srid iscrowd score ts bbox rows capacity make satviz contact vx vy vz
-    fixture moment linewidth zindex elasticity bounce text font style figsize dpi xlim ylim
+    fixture moment linewidth zindex elasticity bounce text font style figsize dpi xlim ylim mtv normal depth penetration
+    overlap
     """
 )
 # Words of a line that can say how another shape differs.

@@ -47,7 +47,7 @@ class Keyed(Boxes):
         """Return the shape that an object describes by its keys, or else the shapes in its fields."""
         kind = obj.fields.get("type")
         if obj.twice and key(obj.twice):
-            raise Unreadable(f"the key {obj.twice} is given twice")
+            raise Unreadable(f"the key {obj.twice} is given twice: keep one of them")
         if (typed := self._typed(obj, label)) is not None:
             return typed
         angle, unit = obj.get("angle", "degrees", "radians"), unit_of(obj)
@@ -92,7 +92,7 @@ class Keyed(Boxes):
         sides = all(side in {str(k).lower() for k in obj.fields} for side in "ltrb")
         if radius is not None and isinstance(self.resolve(radius), (Num, Bad)) and not sides:
             if place is None and isinstance(self.resolve(center), Group):
-                raise Unreadable("the center of a circle is not a point")
+                raise Unreadable("the center of a circle is not a point: write it as (x, y)")
             made = self._circle_of_keys(obj, place, label, row)
             if angle is not None and place is not None and self._is_number(angle):
                 made = replace(made, used=made.used | places(self.number(angle)))  # a circle stays as it is

@@ -7,7 +7,7 @@ from fractions import Fraction
 from itertools import islice
 
 from ...engine.geometry import InvalidScene
-from .prose import fields, keys, sentences
+from .prose import sentences
 from .svg_path import PATH_DATA, path_tokens
 from .tables import tables
 from .tokens import CLOSE, FIELD, MARK, MAX_TOKENS, NAME, NUMBER, NUMERAL, OPEN, TOO_MANY, Token, in_one_unit, tokens
@@ -33,15 +33,13 @@ _OTHER = re.compile(
     r"<(?:svg(?![^<>]*\s[xy]\s*=\s*[\"'][^\"'<>]*[1-9])|g|text|tspan|title|desc|style|defs|image)\b"
     r"(?![^<>]*(?:transform|(?:translate|rotate|scale)\s*:))[^<>]*>|\bviewBox\s*=\s*(?:\"[^\"<>]*\"|'[^'<>]*')"
     r"|\b(?:interface|struct|type|record)\s+\w+\s*(?:=\s*)?\{(?:[^{}()\d]|(?<=[a-z_])\d+)*\}"
-    r"|\b(?:class|struct|record)\s+\w+\s*\((?:[^{}()\d]|(?<=[a-z_])\d+)*\)"
     r"|^[ \t]*ans\s*=\s*(?:logical\s*)?[-.\d]+\s*$"  # of MATLAB
     r"|\bclass\s+\w+(?:\s+extends\s+[\w.]+)?(?=\s*\{)|\bclass\s+\w+(?:\([A-Za-z_., ]*\))?:(?=\s*\n)"
     rf"|\b(?:def +\w+|function *\w*|constructor|fn +\w+) *{_PARAMETERS}"
     r"|\bsizeof\s*\([^()]*\)\s*/\s*sizeof\s*\([^()]*\)|(?P<quote>['\"])[012FT*]{9}(?P=quote)"
     r"|(?<![\w/.-])[\w/.-]{1,80}\.(?:py|js|ts|cs|cpp|cc|c|h|hpp|rs|go|java|rb|lua|gd|kt|swift|m):\d+(?::\d+)?|TopologyException:[^\n]*"
-    r"|\bversion\W{1,6}\d+(?:\.\d+)+"
     r"|\b(?:Windows|macOS|Ubuntu|Android|iOS|Python|Node|Java|Chrome|Firefox) \d+(?:\.\d+)*"
-    r"|(?:\bv|\b(?:Using|using|with|on|in|of) \w+ v?)\d+\.\d+\.\d+\w*"
+    r"|(?:\bv|\bversion\W{1,6}|\b[a-z][\w.+-]* v?)\d+\.\d+\.\d+\w*"
     r"|\bEigen::Matrix\w+ +\w+\(\d+, *\d+\)|^\s*size\(\d+, *\d+\);",
     re.IGNORECASE | re.MULTILINE,
 )
@@ -74,7 +72,7 @@ def all_tokens(text: str) -> tuple[list[Token], list[Token], list[tuple[int, int
             found.append(_mark(MARK, ";", m.end()))
             parts.append((m.start(), m.end(), found))
     parts += [(m.start(), m.end(), []) for m in _OTHER.finditer(text)]
-    parts += [*tables(text), *sentences(text), *fields(text), *keys(text)]
+    parts += [*tables(text), *sentences(text)]
     begins = [token.start for token in plain]
     parts = [part for part in parts if bisect_left(begins, part[0]) < bisect_left(begins, part[1])]  # not in a comment
     if not parts:
@@ -87,7 +85,7 @@ def all_tokens(text: str) -> tuple[list[Token], list[Token], list[tuple[int, int
 
 
 def _replaced(plain: list[Token], parts: list[tuple[int, int, list[Token]]]) -> Iterator[Token]:
-    """Yield the tokens with those of each part in the place of what they were."""
+    """Yield the tokens `plain`; where a part (start, end, its tokens) lies, yield its tokens instead."""
     rest = iter(parts)
     part = next(rest, None)
     reached = 0
@@ -163,7 +161,10 @@ def _pair(name: str, value: list[Token]) -> Iterator[Token]:
 
 
 def _changes(text: str, at: int) -> Iterator[Token]:
-    """Yield the calls behind a shape that its transform stands for: a move is applied, all else is refused."""
+    """Yield the tokens of the calls that a `transform` attribute stands for: a move is applied, all else is refused.
+
+    `at`: the place of the attribute's value in the whole text.
+    """
     if not _BETWEEN.fullmatch(_TRANSFORM.sub("", text)):
         yield from _call("transform", [_broken(text, at)])
     for m in _TRANSFORM.finditer(text):

@@ -94,7 +94,7 @@ class Names:
             node: Any = self.env
             for part in parts_of(value.text):
                 if isinstance(node, Group) and any(isinstance(item, Pair) for item in node.items):
-                    node = self.as_object(node).get(key(part)) if key(part) in ("x", "y") else None
+                    node = self.as_object(node).get(key(part)) if key(part) else None
                 else:
                     node = node.before(part, value.start) if isinstance(node, Obj) else None
             if node is None:
@@ -112,7 +112,7 @@ class Names:
         self.used |= {id(self.resolve(item)) for item in items if isinstance(item, Name)}
 
     def as_object(self, group: Group) -> Obj:
-        """Return a group with pairs as an object."""
+        """Return a group as an object: pairs become fields (the first of equal keys), other items `rest`."""
         made = Obj(group.start, group.end)
         for item in group.items:
             if isinstance(item, Pair):

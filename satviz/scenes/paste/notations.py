@@ -51,7 +51,7 @@ NOTATIONS = (
         "collisionpolygon2d convexpolygonshape2d convexpolygon2d plt.plot ax.plot plt.fill ax.fill patch "
         "fillpolygon drawpolygon zip column_stack rbind cbind newpolygonshape edgecollider polygoncollider2d addpoly "
         "seq set z zm tensor double[][] float32array float64array makepolygon fromvertices create_polygon convex "
-        "newpolygon newconvexpolygon polygon_2 cppolyshapenew b2computehull b2makepolygon",
+        "newpolygon newconvexpolygon polygon_2 cppolyshapenew b2computehull b2makepolygon polygonhull",
         RING,
     ),
     Notation(
@@ -63,7 +63,7 @@ NOTATIONS = (
     # boxes
     Notation(
         "bodies.rectangle add.rectangle bodies.rect boxshape2d centered_rect rotatedrect p2.box p2.rectangle "
-        "create_box rect::from_center_size display.newrect newrectangleshape bounds rect.fromcenter "
+        "create_box rect::from_center_size display.newrect newrectangleshape rect.fromcenter "
         "rectangleshape2d boxcollider2d",
         BOX,
         CENTER_SIZE,
@@ -72,7 +72,7 @@ NOTATIONS = (
         "rectangle rectanglef rect2 rect2i newrect qrect qrectf cgrect cgrectmake sf::rect floatrect intrect "
         "pygame.rect frect ccrectmake ccrect svg.rect rect.fromltwh makerect rectmake fillrect strokerect "
         "drawrectangle newrectanglecollider sdl_rect setrect sdl_frect domrect rectangle2d.double "
-        "rectangle2d.float recti",
+        "rectangle2d.float recti rectint",
         BOX,
         CORNER_SIZE,
     ),
@@ -83,6 +83,7 @@ NOTATIONS = (
         BOX,
         CORNER_CORNER,
     ),
+    Notation("bounds", BOX, CENTER_SIZE, keyed=CORNER_SIZE),
     Notation("envelope referencedenvelope", BOX, ask=(X_THEN_Y, CORNER_CORNER)),
     Notation("jts.env", BOX, X_THEN_Y),
     Notation("size.at", BOX, SIZE_CORNER),

@@ -241,7 +241,10 @@ class _Parser:
     # -- one item
 
     def value(self, atoms: list[Any], bracket: str, keys: int = 0) -> Any:
-        """Return the value of the atoms between two separators, after so many keys; None where there is none."""
+        """Return the value that the atoms between two separators stand for; None where they stand for none.
+
+        bracket: the bracket that they stand in; keys: how many keys of this value were read before, as in a = b = 1.
+        """
         if not atoms:
             return None
         if keys > MAX_DEPTH:

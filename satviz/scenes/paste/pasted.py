@@ -349,7 +349,8 @@ def _checked(reads: list[Read], reader: Reader) -> list[Read]:
         raise InvalidScene(f"{len(reads)} shapes: the limit is {MAX_SHAPES}, so paste those that matter")
     for read in reads:
         if len(read.points) > MAX_VERTICES:
-            raise InvalidScene(f"a polygon of {len(read.points):,} corners: the limit is {MAX_VERTICES:,}")
+            many = len(read.points)
+            raise InvalidScene(f"a polygon of {many:,} corners: the limit is {MAX_VERTICES:,}, so simplify it")
     return reads
 
 
@@ -393,7 +394,7 @@ def _shorten(parts: Sequence[str]) -> str:
 def _about_the_rest(
     missed: Sequence[str], root: Group, text: str, chosen: tuple[str, ...], reader: Reader
 ) -> PasteQuestion:
-    """Return the question whether the shapes stand without what was not understood."""
+    """Return the question whether the shapes are complete without the parts that were not understood."""
     keeps = reader.keeps or BOX_FORM in reader.asked
     gives = _gives(root, text, (*chosen, LEAVE_OUT), keeps=keeps)
     answer = Answer(LEAVE_OUT, CHOICE_WORDS[LEAVE_OUT], gives)

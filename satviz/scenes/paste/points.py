@@ -28,7 +28,7 @@ def angle_of(at: Value, flat: Sequence[Fraction]) -> Num:
 
 
 def places(*numbers: Fraction) -> frozenset[int]:
-    """Return the places in the text where these numbers end; a computed number has no place."""
+    """Return the offsets in the text at which these numbers end; a computed number has none."""
     return frozenset(n.at for n in numbers if isinstance(n, Numeral))
 
 
@@ -53,7 +53,7 @@ class Points(Statements):
         if isinstance(given, Name):
             name = given.text
             if name.lower().rsplit(".", 1)[-1] in ("nan", "inf", "infinity", "positive_infinity"):
-                raise Unreadable(f"{name} is not a finite number")
+                raise Unreadable(f"{name} is not a finite number: write the number that is meant")
             raise Unreadable(f"{short(name)} is a name, not a number: write its value")
         part = self.text[given.start : given.end] if isinstance(given, Value) else ""
         raise Unreadable(f"{short(part)} is not evaluated: write the number that it stands for")
@@ -82,7 +82,7 @@ class Points(Statements):
         if any(isinstance(item, Pair) for item in value.items):
             return self._xy(self.as_object(value))
         items = value.items
-        if len(items) == 1 and isinstance(items[0], Group) and items[0].bracket in " ({[" and not items[0].name:
+        while len(items) == 1 and isinstance(items[0], Group) and items[0].bracket in " ({[" and not items[0].name:
             items = items[0].items
         if not items and origin and row and row.kind == POINT:
             return ZERO
@@ -126,7 +126,7 @@ class Points(Statements):
         """Return the point of an object with x and y."""
         x, y = obj.get("x"), obj.get("y")
         if obj.twice and (x is not None or y is not None):
-            raise Unreadable(f"the key {obj.twice} is given twice")
+            raise Unreadable(f"the key {obj.twice} is given twice: keep one of them")
         if x is None or y is None or obj.get("radius", "width", "half", "size", "points") is not None:
             return None
         return self.number(x), self.number(y)
@@ -219,7 +219,7 @@ class Points(Statements):
         first, last = min(numbered), max(numbered)
         missing = next((k for k in range(first, last) if k not in numbered), None)
         if first not in (0, 1):
-            raise Unreadable(f"the corners begin with [{first}]: those before it are missing")
+            raise Unreadable(f"the corners begin with [{first}]: add those before it")
         if missing is not None:
             raise Unreadable(f"v[{missing}] is missing between v[{first}] and v[{last}]")
         if any(isinstance(v, Group) and any(map(is_pair, v.items)) for v in obj.rest):

@@ -23,7 +23,10 @@ SENTENCES = (
         ),
         re.compile(rf"\n *[12]0\s+({_N})"),
     ),  # DXF; 42 is the bulge of an arc, and 210 to 230 turn the plane
-    ("circle", re.compile(rf"{_PLACE}{_FILL}(?:radius(?:[ ](?:of|is|=))?|r[ ]?=)[ ]{_N}(?![\w.%])", re.IGNORECASE)),
+    (
+        "circle",
+        re.compile(rf"{_PLACE}{_FILL}(?:radius(?:[ ](?:of|is|=))?|r[ ]?=)[ ]{_N}(?![\w.%]|[ ]*\}})", re.IGNORECASE),
+    ),
     ("circle", re.compile(rf"radius(?:[ ](?:of|is|=))?[ ]{_N}[ ,]{{1,3}}{_AT}{_PLACE}", re.IGNORECASE)),
     ("qrect", re.compile(rf"(?<=QRect)\({_N},{_N} {_N}x{_N}\)|(?<=QRectF)\({_N},{_N} {_N}x{_N}\)")),
     ("qrect", re.compile(rf"<rect\({_N}, {_N}, {_N}, {_N}\)>")),  # pygame
@@ -31,8 +34,7 @@ SENTENCES = (
     ("qrect", re.compile(rf"\(x:{_N}, y:{_N}, width:{_N}, height:{_N}\)")),  # Unity
     ("v2", re.compile(rf"<{_N}, {_N}>")),  # of C#
     ("image.rect", re.compile(rf"\bmin(?:imum)?(?: at| =|:)? {_P},?(?: and)? (?:its )?max(?:imum)?(?: at| =|:)? {_P}")),
-    ("image.rect", re.compile(rf"\b(?:rect|rectangle|box) from {_P} to {_P}", re.IGNORECASE)),
-    ("v2", re.compile(rf"\bX={_N},? Y={_N}(?![\w.%]|[ ,]*(?!X=)[A-Za-z]\w*=)")),  # Unreal
+    ("image.rect", re.compile(rf"\b(?:rect|rectangle|box)(?: [A-Za-z]+){{0,3}} from {_P} to {_P}", re.IGNORECASE)),
     (
         "svg.polygon",
         re.compile(rf"(?<![\d.])[-.\d]{{1,20}} {_N} moveto(?:\s+{_N} {_N} lineto)+\s+closepath"),
@@ -55,45 +57,6 @@ SENTENCES = (
     ("rect", re.compile(rf"{_PLACE}{_FILL}{_N}[ ]?[x\u00d7][ ]?{_N}(?![\w.%])", re.IGNORECASE)),
 )
 _NUMBER = re.compile(rf"(?<!\bV){_N}")
-
-
-_FIELD = re.compile(rf"<([A-Za-z]\w*)>\s*({_N})\s*</\1>")
-
-
-def fields(text: str) -> Iterator[tuple[int, int, list[Token]]]:
-    """Yield (start, end, tokens) for each element of XML that holds a number, as a key: <xmin>4</xmin> is xmin = 4."""
-    for match in _FIELD.finditer(text):
-        (number,) = tokens(match[2])
-        at = match.start(2)
-        yield (
-            match.start(),
-            match.end(),
-            [
-                Token(NAME, match[1], match.start(), match.start()),
-                Token(MARK, "=", at, at),
-                number._replace(start=at, end=match.end(2)),
-                Token(MARK, ";", match.end(), match.end()),
-            ],
-        )
-
-
-# Keys with other signs than = and a colon: [x] => 0 of PHP and :x 0 of Clojure.  A number is a place in a list.
-_KEYS = re.compile(
-    r"(?:\[(?P<php>\w+)\]|(?P<export>\b\d+))\s*=>(?=\s*(?:[Aa]rray\b|[-\d\[]))"
-    r"|(?<=[{\s]):(?P<clojure>[a-z]\w*)(?=\s+[-.\d\[{])"
-    rf"|^[ \t]*(?P<eigen>\w{{1,40}})\s*<<(?=\s*{_N}(?:\s*,\s*{_N}){{5,}}\s*;)",
-    re.MULTILINE,
-)
-
-
-def keys(text: str) -> Iterator[tuple[int, int, list[Token]]]:
-    """Yield (start, end, tokens) for each key of PHP or Clojure."""
-    for match in _KEYS.finditer(text):
-        name, at = match[match.lastgroup or 0], match.start()
-        found = [Token(MARK, ";" if match["eigen"] else ",", at, at)]
-        if not name.isdigit():
-            found += [Token(NAME, name, at, at), Token(MARK, "=" if match["eigen"] else ":", at, at)]
-        yield at, match.end(), found
 
 
 def sentences(text: str) -> Iterator[tuple[int, int, list[Token]]]:

@@ -3,8 +3,10 @@
 import re
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
+from itertools import pairwise
 from typing import Any
 
+from .account import within
 from .atoms import holds_numbers
 from .axis_lists import joined, lengths, pairs_of_lists
 from .boxes import (
@@ -17,6 +19,7 @@ from .boxes import (
     moved,
 )
 from .calls import Calls
+from .cleaned import TYPE
 from .harmless import HARMLESS, OTHER_NUMBERS, words
 from .names import Obj, Unreadable, is_block, short
 from .notations import (
@@ -58,7 +61,11 @@ SHORTENED = re.compile(
     rf"|(?<=,)\s*(?:\.\.\.|\u2026)\s*(?=[,\])}}\n])|^{_ROW}\n[ \t]*(?:\.\.\.?|\u2026)(?:[ \t]*\.\.\.?)*[ \t]*$",
     re.MULTILINE,
 )
+_RESULT = re.compile(
+    r"(?i)(output|result|intersection)\b.*|(print\()?\w+\.(intersection|union|difference|buffer)\(.*\)"
+)
 COPIES = frozenset(["clone", "copy", "deepcopy", "dup", "duplicate"])
+MAX_ABOVE = 400  # characters before a shape in which the line above it is looked for
 MAX_PROBLEMS = 50  # of what is not read; fewer are shown
 
 
@@ -101,6 +108,14 @@ class Reader(Calls):
         if any(owner in earlier for owner, _ in kept) and self._choose(TWICE, CHOICES[TWICE]) == LAST_VALUE:
             self.parts += [(shape.start, shape.end) for owner, shape in kept if owner in earlier]
             kept = [(owner, shape) for owner, shape in kept if owner not in earlier]
+        shapes = [shape for _, shape in kept]
+        fields = within([match.span() for match in TYPE.finditer(self.text)], shapes)
+        doubtful = dict.fromkeys(fields if len(fields) < len(kept) else (), "a shape, or what a class begins with")
+        doubtful |= {s: "a shape, or a result" for s in shapes if _RESULT.fullmatch(s.label or self._above(s))}
+        doubtful |= {s: "a shape, or a bounding box" for p, s in pairwise(shapes) if s.form and _bounds(p) == s.points}
+        self.problems += [f"{short(self.text[s.start : s.end])}: {why}" for s, why in doubtful.items()]
+        self.parts += [(s.start, s.end) for s in doubtful]
+        kept = [(owner, shape) for owner, shape in kept if shape not in doubtful]
         made = {(s.points, s.radius) for _, s in kept if not s.repeats}
         named = {(s.points, s.radius, s.label) for _, s in kept if s.label}
         again = [s for _, s in kept if (s.repeats and (s.points, s.radius) in made) or self._is_print(s, named)]
@@ -109,8 +124,13 @@ class Reader(Calls):
 
     def _is_print(self, shape: Read, named: Collection[tuple[Any, ...]]) -> bool:
         """Return whether a shape without a name stands below the name of the same shape, as a session prints it."""
-        before = self.text[: shape.start].rstrip().rpartition("\n")[2].strip()
-        return not shape.label and (shape.points, shape.radius, before) in named
+        return not shape.label and (shape.points, shape.radius, self._above(shape)) in named
+
+    def _above(self, shape: Read) -> str:
+        """Return the last line above a shape, or what stands before it on its line."""
+        return (
+            self.text[max(0, shape.start - MAX_ABOVE) : shape.start].rstrip("` \t\n<").rpartition("\n")[2].strip("` \t")
+        )
 
     def _is_assigned(self, value: Any) -> bool:
         """Return whether a value stands behind a sign that assigns, and not in a log: a: (0, 0, 4, 4)."""
@@ -209,7 +229,7 @@ class Reader(Calls):
         return [replace(shape, repeats=True) for shape in found]
 
     def _copied(self, group: Group) -> Any:
-        """Return what a call copies that has a name: a in a.clone() and in copy(a); None for other calls."""
+        """Return the named value that a call copies: that of a in a.clone() and in copy(a); None for other calls."""
         *owner, last = parts_of(group.name)
         if last.lower() not in COPIES or len(group.items) > 1 or group.methods:
             return None
@@ -218,7 +238,7 @@ class Reader(Calls):
         return found if isinstance(named, Name) and isinstance(found, (Group, Obj)) else None
 
     def _by_its_name(self, group: Group) -> Group:
-        """Return a call with the name that its own stands for: var C = SAT.Circle; new C(...)."""
+        """Return a call with an alias in its name resolved: C is SAT.Circle after var C = SAT.Circle."""
         other = self.env.before(group.name, group.start) if group.name else None
         return replace(group, name=other.text) if isinstance(other, Name) else group
 
@@ -320,9 +340,10 @@ class Reader(Calls):
             if center is not None and size is not None:
                 return [self._made_box([*center, *size], CENTER_SIZE, group, label, items[2])]
         if not _is_call(group) and len(items) > 1:
-            pairs = [self.point(item) is not None for item in items if isinstance(item, Group)]
-            if any(pairs) and not all(pairs):
-                raise Unreadable("a list of corners holds something that is not a corner")
+            pairs = {k: self.point(item) is not None for k, item in enumerate(items) if isinstance(item, Group)}
+            if any(pairs.values()) and not all(pairs.values()):
+                place = next(k for k, is_point in pairs.items() if not is_point)
+                raise Unreadable(f"item {place} (counted from 0) of a list of corners is not a corner: write (x, y)")
         return list(self._each(items, label))
 
     def _each(self, items: Sequence[Any], label: str) -> Iterator[Read]:
@@ -360,6 +381,12 @@ def _is_call(group: Group) -> bool:
     return bool(group.name)
 
 
+def _bounds(shape: Read) -> tuple[Pt, ...]:
+    """Return the corners of the bounding box of an outline; () for a box or a circle."""
+    (x0, *_, x1), (y0, *_, y1) = (sorted(side) for side in zip(*(shape.points * 2), strict=True))
+    return () if shape.form or shape.is_circle else ((x0, y0), (x1, y0), (x1, y1), (x0, y1))
+
+
 def _label(item: Any) -> str:
-    """Return the name that a pair gives to its value."""
+    """Return the key of a pair as the name of its shape; "" for an item without a key."""
     return str(item.path[0]) if isinstance(item, Pair) else ""

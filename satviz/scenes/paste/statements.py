@@ -6,6 +6,7 @@ from dataclasses import replace
 from typing import Any, NamedTuple
 
 from .atoms import holds_numbers
+from .harmless import words
 from .names import Names, Obj, is_block, short
 from .notations import BOX, CIRCLE, MOVES, OTHER_SHAPE, POINT, RESETS, RING, SETTERS, SHIFTS, TURNS, key, notation
 from .tree import Bad, Group, Name, Num, Pair, parts_of
@@ -29,6 +30,9 @@ _NUMBERED = re.compile(rf"(?P<key>{_LETTERS}|left|top|right|bottom)_?(?P<owner>\
 _PREFIXED = re.compile(rf"(?P<owner>\w+?)(?:_(?P<key>{_LETTERS})|(?P<camel>X|Y|W|H|R|Width|Height|Radius|Diameter))")
 _CORNER = re.compile(r"(?P<name>(?:v|p|pt|point|vertex|vert|corner)?)[ _]?(?P<number>\d{1,4})", re.IGNORECASE)
 _ROUND = re.compile(r"circle|ellips|ball|dis[ck]s?\b|box|rect|center|centre", re.IGNORECASE)
+RESULTS = frozenset(
+    ["contact", "contacts", "manifold", "intersection", "overlap", "axes", "axis", "simplex", "normals", "minkowski"]
+)  # what a test gives
 TYPES = frozenset(["float", "double", "number", "int", "integer", "f32", "f64"])
 BEFORE_POINTS = frozenset(["at", "with", "through", "by", "is", "are", "has"])  # words before corners in a sentence
 _LETTERED = re.compile(r"(?P<owner>[a-dA-DpPqQ])(?P<key>[xywhr])")
@@ -104,6 +108,9 @@ class Statements(Names):
             ours = item.path[0] in ("this", "self")
             if isinstance(held, Name) and ((ours and item.path[-1] == held.text) or held.text.lower() in TYPES):
                 return  # this.x = x, and x: float
+            plain = isinstance(held, Group) and (not held.name or notation(held.name))
+            if plain and words(f"{item.before} {item.path[-1]}") & RESULTS:
+                return  # contact points: (5, 0), (5, 2)
             if isinstance(held, Group) and (points := self._points_behind_words(held)):
                 item = replace(item, value=points)
             self._insert(item)
@@ -159,8 +166,8 @@ class Statements(Names):
 
     def _statement(self, item: Group) -> bool:
         """Take a call that changes something that has a name; return whether it is one."""
-        words = parts_of(item.name)
-        last, owner = words[-1].lower(), tuple(words[:-1])
+        names = parts_of(item.name)
+        last, owner = names[-1].lower(), tuple(names[:-1])
         if last in NUMBERED and owner and len(item.items) == 2 and isinstance(item.items[0], Num):
             index, point = item.items  # shape.setPoint(0, Vector2f(1, 2))
             self.counts.add(index.end)
@@ -263,7 +270,7 @@ class Statements(Names):
         self._corners = None
 
     def _go_on(self, pair: Pair) -> None:
-        """Add a number to the shape that its name tells; x1 = 0; y1 = 0; r1 = 5 is one circle."""
+        """Add a variable to the shape to which its name belongs: x1 = 0; y1 = 0; r1 = 5 is one circle."""
         name = str(pair.path[0]) if len(pair.path) == 1 else ""
         owner, meaning = owner_of(name) if name else ("", "")
         if not meaning:
@@ -333,7 +340,10 @@ def _point_of(call: Group) -> Group | None:
 
 def _is_point(value: Any) -> bool:
     """Return whether a value is a point, with a name or without: two numbers, or x and y."""
-    if not isinstance(value, Group) or len(value.items) != 2:
+    if not isinstance(value, Group):
         return False
     pairs = (v for v in value.items if isinstance(v, Pair) and len(v.path) == 1 and isinstance(v.value, (Num, Name)))
-    return holds_numbers(value) or {key(pair.path[0]) for pair in pairs} == {"x", "y"}
+    return (len(value.items) == 2 and holds_numbers(value)) or {key(pair.path[0]) for pair in pairs} - {""} == {
+        "x",
+        "y",
+    }

@@ -85,7 +85,7 @@ def _table(lines: Sequence[TableCell], number: int) -> tuple[Table | None, int]:
         cells = _cells(line, mark)
         if indexed and len(cells) == len(names) + 1 and re.fullmatch(r"\w+", cells[0].text):
             cells = cells[1:]
-        if len(cells) != len(names):
+        if len(cells) != len(names) or not any(c.isdigit() for c in line.text):
             break
         rows.append(cells)
         after += 1

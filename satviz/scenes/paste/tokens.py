@@ -76,7 +76,10 @@ def tokens(text: str) -> list[Token]:
 
 
 def in_one_unit(found: Iterable[Token]) -> Iterator[Token]:
-    """Yield the tokens; from the second unit of length on, no length has a value.  "in mm" is for what follows."""
+    """Yield the tokens; once a second unit of length occurs, lengths have a reason (`why`) in place of a value.
+
+    Numbers after "in mm" are in mm.
+    """
     units: set[str] = set()
     said = before = ""
     for token in found:

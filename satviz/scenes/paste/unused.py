@@ -31,14 +31,14 @@ class Left(NamedTuple):
 
 
 class Rest(NamedTuple):
-    """What no shape has: numbers and other parts that are not understood, and numbers that are known to be harmless."""
+    """The parts that no shape uses: those not understood, and, in one line, the numbers known to be harmless."""
 
     missed: list[str]
     harmless: str
 
 
 def rest(tree: Tree, reads: Sequence[Read], text: str, reader: Names, *, session: bool) -> Rest:
-    """Return what no shape has of a text; `session`: it is one of Python, which prints results."""
+    """Return the parts of a text that no shape uses; `session`: whether the text is a Python session, with results."""
     used = frozenset().union(*(read.used for read in reads)) | tree.indices | reader.counts
     known = {left.end: left for left in _walk(tree, tree.root, "")}
     before = {b.end: a.text for a, b in pairwise(tree.tokens) if a.kind == NAME and b.kind == NUMBER}
@@ -155,7 +155,7 @@ def _walk(tree: Tree, value: Any, name: str) -> Iterator[Left]:
 
 
 def _is_harmless(left: Left) -> bool:
-    """Return whether a number that no shape has changes none, by its key: a mass, or a scale of 1."""
+    """Return whether an unused number changes no shape, as its key shows: a mass, or a scale of 1."""
     said, last = words(left.key.removeprefix("svg.")), words(left.key.split(".")[-1])
     path = left.key.split(".")
     aside = not {"bounds", "properties"}.isdisjoint(path) and key(path[-1]) not in ("center", "half", "size")

@@ -77,7 +77,7 @@ def recommend(n: int, settings: Settings) -> list[JsonRow]:
         model = best(results).model
         table.append({"have": words, "kind": _kind(model.kind, shapes), "model": model.name})
         moving = anywhere(summary, results).name  # the last scene has turned boxes, so it needs most
-    return [*table, {"have": "anything that moves: positions not known before", "kind": "exact", "model": moving}]
+    return [*table, {"have": "turned shapes that move: positions not known", "kind": "exact", "model": moving}]
 
 
 def _kind(kind: str, shapes: batch.Shapes) -> str:

@@ -221,14 +221,13 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     pairs, wrong = (sum(raw[key][:near]) for key in ("pairs", "wrong"))
     low, high = wilson_interval(wrong, pairs)
     title = (
-        f"SAT with raw normals in float64 is wrong about {wrong / pairs:.0%} ({low:.0%} to {high:.0%}) of these pairs "
-        f"within {NEAR} roundings of touching; it was found wrong up to {raw['worst']:.1f}, and is proven right from "
-        f"{raw['proven']} on"
+        f"SAT with raw normals in float64 was found wrong up to {raw['worst']:.1f} roundings from touching; above "
+        f"{raw['proven']} it is proven right"
     )
     lines = (
         "Strong: half of the answers are wrong, no better than a coin. Faint: none of this sample is wrong. "
-        "▲ the worst that a sample or a search found. | proven right from here on, while no product leaves the range "
-        "of float64. In brackets: the 95 % interval.",
+        "▲ the worst that a sample or a search found. | proven right beyond, while no product leaves the range "
+        "of float64.",
     )
     tall = 22.0 * (len(strips) + 1)
 
@@ -261,7 +260,8 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
         ax.spines["left"].set_visible(False)
         ax.set_xlabel("relative margin, in roundings of float64", fontsize=TEXT_POINTS)
 
-    text = f"{title}. "
+    text = f"{title}. Of these pairs within {NEAR} roundings it is wrong about {wrong / pairs:.0%} ({low:.0%} to "
+    text += f"{high:.0%}). In brackets: the 95 % interval. "
     for row in strips:
         pairs, wrong = sum(row["pairs"]), sum(row["wrong"])
         low, high = wilson_interval(wrong, pairs)

@@ -45,7 +45,7 @@ Vector = tuple[Fraction, Fraction]
 
 
 def sat_push(dtype: Any, *, unit: bool) -> Push:
-    """Return SAT's push of B: along the edge normal of least depth, as the depth is measured with these normals."""
+    """Return SAT's push of B along the edge normal of least depth; without `unit`, normals keep their lengths."""
 
     def push(a: Polygon, b: Polygon) -> tuple[float, float]:
         """Return the push of B for one pair."""

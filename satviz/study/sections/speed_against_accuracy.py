@@ -1,11 +1,11 @@
 """Speed against accuracy: the time for a pair, and the largest gap that a method tells wrongly in a scene of 1 km.
 
-Question: what does an exact answer cost, and what does it gain?  Workload: 4-gons of 1 m to 14 m with coordinates up to
-1 km; wrong answers are also counted on 4-gons that touch exactly, and on 4-gons of sizes at 2^400 and beyond.  Methods:
-all compiled ones, each at its fastest.  Accuracy is the worst that a search found (`adversary`), and for SAT in float64
-the proven bound beside it; time is the median over processes, of the answer alone and from the raw arrays.  The claim
-is refuted by a gap above the proven bound that SAT tells wrongly, by one wrong answer of satviz, or by a faster form of
-a rival.
+Question: what does an exact answer cost, and what does it gain?  Workload: 4-gons with sides of 1 m or more, at most
+14 m across, with coordinates up to 1 km; wrong answers are also counted on 4-gons that touch exactly, and on 4-gons of
+sizes at 2^400 and beyond.  Methods: all compiled ones, each at its fastest.  Accuracy is the worst that a search found
+(`adversary`), and for SAT in float64 the proven bound beside it; time is the median over processes, of the answer alone
+and from the raw arrays.  The claim is refuted by a gap above the proven bound that SAT tells wrongly, by one wrong
+answer of satviz, or by a faster form of a rival.
 """
 
 import math
@@ -33,7 +33,9 @@ from ..methods import (
     true_relations,
 )
 from ..workloads.adversary import (
+    LEAST_SIDE,
     METRES_WIDE,
+    MOST_ACROSS,
     beside,
     kilometre_shapes,
     worst_kilometre_shapes,
@@ -56,6 +58,7 @@ LABELS = {
 }  # fmt: skip
 NONE = -18.5  # log10 of the height at which methods are drawn without a wrong answer, or with one below LEAST_CHARTED
 LEAST_CHARTED = 1e-17  # metres
+SIZES = f"4-gons with sides of {LEAST_SIDE:g} m or more, at most {MOST_ACROSS:g} m across"
 TICKS = {"1 m": 0, "1 mm": -3, "1 µm": -6, "1 nm": -9, "1 pm": -12, "1 fm": -15}
 
 
@@ -176,15 +179,15 @@ def main_chart(rows: list[JsonRow], settings: Settings) -> Chart:
     """Return the chart of time against the largest gap with a wrong answer, with at most eight labels."""
     by_name = {row["method"]: row for row in rows}
     sat, exact = by_name["SAT, raw normals"], by_name["satviz"]
-    ratio = timings.format_ratio(timings.ratio_interval(exact["ns_runs"], sat["ns_runs"]))
+    ratios = timings.ratio_interval(exact["ns_runs"], sat["ns_runs"])
+    ratio = timings.format_ratio(ratios)
     title = (
         f"SAT in float64 can be wrong only about gaps below {in_metres(SAT_MARGIN * 2.0**-53 * METRES_WIDE)} in 1 km "
-        f"(proven); exact answers take {ratio} as long as SAT with raw normals"
+        f"(proven); satviz, exact, takes {ratio} as long"
     )
     lines = (
-        f"Shapes of 1 m to 14 m, {pairs_in_a_call(settings):,} pairs in a call. Left is faster, down is more accurate. "
-        "Dot: the largest gap with a wrong answer that a search found. Dash: the proven bound. Of the two dots of SAT "
-        "in float64, the right one has normals of length 1.",
+        f"{SIZES}; {pairs_in_a_call(settings):,} pairs in a call. Dot: the worst that a search found. Dash: the proven "
+        "bound. SAT in float64: left with raw normals, right with normals of length 1.",
     )
     shown = [*LABELS, "SAT, unit normals"]
     limits = min(by_name[name]["ns"] for name in shown) / 3, max(by_name[name]["ns"] for name in shown) * 2
@@ -225,13 +228,18 @@ def main_chart(rows: list[JsonRow], settings: Settings) -> Chart:
         unit = by_name["SAT, unit normals"]
         ax.plot([sat["ns"], unit["ns"]], [log10(row["metres"] or 1e-18) for row in (sat, unit)],
                 color=family_colour(theme, "float SAT"), lw=1, ls=":")  # fmt: skip
+        at = log10(sat["metres"] or 1e-18)
+        ax.annotate("", (exact["ns"], NONE), (sat["ns"], at), zorder=4, arrowprops={
+            "arrowstyle": "->", "color": theme.roles["ink"], "shrinkA": 4, "shrinkB": 5,
+            "connectionstyle": "angle,angleA=-90,angleB=180"})  # fmt: skip
+        taken += [(sat["ns"], NONE + (at - NONE) * k / 8) for k in range(8)]
+        ax.text(sat["ns"] * 0.9, (at + NONE) / 2, f"{ratios[0]:.1f} times", color=theme.roles["ink"], ha="right",
+                va="center", fontsize=TEXT_POINTS)  # fmt: skip
         label_points(ax, labels, theme, taken)
 
     text = f"{title}. In brackets: {timings.interval_in_words(len(sat['ns_runs']))}. "
-    text += (
-        f"The shapes have sizes of 1 m to 14 m, and {pairs_in_a_call(settings):,} pairs are tested in a call. A gap "
-    )
-    text += "is measured on the edge normal where it is largest; of an overlap it is the depth. "
+    text += f"satviz is compared with raw normals. {SIZES}; {pairs_in_a_call(settings):,} pairs are tested in a call. "
+    text += "A gap is measured on the edge normal where it is largest; of an overlap it is the depth. "
     for name in shown:
         row = by_name[name]
         worst = f"wrong at {in_metres(row['metres'])}" if row["metres"] else "none wrong"
