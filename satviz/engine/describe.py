@@ -234,7 +234,9 @@ def shortcut_verdict(trace: Trace, digits: NumberFormat = digits, *, name_axis: 
         return f"{says}. In truth they {is_so}: a {'missed' if trace.missed_hit else 'false'} hit."
     if trace.claim is not trace.relation:
         return f"{says}. In truth they {is_so}."
-    wrong: str = hooks.call("shortcut_error", trace, digits)
+    wrong: str | None = hooks.call("shortcut_error", trace, digits)
+    if wrong is None:  # nobody can tell
+        return f"{says}."
     return f"{says}. {wrong}" if wrong else f"{says}, and so it is."
 
 

@@ -6,7 +6,7 @@ from math import hypot, isclose, isnan, nan
 from typing import NamedTuple
 
 from ..engine import describe
-from ..engine.geometry import Vec
+from ..engine.geometry import InvalidScene, InvalidShape, Vec
 from ..engine.number_format import MINUS, Digits
 from ..engine.trace import Trace, record
 from ..scenes.failing import FALSE_HIT, MISSED_HIT, FailureCase, case_of
@@ -106,12 +106,16 @@ def digits_of_answers(trace: Trace, digits: describe.NumberFormat = describe.dig
     return digits(trace, *([test] if test else []))
 
 
-def error_in_words(trace: Trace, digits: describe.NumberFormat = describe.digits) -> str:
+def error_in_words(trace: Trace, digits: describe.NumberFormat = describe.digits) -> str | None:
     """Return what is wrong with a shortcut's answer and what is right, or "" where the answer is right.
 
-    `digits`: as in `digits_of_answers`.
+    None where float64 cannot hold the shapes that tell, or they have too many convex parts.  `digits`: as in
+    `digits_of_answers`.
     """
-    found, case = answers(trace, digits_of_answers(trace, digits)), case_of(trace.shortcut)
+    try:
+        found, case = answers(trace, digits_of_answers(trace, digits)), case_of(trace.shortcut)
+    except (InvalidScene, InvalidShape):
+        return None
     if not found.is_wrong:
         return ""
     if case and case.claims_less:
