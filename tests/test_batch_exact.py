@@ -934,8 +934,10 @@ def test_every_edge_is_evaluated_from_whichever_corner_the_search_begins_at(v, w
     index = np.arange(300)
     exact = one_by_one(p, q)
     assert 0 < exact.count(0) < 300
-    assert exact_numpy.relations(p.uniform, index, q.uniform, index).tolist() == exact
-    assert exact_numpy.relations(q.uniform, index, p.uniform, index).tolist() == exact
+    for limit in 0, 300 * 20 * 20:  # one edge after another, and all at once
+        monkeypatch.setattr(exact_numpy, "MAX_VALUES_AT_ONCE", limit)
+        assert exact_numpy.relations(p.uniform, index, q.uniform, index).tolist() == exact
+        assert exact_numpy.relations(q.uniform, index, p.uniform, index).tolist() == exact
 
 
 @pytest.mark.parametrize("v", [40, 100])

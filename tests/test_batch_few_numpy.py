@@ -95,7 +95,8 @@ def coins_and_corners(rng):
         at = np.array([2.0**14 * k, 0])
         found += [(tuple((centers[k] + at) * UNIT), radii[k] * UNIT + by), (rings[k] + at) * UNIT]
     inside = found[1].mean(axis=0).round()
-    return [*found, (tuple(inside), UNIT), (tuple(inside + 2 * UNIT), UNIT * 2.0**9), across(found[1], 0)]
+    beside = [((x, x), 5 * UNIT) for x in (-200 * UNIT, -209 * UNIT)]  # apart, although their bounding boxes meet
+    return [*found, (tuple(inside), UNIT), (tuple(inside + 2 * UNIT), UNIT * 2.0**9), across(found[1], 0), *beside]
 
 
 def coins_among_outlines(rng):
@@ -211,8 +212,8 @@ def test_every_way_of_few_shapes_finds_the_pairs_and_leaves_only_touching_ones_t
         touching = set()  # their sides tell
     only_circles = sum(map(corners_of, shapes)) == len(shapes)
     slow = len(shapes) * sum(map(corners_of, shapes)) > 300  # at the ends of float64 all signs are exact ones
-    for e in (-1070, -500, -400, 0, 400, 980):
-        whole = e in (-400, 0, 400)  # no product loses bits or overflows
+    for e in (-1070, -500, -430, 0, 400, 486, 980):
+        whole = e in (-430, 0, 400)  # no product loses bits or overflows
         for way, constants in WAYS.items() if whole or (e == -500 and not slow) else [*WAYS.items()][:1]:
             with monkeypatch.context() as patch:
                 for name, value in constants.items():
@@ -275,6 +276,13 @@ def a_circle_on_a_corner(rng):
     return [ring, (center, float(distance(center, ring[k])))]
 
 
+def a_large_circle_on_a_corner(rng):
+    ring = next(hulls(rng, [3, 4, 5], 8)) * rng.uniform(0.1, 1)
+    k = ring[:, 0].argmax()
+    center = ring[k] + [rng.uniform(1, 2) * 2.0**24, rng.uniform(-0.1, 0.1)]
+    return [ring, (center, float(distance(center, ring[k])))]
+
+
 def two_coins(rng):
     one, other = rng.uniform(-9, 9, (2, 2))
     apart = distance(one, other)
@@ -282,7 +290,14 @@ def two_coins(rng):
     return [(one, r), (other, float(apart - Fraction(r)))]
 
 
-NEAR = a_corner_on_an_edge, a_circle_on_an_edge, a_speck_on_an_edge, a_circle_on_a_corner, two_coins
+NEAR = (
+    a_corner_on_an_edge,
+    a_circle_on_an_edge,
+    a_speck_on_an_edge,
+    a_circle_on_a_corner,
+    a_large_circle_on_a_corner,
+    two_coins,
+)
 
 
 @pytest.mark.parametrize("make", NEAR)
@@ -375,7 +390,7 @@ def test_all_pairs_are_evaluated_where_that_is_quicker_than_comparing_boxes_and_
 
 def boxes(n):
     """Return unit boxes, each of which touches the next one."""
-    return batch.Polygons(BOX / 8 + np.arange(n)[:, None, None] * [1.0, 0.5])
+    return batch.Polygons(np.roll(BOX, 1, axis=0) / 8 + np.arange(1, n + 1)[:, None, None] * [1.0, 0.5])
 
 
 @pytest.mark.parametrize("name, per_pair", [("MAX_PRODUCTS", 64), ("MAX_DISTANCES", 9)])
@@ -415,3 +430,69 @@ def test_boxes_are_swept_along_the_axis_that_the_rule_says(monkeypatch):
             ]
         assert (pairs is None) == (found[0] == broad_rule.GRID)
         assert pairs is None or sorted(map(tuple, pairs.tolist())) == list(map(tuple, meeting(bounds).tolist()))
+
+
+@pytest.mark.parametrize("axis", [0, 1])
+def test_one_long_box_decides_along_which_axis_boxes_are_swept(axis):
+    low = np.arange(150.0)[:, None] * [8, 8]
+    low[:, 1 - axis] *= 1.25  # of boxes that are alike the sweep would be along the other axis
+    bounds = np.hstack([low, low + 1])
+    bounds[0, 3 - axis] = bounds.max()
+    pairs, *found = few.candidate_pairs(bounds)
+    assert len(pairs) == 0 and found == [broad_rule.SWEEP, 0]
+
+
+@pytest.mark.parametrize("v", [8, 9, 64])
+def test_the_last_corners_count_as_the_first_ones_do(v):
+    turns = 0.1 + 2 * np.pi * np.arange(v) / v
+    ring = np.rint(np.stack([np.cos(turns), np.sin(turns)], axis=1) * 2.0**12) * UNIT
+    for k in 0, 1, v - 2, v - 1:
+        for by in 0, -1, 1:
+            # the second meets the first at a corner, and the third along an edge
+            shapes = [ring, off(ring, 2 * ring[k] - ring, by), off(ring, across(ring, k), by), outline(RNG(k), 3)]
+            hits, _ = pairs_of(shapes)
+            assert ([0, 1] in hits) == ([0, 2] in hits) == (by <= 0)
+            for form in FORMS.values():
+                assert batch.colliding_pairs(form(shapes), engine="numpy").tolist() == hits
+
+
+@pytest.mark.parametrize(("last", "comparisons"), [(0.5, 3), (1.125, 0)])
+def test_boxes_are_swept_along_the_other_axis_if_there_are_too_many_comparisons_and_not_if_just_as_many(
+    last, comparisons, monkeypatch
+):
+    """One comparison a box is allowed; three boxes make three, four boxes make five; along y none meet."""
+    monkeypatch.setattr(few, "MAX_ALL_PAIRS", 1)
+    monkeypatch.setattr(few, "MAX_SWEEP_COMPARISONS", 1)
+    x = [0, 0.25, last] if last < 1 else [0, 0.25, 0.5, last]
+    bounds = np.array([(left, 2 * k, left + 1, 2 * k + 1) for k, left in enumerate(x)])
+    bounds[-1, 3] = 100  # so that the sweep is along x at first
+    pairs, *found = few.candidate_pairs(bounds)
+    assert len(pairs) == 0 and found == [broad_rule.SWEEP, comparisons]
+
+
+@pytest.mark.parametrize("e", [*range(-544, -528, 4), *range(-520, -440, 8)])
+def test_a_circle_beside_an_edge_is_told_from_one_on_it_where_products_lose_bits_or_vanish(e, monkeypatch):
+    monkeypatch.setattr(few, "MAX_WHOLE_CORNERS", 0)
+    long = 2.0**20
+    for ring in outline(RNG(-e), 3) / UNIT, np.array([(0, 0), (1, 1), (1, 2 * long + 1), (-2 * long, 0)]):
+        ring *= 2.0**e
+        for k in range(len(ring)):
+            (x, y), (p, q) = ring[k - 1], ring[k]
+            for by in -(2.0**-20), 2.0**-20, 2.0**-10, 0.125:
+                center = ring[k - 1] * 0.7 + ring[k] * 0.3 + by * np.array([q - y, x - p])
+                apart = np.hypot(x - p, y - q) * by
+                for radius in (2.0 ** (e - 200), apart * (1 + 2.0**-20), apart * (1 - 2.0**-20)):
+                    if radius >= 5e-324:
+                        made = FORMS["in arrays"]([ring, (center, radius)])
+                        assert batch.colliding_pairs(made, engine="numpy").tolist() == colliding(shapes_of(made))
+
+
+def test_a_center_is_not_taken_for_one_inside_where_products_are_a_few_units_of_the_smallest_float(monkeypatch):
+    monkeypatch.setattr(few, "MAX_WHOLE_CORNERS", 0)
+    rng, found = RNG(4), []
+    for _ in range(100):
+        ring = next(hulls(rng, [3], 4)) * rng.uniform(0.2, 1) * 2.0**-538
+        made = FORMS["in arrays"]([ring, (ring.mean(axis=0) + rng.uniform(-1, 1, 2) * 2.0**-537, 2.0**-700)])
+        found.append(colliding(shapes_of(made)))
+        assert batch.colliding_pairs(made, engine="numpy").tolist() == found[-1]
+    assert [] in found and [[0, 1]] in found

@@ -128,6 +128,8 @@ def test_outlines_are_looked_at_in_blocks_of_many_corners(monkeypatch):
     monkeypatch.setattr(outlines, "_turns_one_way", lambda xy: sizes.append(xy[0].size) or real(xy))
     outlines.certified_group(np.tile(plain_outlines(5, 1), (20_000, 1, 1)))
     assert sum(sizes) == 100_000 and all(2**13 < size <= 2**17 for size in sizes[:-1])
+    monkeypatch.setattr(outlines, "BLOCK_CORNERS", 4)  # one outline at least
+    assert outlines.certified_group(mixed(plain_outlines(5, 3))) is not None and sizes[-3:] == [5, 5, 5]
 
 
 @pytest.mark.parametrize("v", [3, 4, 5, 8, 12])
@@ -226,6 +228,7 @@ def test_plain_circles_are_certified_at_once_and_others_left_to_slower_checks(n)
         assert (made.as_complex is not None) == (n <= 64) and len(made) == n and made.corners == 1
         assert np.array_equal(np.stack([made.x[0], made.y[0]], axis=1), centers) and np.array_equal(made.r, radii)
         assert not np.signbit(made.block[:, 0, 0]).any() and made.block.flags.c_contiguous
+        assert made.as_complex is None or made.as_complex.edges.shape == (0, n)
         before = made.block.tolist()
         centers += 1
         radii += 1
@@ -263,11 +266,12 @@ def test_plain_shapes_in_padded_arrays_are_certified_at_once(counts):
         for i, v in enumerate(counts):
             turned[i, :v] = corners[i, :v][::-1]
         for given in corners, turned:
-            made = outlines.certified_padded(given, count, radii)
+            given_radii = np.where(radii > 0, radii, -0.0)
+            made = outlines.certified_padded(given, count, given_radii)
             x, y, start = made.rings
             assert np.array_equal(np.stack([x, y], axis=1), np.concatenate([c[:v] for c, v in zip(corners, counts)]))
             assert np.diff(start).tolist() == counts == made.count.tolist() and made.radius.tolist() == radii.tolist()
-            assert not np.shares_memory(made.radius, radii)
+            assert not np.shares_memory(made.radius, given_radii) and not np.signbit(made.radius).any()
             rows = max(counts) if max(counts) > 1 else 0  # circles alone have no edges
             assert len(made.as_complex.edges) == rows and len(made.as_complex.closed) == rows + 1
             assert (made.as_complex.radius is None) == (1 not in counts)
@@ -291,6 +295,7 @@ def test_one_shape_at_fault_in_padded_arrays_is_left_to_exact_checks(counts):
             assert certified(counts=(i, other)) is None
         for r in {-1.0, np.nan, np.inf, -np.inf, 2.0 if counts[i] > 1 else 0.0}:
             assert certified(radii=(i, r)) is None
+            assert certified(radii=(i, r), corners=(i, corners[i, 0])) is None  # nor if no corner turns right
         for at in np.ndindex(counts[i], 2):
             for bad in np.nan, np.inf, -np.inf:
                 assert certified(corners=((i, *at), bad)) is None

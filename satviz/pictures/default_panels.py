@@ -192,7 +192,7 @@ def _draw_missing_edges(sketch: Sketch, left_out: Sequence[Axis]) -> bool:
         sketch.add("open-outline", "bracket", role, *shape.vertices, owner=name)
         p, q = shape.vertices[0], shape.vertices[-1]
         sketch.add("missing-edge", "segment", role, p, q, owner=name, weight="faint")
-    sketch.note("missing-name", "dotted: the edges that were left out", "wrong", first=7)
+    sketch.note("missing-name", "dotted side of each shape: left out", "wrong", first=7)
     return True
 
 

@@ -92,6 +92,8 @@ def _draw_crossing_edges(sketch: Sketch, best: AxisGap, at: Callable[[Vec3], Vec
         ends.sort(key=lambda e, along=along: dot(e, along))  # type: ignore[misc]
         p, q = ends[0], ends[-1]
         sketch.add("facing-edge", "segment", role, at(p), at(q), owner=role, weight="strong")
+        away, lower = Vec(-sign, -0.6), min(at(p), at(q), key=lambda end: end.y)
+        sketch.label("edge-name", f"{role}{k + 1}", role, lower, owner=role, prefer=away, first=3)
     start = tuple((p + q) / 2 for p, q in zip(a.center, b.center, strict=True))
     _draw_axis(sketch, at, start, n, f"across both edges, {best.name}:\n{gap_in_words(best.gap, Digits())}", "gap")
 

@@ -174,12 +174,13 @@ def _are_upright(closed: Complexes) -> bool:
 
 
 def _boxes(closed: Complexes, radius: Array | None) -> tuple[Array, Array]:
-    """Return the lower and the upper sides of the bounding boxes, (2, n) each, those of circles rounded outwards."""
+    """Return the lower and the upper sides of the bounding boxes, (2, n) each, those of circles rounded.
+
+    Boxes that meet still meet when rounded: of two numbers the smaller one is never rounded to a larger float.
+    """
     planes = _planes(closed)
     low, high = np.minimum.reduce(planes, axis=1), np.maximum.reduce(planes, axis=1)
-    if radius is not None:
-        low, high = np.nextafter(low - radius, -np.inf), np.nextafter(high + radius, np.inf)
-    return low, high
+    return (low, high) if radius is None else (low - radius, high + radius)
 
 
 def _planes(z: Complexes) -> Array:
@@ -211,8 +212,8 @@ def _clearances_of_all(columns: ComplexColumns, every: AllPairs) -> tuple[Array,
         outside[:, circles] = np.inf
         near = _distances(centers[:, None] - closed[:-1, None], edges[:, None]) - (radii[:, None] + radius)
         farthest = 2 * (reach + float(radii[radii.argmax()]))
-        error = farthest * DISTANCE_ERROR + MIN_DISTANCE_ERROR if farthest < MAX_DISTANCE else np.inf
-        near *= bound / error
+        # edges and ways from centers to corners are at most 2 * reach long: if a product overflows, so does the bound
+        near *= bound / (farthest * DISTANCE_ERROR + MIN_DISTANCE_ERROR)
         gap[circles] = near = np.minimum(near, outside)  # as in _round_clearances
         gap[:, circles] = near.T
     return gap.take(every.places), bound

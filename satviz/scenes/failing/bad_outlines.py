@@ -87,7 +87,7 @@ CASES = (
         Shortcut("pentagram", "it turns left at every vertex, so it is convex"),
         REFUSED,
         (PENTAGRAM, [(0.5, 0), (1.5, 0), (1.5, 1), (0.5, 1)]),
-        quantity="least turn",
+        quantity="least edge × next edge",
         unchecked_value=least_turn,
         unchecked_words="every turn is to the left ({}), so it passes for convex, though it goes round twice",
     ),
