@@ -388,6 +388,16 @@ def test_the_filter_decides_columns_by_the_error_bound_of_their_tile_and_no_othe
     assert found == {(UNDECIDED, True), (UNDECIDED, False), (APART, False), (OVERLAPPING, False)}
 
 
+@pytest.mark.parametrize("most", [0, 99])
+def test_the_filter_decides_8_gons_by_the_edges_of_both(most, few, monkeypatch):
+    monkeypatch.setattr(kernels_of("filter"), "MAX_DIRECT_SHAPES", most)
+    rings = [regular(RNG(seed), 60, 8, 1.4) for seed in (1, 2)]
+    a, b = (batch.Polygons(some).uniform for some in rings)
+    out = np.full(60, 9, np.int8)
+    kernels_of("filter").polygons(a, b, 0, out)
+    assert out.tolist() == [sv.relate(sv.Polygon(p), sv.Polygon(q)) for p, q in zip(*rings, strict=True)]
+
+
 @pytest.mark.parametrize("v", [3, 4, 5, 8])
 def test_columns_whose_products_leave_the_range_of_floats_are_left_undecided(v, few):
     for e, decided in (-525, False), (-420, True), (420, True), (505, False):
