@@ -496,3 +496,23 @@ def test_a_center_is_not_taken_for_one_inside_where_products_are_a_few_units_of_
         found.append(colliding(shapes_of(made)))
         assert batch.colliding_pairs(made, engine="numpy").tolist() == found[-1]
     assert [] in found and [[0, 1]] in found
+
+
+@pytest.mark.parametrize(
+    "corner, end, center",
+    [
+        ("0x1.aep-586 -0x1.95p-585", "0x1.0fc10c8623142p-537 0x1.4507b895aafabp-537",
+         "0x1.9342d36c3fb13p-539 0x1.e251825170260p-539"),
+        ("0x1.22p-585 0x1.9ap-585", "0x1.a09b0138f6083p-537 0x1.e7f64650b0750p-537",
+         "0x1.0c9c6f6319ecap-539 0x1.3a9e767e8b092p-539"),
+    ],
+)  # fmt: skip
+def test_a_center_is_not_taken_for_one_inside_where_products_round_to_the_other_side(corner, end, center):
+    corner, end, center = ([*map(float.fromhex, words.split())] for words in (corner, end, center))
+    triangle = [corner, end, (-(2.0**-526), 2.0**-526)]
+    for radius, pairs in (2.0**-1000, 0), (2.0**-600, 0), (2.0**-580, 1):
+        assert (sv.relate(sv.Polygon(triangle), sv.Circle(center, radius)) is not sv.Relation.APART) is bool(pairs)
+        both = batch.concat([batch.Polygons([triangle]), batch.Circles([center], [radius])])
+        assert len(batch.colliding_pairs(both)) == pairs
+        found = few.colliding_pairs(both)
+        assert found is None or len(found) == pairs
