@@ -365,9 +365,9 @@ def test_the_filter_decides_columns_by_the_error_bound_of_their_tile_and_no_othe
         monkeypatch.setattr(module, "TILE_SHAPES", tile)
     for w, odd, first in product((3, 4, 5, 8), (1.0, 2.0**20, 2.0**38), (0, 3, 5)):
         monkeypatch.setattr(kernels, "MAX_DIRECT_SHAPES", 99 * (odd > 1))  # which way 8-gons take
-        rng = RNG([v, w, first])
-        a, b = columns_of(rng, v, 11, odd).uniform, columns_of(rng, w, 11, 1.0).uniform
-        out = np.full(11 - first, 9, np.int8)
+        rng, n = RNG([v, w, first]), {0: 9, 3: 12, 5: 11}[first]  # the last tile has one column, or all, or all but one
+        a, b = columns_of(rng, v, n, odd).uniform, columns_of(rng, w, n, 1.0).uniform
+        out = np.full(n - first, 9, np.int8)
         kernels.polygons(a, b, first, out)
         assert len(classified) == len(out)  # each once
         classified.clear()
@@ -388,19 +388,47 @@ def test_the_filter_decides_columns_by_the_error_bound_of_their_tile_and_no_othe
     assert found == {(UNDECIDED, True), (UNDECIDED, False), (APART, False), (OVERLAPPING, False)}
 
 
+def edge_facing_corner(v, w, k, gap):
+    """Return a v-gon and a w-gon to the right of it, a gap between an edge and a corner, which k selects."""
+    turns = 2 * np.pi * (np.arange(v) - k - 0.5) / v, 2 * np.pi * (np.arange(w) - k) / w + np.pi + 0.1
+    left, right = (np.stack([np.cos(some), np.sin(some)], axis=1) for some in turns)
+    return left, right - right[k % w] + (np.cos(np.pi / v) + gap, 0)
+
+
 @pytest.mark.parametrize("most", [0, 99])
-def test_the_filter_decides_8_gons_by_the_edges_of_both(most, few, monkeypatch):
+def test_the_filter_decides_8_gons_and_others_by_each_edge_and_each_corner_of_both(most, few, monkeypatch):
     monkeypatch.setattr(kernels_of("filter"), "MAX_DIRECT_SHAPES", most)
-    rings = [regular(RNG(seed), 60, 8, 1.4) for seed in (1, 2)]
-    a, b = (batch.Polygons(some).uniform for some in rings)
-    out = np.full(60, 9, np.int8)
-    kernels_of("filter").polygons(a, b, 0, out)
-    assert out.tolist() == [sv.relate(sv.Polygon(p), sv.Polygon(q)) for p, q in zip(*rings, strict=True)]
+    for v, w in product((7, 8, 9), repeat=2):
+        pairs = [(*edge_facing_corner(v, w, k, gap), gap) for k in range(9) for gap in (0.01, -0.01)]
+        pairs += [(q, p, gap) for k in range(9) for gap in (0.01, -0.01) for p, q in [edge_facing_corner(w, v, k, gap)]]
+        for some in pairs, pairs[::5]:  # many, and as many as an 8-gon has corners
+            left, right, gaps = zip(*some, strict=True)
+            a, b = batch.Polygons(np.array(left)).uniform, batch.Polygons(np.array(right)).uniform
+            out = np.full(len(some), 9, np.int8)
+            kernels_of("filter").polygons(a, b, 0, out)
+            assert out.tolist() == [APART if gap > 0 else OVERLAPPING for gap in gaps]
+
+
+@pytest.mark.parametrize("corners", [4, 8])
+def test_columns_of_fewer_corners_are_evaluated_as_if_they_had_more(corners, few):
+    """Their rows are repeated from the first on; the row after the last repeats the first, too."""
+    raise_clearance, rng = getattr(kernels_of("filter"), f"raise_clearance_{corners}"), RNG(corners)
+    for v, w in product((3, 4, 5, 8), repeat=2):
+        if max(v, w) <= corners:
+            lanes, rings = np.empty((4, corners + 1, 20)), [columns_of(rng, some, 20, 1.0).uniform for some in (v, w)]
+            for to, some in zip((lanes[:2], lanes[2:]), rings, strict=True):
+                to[:] = np.stack([some.x, some.y])[:, np.arange(corners + 1) % len(some.x)]
+            best = np.full(20, -np.inf)
+            for x, y, p, q in lanes, lanes[[2, 3, 0, 1]]:
+                raise_clearance(x, y, p, q, 0, 20, best)
+            outlines = [np.stack([some.x.T, some.y.T], axis=2).astype(np.int64).tolist() for some in rings]
+            right = [clearance(p, q) for p, q in zip(*outlines, strict=True)]
+            assert best.tolist() == right and min(right) < 0 < max(right)
 
 
 @pytest.mark.parametrize("v", [3, 4, 5, 8])
 def test_columns_whose_products_leave_the_range_of_floats_are_left_undecided(v, few):
-    for e, decided in (-525, False), (-420, True), (420, True), (505, False):
+    for e, decided in (-525, False), (-420, True), (420, True), (505, False), (520, False):
         a, b = (batch.Polygons(np.array([KINDS[v](RNG(1)) + 99 * k]) * 2.0**e).uniform for k in (0, 1))
         out = np.full(1, 9, np.int8)
         kernels_of("filter").polygons(a, b, 0, out)
@@ -437,6 +465,8 @@ def test_the_filter_decides_circles_and_polygons_beyond_its_error_bound(v, few):
         radii += rng.choice([0, 0, 2.0**-49, -(2.0**-49), 2.0**-38, -(2.0**-38)], n)
         for k in range(1, n, 4):  # a tiny one on a side, but for rounding
             centers[k], radii[k] = rings[k][0] + (rings[k][1] - rings[k][0]) * rng.random(), 2.0**-90
+        for k in range(3, n, 4):  # and one deep inside
+            centers[k], radii[k] = rings[k].mean(axis=0), 2.0**-90
         group, out = polygons.uniform, np.full(n - first, 9, np.int8)
         kernels.circle_polygons(*centers.T * 2.0**e, radii * 2.0**e, group.x, group.y, first, out)
         x, y = group.x.T.ravel(), group.y.T.ravel()
@@ -507,15 +537,30 @@ def test_the_filter_decides_no_circle_by_an_edge_whose_squared_length_loses_bits
 def test_the_filter_never_takes_a_center_beside_an_edge_for_one_on_the_other_side(few):
     """Whether the center of a tiny circle on an edge lies inside is a matter of its last bit."""
     rng, found, wrong = RNG(5), set(), 0
-    for ring in regular(rng, 150, 3, 2.0):
-        center, r = ring[0] + (ring[1] - ring[0]) * rng.random(), 2.0**-90
+    for ring in regular(rng, 150, 3, 2.0) * rng.choice([1, 2.0**-40], (150, 1, 1)):
+        center, r, out = ring[0] + (ring[1] - ring[0]) * rng.random(), 2.0**-140, np.full(1, 9, np.int8)
         got = kernels_of("filter").relate_circle_polygon(*center, r, *ring.T.copy(), 0, 3)
+        kernels_of("filter").circle_polygons(*center[:, None], np.array([r]), *ring.T[:, :, None], 0, out)
         right = sv.relate(sv.Circle(center, r), sv.Polygon(ring))
-        assert got in (UNDECIDED, right)
+        assert {got, int(out[0])} <= {UNDECIDED, right}
         (x, y), (u, z) = ring[0] - center, ring[1] - ring[0]
         wrong += (x * z - y * u > 0) != (right == OVERLAPPING)  # as floats tell it
         found.add(int(right))
     assert found == {APART, OVERLAPPING} and wrong > 5
+
+
+def test_the_filter_of_circles_and_polygons_grants_their_farthest_corner_in_each_direction(few):
+    """A needle touches a small circle with its tip: the bound is 2**-46 times its squared length."""
+    kernels = kernels_of("filter")
+    parts = (-0.25, UNDECIDED), (0.25, UNDECIDED), (-4, APART), (4, OVERLAPPING)
+    for shift, (part, right) in product((0, 999, -999), parts):
+        needle, center = np.array([(0.0, 0), (64, -1), (64, 1)]), np.array([-1.0, 0])
+        r = np.array([1 + part * 2.0**-47 * 64**2])  # its square is larger than 1 by twice as much
+        for _ in range(4):
+            needle, center, out = needle @ [[0, 1], [-1, 0]], center @ [[0, 1], [-1, 0]], np.full(1, 9, np.int8)
+            x, y = (needle + shift).T.copy()
+            kernels.circle_polygons(*(center + shift)[:, None], r, x[:, None], y[:, None], 0, out)
+            assert kernels.relate_circle_polygon(*center + shift, r[0], x, y, 0, 3) == out[0] == right
 
 
 def squared_distance_from(corners, x, y):
