@@ -346,7 +346,7 @@ def draw_line_as_axis(trace: Trace, layout: Layout) -> Sketch:
         place, point, normal = layout.places[0], certificate.point, certificate.normal
         if float(normal[0]) * place.n.x + float(normal[1]) * place.n.y:
             return sketch  # the line does not run along the axis, so nobody took one for the other
-        draw_separating_line(sketch, certificate, "the line between them")
+        draw_separating_line(sketch, certificate, "the line")
         start = Vec(point.x, layout.limits[1] + layout.units(40.0))
         tip = Vec(place.at(0.0).x, start.y)
         sketch.add("taken", "arrow", "wrong", start, tip)

@@ -38,7 +38,7 @@ from .layout import Layout, PanelContents
 from .sketch import RIGHT_ANGLE_PT, RING_PT, Sketch
 
 PROVES_NOTHING = "true, but\nproves nothing"
-LEAST_WORDY_PT = 200.0  # width of a panel from which on it explains the MTV
+LEAST_WORDY_PT = 200.0  # width of a panel from which on it explains the MTV and remarks on a test
 
 
 def mtv_name(layout: Layout) -> str:
@@ -95,7 +95,7 @@ def draw_claimed_tests(trace: Trace, layout: Layout) -> Sketch:
     ):
         sketch.bounding_boxes()
     sketch.shapes()
-    remarks = [remark_on(trace, test) for test in tests]
+    remarks = [remark_on(trace, test) if layout.size[0] >= LEAST_WORDY_PT else "" for test in tests]
     if len(tests) > 1 and set(remarks) == {PROVES_NOTHING}:
         sketch.note("remark", "true overlaps, but they prove nothing", "overlap", first=3)
         remarks = [""] * len(tests)
