@@ -39,7 +39,7 @@ _OTHER = re.compile(
     r"|\bsizeof\s*\([^()]*\)\s*/\s*sizeof\s*\([^()]*\)|(?P<quote>['\"])[012FT*]{9}(?P=quote)"
     r"|(?<![\w/.-])[\w/.-]{1,80}\.(?:py|js|ts|cs|cpp|cc|c|h|hpp|rs|go|java|rb|lua|gd|kt|swift|m):\d+(?::\d+)?|TopologyException:[^\n]*"
     r"|\b(?:Windows|macOS|Ubuntu|Android|iOS|Python|Node|Java|Chrome|Firefox) \d+(?:\.\d+)*"
-    r"|(?:\bv|\bversion\W{1,6}|\b[a-z][\w.+-]* v?)\d+\.\d+\.\d+\w*"
+    r"|(?:\bv|\bversion\W{1,6}|(?<![\w.+-])[a-z][\w.+-]{0,40} v?)\d+\.\d+\.\d+\w*"
     r"|\bEigen::Matrix\w+ +\w+\(\d+, *\d+\)|^\s*size\(\d+, *\d+\);",
     re.IGNORECASE | re.MULTILINE,
 )
