@@ -913,9 +913,41 @@ love.graphics.circle("fill", 60, 5, 5)""",
     Paste(
         "bump.lua",
         """world:add(A, 0, 0, 64, 256)
-world:add(B, 64, 0, 32, 32)""",
-        (),
-        says="world",
+world:add("B", 64, 0, 32, 32)""",
+        ((0, 0, 64, 256), (64, 0, 96, 32)),
+    ),
+    Paste(
+        "bump.lua, moved",
+        """world:add(A, 0, 0, 64, 256)
+world:add(B, 64, 0, 32, 32)
+world:move(B, 0, 64)""",
+        ((0, 0, 64, 256), (64, 0, 96, 32)),
+        says="move",
+    ),
+    Paste(
+        "three.js, boxes of points",
+        """const pts = [new THREE.Vector2(0, 0), new THREE.Vector2(4, 1), new THREE.Vector2(2, 4)];
+const a = new THREE.Box2().setFromPoints(pts);
+const b = new THREE.Box2();
+b.setFromPoints([new THREE.Vector2(3, 0), new THREE.Vector2(7, 4)]);
+const c = new THREE.Box2().setFromCenterAndSize(new THREE.Vector2(3, 0), new THREE.Vector2(8, 4));
+const d = new THREE.Box2();
+d.set(new THREE.Vector2(3, 0), new THREE.Vector2(7, 4));""",
+        ((0, 0, 4, 4), (3, 0, 7, 4), (-1, -2, 7, 2), (3, 0, 7, 4)),
+    ),
+    Paste(
+        "turf.bboxPolygon",
+        """const bbox = [0, 0, 4, 4];
+const a = turf.bboxPolygon(bbox);
+const b = turf.bboxPolygon([3, 0, 7, 4]);""",
+        ((0, 0, 4, 4), (3, 0, 7, 4)),
+    ),
+    Paste(
+        "paper.js",
+        """var a = new paper.Path.Rectangle({ from: new Point(0, 0), to: new Point(4, 4), strokeColor: 'black' });
+var b = new Path.Rectangle({point: [3, 3], size: [4, 4]});
+var c = new Path.Circle(new Point(3, 3), 2);""",
+        ((0, 0, 4, 4), (3, 3, 7, 7), (1, 1, 5, 5)),
     ),
     Paste(
         "YAML",

@@ -40,6 +40,7 @@ from .notations import (
 from .points import ZERO, Pt, angle_of, places
 from .tree import Bad, Group, Name, Num, Pair, parts_of
 
+_PLACES = {"from": "corner", "to": "bottomright", "point": "corner"}  # of paper.js
 FULL_TURNS = frozenset(["2*pi", "pi*2", "2pi", "tau", "two_pi", "360", "6.283185307179586"])
 
 
@@ -76,7 +77,8 @@ class Calls(Keyed):
                     if angle is not None and _begins_with_numbers(named.rest):
                         named.fields[angle] = options.fields[angle]
                         continue
-                    if options.get("points", "radius", "width", "size", "min", "half") is None:
+                    sizes = options.get("points", "radius", "width", "size", "min", "half")
+                    if sizes is None and "to" not in options.fields:
                         continue
             kept.append(item)
         named.rest = []
@@ -88,7 +90,9 @@ class Calls(Keyed):
         if not isinstance(value, Group) or value.name or not any(isinstance(v, Pair) for v in value.items):
             return None
         made = self.as_object(value)
-        return made if made.get("radius", "diameter", "width", "size", "half", "halfwidth", "min", "x1") else None
+        made.fields = {_PLACES.get(str(name), name): v for name, v in made.fields.items()}
+        sized = made.get("radius", "diameter", "width", "size", "half", "halfwidth", "min", "x1", "opposite")
+        return made if sized else None
 
     def _body(self, arguments: list[Any]) -> tuple[list[Any], Pt | None, Any]:
         """Return (arguments without a physics body, the body's position, its angle); None for what the body lacks."""
@@ -247,7 +251,16 @@ class Calls(Keyed):
         says = [name for name in named.fields if key(name) and key(name) not in ("angle", "degrees", "radians")]
         if named.fields and (says or not arguments):
             return self._object(replace(named, start=group.start, end=group.end, rest=arguments), label, row)
+        inner = self.resolve(arguments[0]) if len(arguments) == 1 else None
+        pairs = isinstance(inner, Group) and any(isinstance(v, Pair) for v in inner.items)
+        if isinstance(inner, Group) and not (inner.name or pairs) and len(inner.items) > 1 and not self.point(inner):
+            self.consume(arguments)
+            arguments = list(inner.items)  # Rect([0, 0, 4, 4]), setFromPoints([(0, 0), (4, 1), (2, 4)])
         parts = [self.point(a) if isinstance(self.resolve(a), (Group, Obj)) else None for a in arguments]
+        if len(parts) > 2 and all(parts) and group.name.lower().endswith(("frompoints", "boundingrect")):
+            xs, ys = zip(*(p for p in parts if p), strict=True)
+            made = self._made_box([min(xs), min(ys), max(xs), max(ys)], CORNER_CORNER, group, label)
+            return [replace(made, said=f"the bounding box of {len(xs)} points", used=places(*xs, *ys), keyed=True)]
         if parts and any(p is not None for p in parts):
             flat: list[Fraction] = []
             for argument, part in zip(arguments, parts, strict=True):

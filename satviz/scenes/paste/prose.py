@@ -54,6 +54,11 @@ SENTENCES = (
     ("svg.polygon", re.compile(rf"\\(?:draw|fill|filldraw|path){_STYLE}\s*{_P}(?:\s*--\s*{_P})+\s*--\s*cycle")),  # TikZ
     ("circle", re.compile(rf"\({_N}[ ]?,[ ]?{_N}\)[ ]circle[ ]\({_N}\)")),
     ("image.rect", re.compile(rf"\({_N}[ ]?,[ ]?{_N}\)[ ]rectangle[ ]\({_N}[ ]?,[ ]?{_N}\)")),
+    (
+        "qrect",
+        re.compile(rf":add\((?:[A-Za-z_][\w.]*|\"[^\"\n]*\"|'[^'\n]*')(?:[ ]?,[ ]?{_N}){{4}}[ ]?\)"),
+        re.compile(rf",[ ]?({_N})"),
+    ),  # bump of Lua
     ("rect", re.compile(rf"{_PLACE}{_FILL}{_N}[ ]?[x\u00d7][ ]?{_N}(?![\w.%])", re.IGNORECASE)),
 )
 _NUMBER = re.compile(rf"(?<!\bV){_N}")

@@ -8,7 +8,21 @@ from typing import Any, NamedTuple
 from .atoms import holds_numbers
 from .harmless import words
 from .names import Names, Obj, is_block, short
-from .notations import BOX, CIRCLE, MOVES, OTHER_SHAPE, POINT, RESETS, RING, SETTERS, SHIFTS, TURNS, key, notation
+from .notations import (
+    BOX,
+    CIRCLE,
+    MAKERS,
+    MOVES,
+    OTHER_SHAPE,
+    POINT,
+    RESETS,
+    RING,
+    SETTERS,
+    SHIFTS,
+    TURNS,
+    key,
+    notation,
+)
 from .tree import Bad, Group, Name, Num, Pair, parts_of
 
 # Calls that add a corner to a list, that draw an outline with a pen, and that give a shape to a body.
@@ -177,7 +191,7 @@ class Statements(Names):
             number = int(index.value or 0) if isinstance(index, Num) else 0
             self.counts |= {index.end} if isinstance(index, Num) else set()
             self._insert(Pair(item.start, item.end, (*item.name.split("."), number), item.methods[0][1]))
-        elif last in RESETS and owner and len(item.items) > 2 and (made := self._maker(owner, item)):
+        elif owner and (made := self._maker(owner, item)):
             old = self.resolve(Name(item.start, item.end, ".".join(owner)))
             if isinstance(old, Group):  # r.setRect(0, 0, 4, 4) replaces what r was
                 self.used.add(id(old))
@@ -209,7 +223,14 @@ class Statements(Names):
         return True
 
     def _maker(self, owner: tuple[str, ...], call: Group) -> str:
-        """Return the name of the call that made a box or a circle, or of one that gives it its numbers; else ""."""
+        """Return the name of the call that made what this call gives its numbers anew; "" for another call.
+
+        That is the call that made a box or a circle, or this one if it says which numbers it gives.
+        """
+        last = parts_of(call.name)[-1].lower()
+        two = len(call.items) == 2 and all(isinstance(v, Group) for v in call.items)  # box.set(min, max)
+        if last in MAKERS or last not in RESETS or not (len(call.items) > 2 or two):
+            return last if last in MAKERS else ""
         old = self.resolve(Name(call.start, call.end, ".".join(owner)))
         row = notation(old.name) if isinstance(old, Group) else None
         made = old.name if row and row.kind in (BOX, CIRCLE) else ""
