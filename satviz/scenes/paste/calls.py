@@ -118,7 +118,9 @@ class Calls(Keyed):
             return [replace(made, used=made.used | ({count.end} if count else set()))]
         arguments, place, angle = self._body(arguments)
         if named.fields and not arguments:
-            return self._object(replace(named, start=group.start, end=group.end), label)
+            node = group.bracket == "{" and group.name.lower().endswith("2d")  # of Unity or Godot
+            row = notation(group.name) if node else None
+            return self._object(replace(named, start=group.start, end=group.end), label, row)
         angle = angle if angle is not None else named.get("angle", "degrees", "radians")
         place = place or (self.point(named.get("center")) if named.get("center") is not None else None)
         loose = Group(group.start, group.end, arguments, group.bracket, group.name)

@@ -72,6 +72,7 @@ _ROWS = [
         (rf"^[ \t]*\w{{1,40}}\s*<<(?=\s*{_N}(?:\s*,\s*{_N}){{5,}}\s*;)", lambda m: m[0].replace("<<", "= ")),  # Eigen
         (r"(?<=\s)--?[a-z][\w-]*[ =](?=[\"'])", blank),  # an option of a command line
         (r"(?<=\w):(?=(?:moveTo|move|rotate|setPosition|setRotation|setAngle|translate)\()", lambda _: "."),  # Lua
+        (r"^[ \t]*m_Paths:[ \t]*\n[ \t]*-(?= - \{)|^(?:--- !|%YAML|%TAG).*", blank),  # Unity
         (_PREFIX, blank),
         (r"(?<=@export)_\w+(?:\([^()\n]*\))?|(?<=\bexport)\([^()\n]*\)", blank),  # of GDScript
         (r"(?<=\bat )(?:the )?origin\b|(?<=\bon )the origin\b", lambda m: "(0, 0)".rjust(len(m[0]))),

@@ -10,6 +10,7 @@ from .boxes import (
     BY_RADIUS,
     CHOICES,
     CORNERS,
+    RELATIVE,
     Boxes,
     Read,
     circle,
@@ -22,6 +23,7 @@ from .notations import (
     CENTER_HALF,
     CENTER_SIZE,
     CORNER_CORNER,
+    RING,
     Notation,
     key,
     notation,
@@ -82,7 +84,8 @@ class Keyed(Boxes):
             shift, given = place or ZERO, places(*(place or ()))
             if all(str(name).lower() == "centroid" for name in obj.fields if key(name) in ("center", "corner", "x")):
                 shift = ZERO  # where its corners are already
-            if shift != ZERO and self._choose(CORNERS, CHOICES[CORNERS]) == ABSOLUTE:
+            sure = RELATIVE if row and row.kind == RING else ""
+            if shift != ZERO and self._choose(CORNERS, CHOICES[CORNERS], sure=sure) == ABSOLUTE:
                 shift = ZERO
             made = self._outline(outline, obj, label, shift, " and a position" if shift != ZERO else "")
             made = replace(made, used=made.used | given)

@@ -23,7 +23,7 @@ from .notations import (
     key,
     notation,
 )
-from .tree import Bad, Group, Name, Num, Pair, parts_of
+from .tree import Bad, Group, Name, Num, Pair, Value, parts_of
 
 # Calls that add a corner to a list, that draw an outline with a pen, and that give a shape to a body.
 ADDERS = frozenset(
@@ -37,6 +37,9 @@ ATTACHERS = frozenset(["addshape", "add_shape", "createfixture", "create_fixture
 _SKETCH = re.compile(
     r"\b(?:rectMode|ellipseMode|createCanvas|collide[A-Z]\w*|beginShape|noStroke|strokeWeight|ellipse|quad|background)\("
 )
+# Lines of YAML, and of a scene of Godot.
+_KEY = re.compile(r"([ \t]*)[A-Za-z_]\w*[ \t]*:(?=\s)")
+_SECTION = re.compile(r"\[(node|sub_resource)\b")
 _MODE = re.compile(r"\b(rect|ellipse)Mode\(\s*(\w+)\s*\)")
 # Names such as x1, rect_w, ballRadius and bx: whose number it is, and which.
 _LETTERS = "x|y|w|h|r|cx|cy|width|height|radius|diameter"
@@ -98,19 +101,68 @@ class Statements(Names):
         self._end_corners()
 
     def _gathered(self, items: Sequence[Any]) -> Iterator[Any]:
-        """Yield lines, with those that go on with a list of points as one: points: and the lines - [2, -1] of YAML."""
+        """Yield lines; the lines of a list of points, of a block of YAML and of a section of Godot become one."""
+        resources: dict[str, Group] = {}
+        places: dict[str, Pair] = {}  # of nodes at the top
         i = 0
         while i < len(items):
             item, i = items[i], i + 1
             if isinstance(item, Pair) and _is_points(item.path[-1]) and _is_nameless_point(item.value):
-                rows = [item.value]
+                rows = [item.value]  # points: and the lines - [2, -1] of YAML
                 while i < len(items) and _is_nameless_point(items[i]):
                     rows.append(items[i])
                     i += 1
                 if len(rows) > 1:
                     made = Group(rows[0].start, rows[-1].end, rows, "[")
                     item = replace(item, value=made, end=made.end)
+            elif isinstance(item, Pair) and isinstance(item.value, Pair) and (depth := self._indent(item.value)):
+                rows, kind = [item.value], str(item.path[-1])
+                while (
+                    self._indent(item) < depth
+                    and i < len(items)
+                    and (self._indent(items[i]) >= depth or _is_nameless_point(items[i]))
+                ):
+                    rows.append(items[i])
+                    i += 1
+                name = kind if kind.lower().endswith("collider2d") else ""  # of Unity
+                if len(rows) > 1 or name:
+                    made = Group(item.start, rows[-1].end, list(self._gathered(rows)), "{", name)
+                    item = replace(item, value=made, end=made.end)
+            elif isinstance(item, Group) and (head := _SECTION.match(self.text, item.start)):
+                says = {pair.path[0]: pair.value for pair in item.items if isinstance(pair, Pair)}
+                rows, kind = [], self._said(says.get("type"))
+                while i < len(items) and isinstance(items[i], Pair):
+                    radians = items[i].path == ("rotation",)
+                    rows.append(replace(items[i], path=("radians",)) if radians else items[i])
+                    i += 1
+                for row in rows:
+                    if row.path == ("shape",) and isinstance(row.value, Group) and row.value.items:
+                        used = resources.get(self._said(row.value.items[0]))
+                        if used is not None:  # shape = SubResource("1")
+                            self.used.add(id(used))
+                            self.parts.append((row.value.start, row.value.end))
+                            rows, kind = [*used.items, *(each for each in rows if each is not row)], used.name
+                made = Group(item.start, rows[-1].end if rows else item.end, rows, "{", kind)
+                parent = self._said(says.get("parent"))
+                if parent in ("", "."):
+                    places |= {self._said(says.get("name")): row for row in rows if row.path == ("position",)}
+                elif parent in places:
+                    made.items.append(replace(places[parent], path=("offset",)))
+                if head[1] == "sub_resource":
+                    resources[self._said(says.get("id"))] = made
+                self.parts.append((item.start, item.end))
+                item = Pair(made.start, made.end, (self._said(says.get("name")) or kind,), made)
             yield item
+
+    def _said(self, value: Any) -> str:
+        """Return the text of a value in quotes, or of a number."""
+        return self.text[value.start : value.end].strip("\"'") if isinstance(value, Value) else ""
+
+    def _indent(self, item: Any) -> int:
+        """Return how far a line `key: value` is indented, or -1 for any other line."""
+        begin = self.text.rfind("\n", 0, item.start) + 1 if isinstance(item, Pair) else -1
+        found = _KEY.match(self.text, begin) if begin >= 0 else None
+        return len(found[1]) if found and found.end(1) == item.start else -1
 
     def _line(self, item: Any) -> None:
         """Carry out one parsed line: set a name, add corners or a shape, or keep the line in `loose`."""
