@@ -3318,4 +3318,157 @@ b2Circle b = {{5, 0}, 1};""",
         ((0, 0, 4, 4),),
         says="foo 3, 4",
     ),
+    # -- logs, debuggers, changes
+    Paste(
+        "syslog",
+        """Nov 27 11:06:25 host game[1234]: circle((0, 0), 5)
+Nov  3 11:06:26 my.host physics: circle((3, 0), 5)""",
+        ((-5, -5, 5, 5), (-2, -5, 8, 5)),
+    ),
+    Paste(
+        "syslog of RFC 5424",
+        """<34>1 2003-10-11T22:14:15.003Z machine app 123 ID47 - circle((0, 0), 5)
+<34>1 2003-10-11T22:14:15.004Z machine app 123 ID47 - circle((3, 0), 5)""",
+        ((-5, -5, 5, 5), (-2, -5, 8, 5)),
+    ),
+    Paste(
+        "glog",
+        """I0512 10:11:12.123456 1234 main.cc:33] QRect(0, 0, 4, 4)
+W0512 10:11:12.123456 1234 main.cc:34] QRect(3, 0, 4, 4)""",
+        ((0, 0, 4, 4), (3, 0, 7, 4)),
+    ),
+    Paste(
+        "a log with seconds since 1970",
+        """[1715500000.123] QRect(0, 0, 4, 4)
+[1715500000.456] QRect(3, 0, 4, 4)""",
+        ((0, 0, 4, 4), (3, 0, 7, 4)),
+    ),
+    Paste(
+        "a watch window of Visual Studio",
+        """-\t\ta\t{ size=3 }\tstd::vector<sf::Vector2<float>,std::allocator<sf::Vector2<float>>>
+\t\t[capacity]\t3\tunsigned __int64
+\t\t[allocator]\tallocator\tstd::_Compressed_pair<...>
++\t\t[0]\t{x=0.00000000 y=0.00000000 }\tsf::Vector2<float>
++\t\t[1]\t{x=4.00000000 y=0.00000000 }\tsf::Vector2<float>
++\t\t[2]\t{x=0.00000000 y=3.00000000 }\tsf::Vector2<float>
+-\t\tb\t{ size=3 }\tstd::vector<Vec2>
+\t\t[0]\t{x=1.00000000 y=1.00000000 }\tVec2
+\t\t[1]\t{x=5.00000000 y=1.00000000 }\tVec2
+\t\t[2]\t{x=1.00000000 y=4.00000000 }\tVec2""",
+        ((0, 0, 4, 3), (1, 1, 5, 4)),
+    ),
+    Paste(
+        "a watch window with structs and an array",
+        """a\t{x=0.0 y=0.0 r=5.0}\tCircle
+verts\t0x00f3fa4c {{x=0.0 y=0.0}, {x=4.0 y=0.0}, {x=0.0 y=3.0}}\tVec2[3]""",
+        ((-5, -5, 5, 5), (0, 0, 4, 3)),
+    ),
+    Paste(
+        "words behind a struct", "{x=0 y=0 r=5}\tmoved 4\n{x=3 y=0 r=5}", ((-5, -5, 5, 5), (-2, -5, 8, 5)), says="moved"
+    ),
+    Paste(
+        "gdb",
+        """$1 = std::vector of length 3, capacity 4 = {{x = 0, y = 0}, {x = 4, y = 0}, {x = 0, y = 3}}
+(gdb) p box
+$2 = {min = {x = 1, y = 1}, max = {x = 5, y = 4}}""",
+        ((0, 0, 4, 3), (1, 1, 5, 4)),
+    ),
+    Paste(
+        "lldb",
+        """(std::vector<Vec2>) a = size=3 {
+  [0] = (x = 0, y = 0)
+  [1] = (x = 4, y = 0)
+  [2] = (x = 0, y = 3)
+}
+(CGRect) $R1 = (origin = (x = 3, y = 0), size = (width = 4, height = 4))""",
+        ((0, 0, 4, 3), (3, 0, 7, 4)),
+    ),
+    Paste(
+        "diff of a CSV file",
+        """--- a/shapes.csv
++++ b/shapes.csv
+@@ -1,8 +1,8 @@
+ shape,x,y
+ a,0,0
+ a,4,0
+-a,0,2
++a,0,3
+ b,1,1
+ b,5,1
+ b,1,4""",
+        ((0, 0, 4, 3), (1, 1, 5, 4)),
+    ),
+    Paste(
+        "diff of a CSV file with sizes",
+        """@@ -1,3 +1,3 @@
+ x,y,r
+-0,0,4
++1,1,4
+ 3,0,4""",
+        ((-3, -3, 5, 5), (-1, -4, 7, 4)),
+    ),
+    # -- what is no shape, or may be none
+    Paste(
+        "GDScript, exported variables that instances set",
+        """class_name Hitbox
+extends Resource
+@export var rect = Rect2(0, 0, 4, 4)
+
+var a = Hitbox.new()
+a.rect = Rect2(1, 1, 4, 4)
+var b = Hitbox.new()
+b.rect = Rect2(3, 1, 4, 4)""",
+        ((1, 1, 5, 5), (3, 1, 7, 5)),
+    ),
+    Paste(
+        "GDScript, exported variables beside shapes",
+        """extends Area2D
+class_name Hitbox
+@export var x = 0
+@export var y = 0
+@export_range(0, 10) var width = 4
+@export var height = 3
+
+var a = Rect2(0, 0, 4, 4)
+var b = Rect2(3, 0, 4, 4)""",
+        ((0, 0, 4, 4), (3, 0, 7, 4)),
+        says="what a class begins with",
+    ),
+    Paste(
+        "GDScript of Godot 3, exported variables alone",
+        """extends KinematicBody2D
+export(int) var radius = 5
+export var center = Vector2(10, 10)""",
+        ((5, 5, 15, 15),),
+    ),
+    *(
+        Paste(
+            f"circles beside {line!r}",
+            f"circle((0, 0), 5)\ncircle((3, 0), 5)\n{line}",
+            ((-5, -5, 5, 5), (-2, -5, 8, 5)),
+            says="something else" if any(c in line for c in "[(") or line[0] == "1" else line[:3],
+        )
+        for line in (
+            "Edit: with (0, 0, 5, 5) it works",
+            "EDIT 2: [0, 0, 5, 5] too",
+            "Update: circle((9, 9), 5)",
+            "I tried box(0, 0, 5, 5)",
+            "phone: (0, 30, 123, 4567)",
+            "VERSION = [1, 2, 3, 4]",
+            "__version__ = (3, 12, 1, 0)",
+            "color = [1, 0, 0, 1]",
+            "12, 5, 2024, 10",
+        )
+    ),
+    Paste(
+        "a shape that may be none, taken in",
+        "circle((0, 0), 5)\ncircle((3, 0), 5)\nEdit: circle((9, 9), 5)",
+        ((-5, -5, 5, 5), (-2, -5, 8, 5), (4, 4, 14, 14)),
+        as_="take-in",
+    ),
+    Paste(
+        "shapes in a sentence that says that they work",
+        "[(0, 0), (4, 0), (0, 3)] works, [(1, 1), (5, 1), (1, 4)] not",
+        ((0, 0, 4, 3), (1, 1, 5, 4)),
+    ),
 )

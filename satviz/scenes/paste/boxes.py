@@ -46,7 +46,8 @@ CHOICES: Mapping[str, tuple[str, ...]] = {
     COMMAS: (DECIMAL_COMMAS, SEPARATORS),
 }
 LEAVE_OUT = "leave-out"  # the shapes stand without what was not understood
-ALL_CHOICES = (*(choice for choices in CHOICES.values() for choice in choices), LEAVE_OUT)
+TAKE_IN = "take-in"  # what may be a shape is one
+ALL_CHOICES = (*(choice for choices in CHOICES.values() for choice in choices), LEAVE_OUT, TAKE_IN)
 FULL_TURN = Fraction(63, 10)  # an angle beyond a full turn in radians is in degrees
 ONLY_IF_IT_MATTERS = (TURN, ORDER, ROUND)  # asked only where the answer changes
 CENTER_KEYS = ("center", "centre", "centroid", "middle", "cx", "xc", "centerx", "xcenter")
@@ -98,6 +99,7 @@ class Boxes(Points):
         super().__init__(text)
         self.chosen = chosen
         self.asked: dict[str, tuple[str, ...]] = {}
+        self.doubts = False  # whether a part may be a shape or something else
         self.keeps = False  # a choice of a form is for the boxes whose form is asked, and for no others
 
     def _overridden(self, form: str) -> str:

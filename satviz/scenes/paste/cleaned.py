@@ -13,12 +13,19 @@ _N = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 _PROMPT = r"^[ \t]*(?:>>>|\.\.\.:?(?!\s*\n\s*[\[({\d-]|[ ](?:and )?\d+ more\b)|In \[\d+\]:|Out\[\d+\]:)(?=\s)"
 # what a log or a list writes before a shape: a date and a time, a level, a source, a number
 _TIME = r"\d\d:\d\d:\d\d(?:[.,]\d+)?"
-_STAMP = rf"\d{{4}}[-/]\d\d[-/]\d\d(?:[T ](?:{_TIME}|\d\d:\d\d)(?:Z|[+-]\d\d:?\d\d)?)?|(?:\d\d-\d\d[ ])?{_TIME}"
+_STAMP = (
+    rf"\d{{4}}[-/]\d\d[-/]\d\d(?:[T ](?:{_TIME}|\d\d:\d\d)(?:Z|[+-]\d\d:?\d\d)?)?"
+    rf"|(?:\d\d-\d\d[ ]|[IWEF]\d{{4}}[ ])?{_TIME}(?:[ ][AP]M\b)?|\d{{10}}\.\d+(?=\])"
+)
+# the host and the process that syslog writes behind the time, and the line of a source in that of glog
+_SYSLOG = rf"(?:<\d+>\d?[ ]?)?(?:[A-Z][a-z]{{2}}[ ]+\d{{1,2}}[ ]{_TIME}|{_STAMP})[ ][\w.-]+[ ]"
 # what says all of a shape: three keys with numbers (but not x, y and z), or two with points
 _KEYED = r"[A-Za-z_][\w-]*[ \t]?=[ \t]?"
 _SCALAR, _POINT, _GAP = rf"{_KEYED}[-+]?[\d.]+", rf"{_KEYED}\([^()\n]*\)", r"[ \t,;]+"
 _KEYS = rf"{_SCALAR}{_GAP}{_SCALAR}{_GAP}(?![zZ]\b){_SCALAR}|{_POINT}{_GAP}{_POINT}"
-_PREFIX = rf"""(?x)^[ \t]*(?:[\[(<]?(?:{_STAMP})(?!\d)[\])>]?[ \t:|,-]*)?
+_PREFIX = rf"""(?x)^[ \t]*(?:{_SYSLOG}(?:[\w./-]+(?:\[\d+\])?:|[\w.-]+[ ][\w-]+[ ][\w-]+[ ]-)[ ]+
+       |[IWEF]\d{{4}}[ ]{_TIME}[ ]+\d+[ ][\w./-]+:\d+\][ ]
+       |[\[(<]?(?:{_STAMP})(?!\d)[\])>]?[ \t:|,-]*)?
     (?:(?:\[[A-Za-z][\w\ ./:\#-]*\](?!\s*=>)|\b(?:TRACE|DEBUG|INFO|WARN|WARNING|ERROR|FATAL)\b
        |[VDIWEF]/[\w.-]+(?:\([ \d]+\))?:|\d+[ ]+\d+[ ]+[VDIWEF][ ]+[\w.-]+[ ]*:
        |[a-z]\w*(?:\.\w+)+(?=[ ]-[ ][A-Za-z]))[ \t:|-]+)*
@@ -64,9 +71,9 @@ _ROWS = [
         ),
         (rf"^[ \t]*\w{{1,40}}\s*<<(?=\s*{_N}(?:\s*,\s*{_N}){{5,}}\s*;)", lambda m: m[0].replace("<<", "= ")),  # Eigen
         (r"(?<=\s)--?[a-z][\w-]*[ =](?=[\"'])", blank),  # an option of a command line
-        (r"^[ \t]*\[\d+\][ \t]+(?=\{)|\{ size=\d+ \}|(?<=\})\t[\w:.<> ]+$", blank),  # a debugger's watch window
         (r"(?<=\w):(?=(?:moveTo|move|rotate|setPosition|setRotation|setAngle|translate)\()", lambda _: "."),  # Lua
         (_PREFIX, blank),
+        (r"(?<=@export)_\w+(?:\([^()\n]*\))?|(?<=\bexport)\([^()\n]*\)", blank),  # of GDScript
         (r"(?<=\bat )(?:the )?origin\b|(?<=\bon )the origin\b", lambda m: "(0, 0)".rjust(len(m[0]))),
         (_NUMBERED, lambda m: m[1].ljust(len(m[0]))),
         (r"\(/(?=\s*[-+.\d])|(?<=[\s.\d])/\)", lambda m: {"(/": "[ ", "/)": " ]"}[m[0]]),  # Fortran
@@ -81,9 +88,20 @@ _PLAIN_FIELD = r"(?:[^{}()\[\]\n;]|\([^(),{}\n]*(?:,[^(),{}\n]*)?\)|\{ ?get;[^{}
 TYPE = re.compile(
     rf"\b(?:class|struct|record)\s+(\w+)(?:(?:\([\w., ]*\))?:[ \t]*\n(?P<lines>(?:[ \t]+[^\n(){{}}\[\]]+\n|[ \t]*\n)++)"
     rf"|[^{{}}()=;\n]*\s*[{{(](?P<fields>(?:{_PLAIN_FIELD}[;\n])*+(?:{_PLAIN_FIELD}(?=[)}}]))?+))"
+    # GDScript, whose exported variables a scene sets anew
+    r"|^[ \t]*class_name[ \t]+(?P<name>\w+).*\n(?P<exports>(?:[ \t]*(?:@|export\b|extends\b|$).*(?:\n|\Z))++)"
+    r"|^(?P<exported>(?:[ \t]*(?:@export\b|export {2,}var\b).*(?:\n|\Z)\s*)++)",
+    re.MULTILINE,
 )
 MAX_TYPES = 20  # of which the names are looked for
 
+# what a debugger writes beside values: places in a list, sizes, types
+_WATCH = re.compile(
+    r"^[ \t]*+(?:[-+][ \t]*+)?(?:\[\d+\][ \t]+(?=\{)|(?:\w+[ \t]+\{ ?size=\d+ ?\}|\[[A-Za-z][\w ]*\]\t).*)"
+    r"|(?<=\})\t(?![^\n{}]*[ \t][-+.\d])[A-Za-z_][\w:<>, *&\[\]]*$|\bsize=\d+[ ](?=\{)|\b0x[0-9a-f]{8,16}[ ](?=\{)"
+    r"|std::\w+ of length \d+, capacity \d+ = (?=\{)",
+    re.MULTILINE,
+)
 _QUOTE = re.compile(r"^>+ .*(?:\n>+(?: .*|$))*", re.MULTILINE)  # or the prompts of R and MATLAB
 _HEADS = re.compile(r"^(?:-.*|\+\+\+ .*|@@.*|diff --git.*|index [0-9a-f]{6,}\.\..*|\+)", re.MULTILINE)
 
@@ -95,12 +113,17 @@ def cleaned(text: str) -> tuple[str, list[str]]:
     text = text.translate(_PLAIN)
     text = _QUOTE.sub(lambda m: re.sub(r"(?m)^(?:> ?)+", blank, m[0]), text)
     if _PATCH.search(text):  # a diff with its heads
-        kept = _HEADS.sub(blank, text)
+        kept = _WATCH.sub(blank, _HEADS.sub(blank, text))
     else:
+        text = _WATCH.sub(blank, text)
         kept = _CHANGE.sub(lambda m: re.sub(r"(?m)^[ \t]*(?:-.*|\+)", blank, m[0]) if m["added"] else m[0], text)
     remarks = ["the lines that a change removes (-) were left out"] if kept != text else []
     for pattern, write in _ROWS:
         kept = pattern.sub(write, kept)
-    return TYPE.sub(
-        lambda m: blank(m, m.lastgroup or 0) if kept.count(m[1]) > m[0].count(m[1]) else m[0], kept, MAX_TYPES
-    ), remarks
+    return TYPE.sub(lambda m: blank(m, m.lastgroup or 0) if _is_used(m, kept) else m[0], kept, MAX_TYPES), remarks
+
+
+def _is_used(declared: re.Match[str], text: str) -> bool:
+    """Return whether the name of a type stands in the text outside of its declaration."""
+    name = declared[1] or declared["name"]
+    return bool(name) and text.count(name) > declared[0].count(name)

@@ -13,6 +13,7 @@ from .boxes import (
     BOX_FORM,
     CHOICES,
     LAST_VALUE,
+    TAKE_IN,
     TWICE,
     Read,
     circle,
@@ -64,8 +65,16 @@ SHORTENED = re.compile(
 _RESULT = re.compile(
     r"(?i)(output|result|intersection)\b.*|(print\()?\w+\.(intersection|union|difference|buffer)\(.*\)"
 )
+# words of a line about something that was tried besides, or about what is no shape
+_ASIDE = re.compile(
+    r"\b(?:edit|update|p\.?s)\W{0,3}\d*:|(?<![a-z])(?:works|worked|tried|instead|phone|call|tel|fax|mobile|versions?|date"
+    r"|colou?rs?|rgba?)(?![a-z])",
+    re.IGNORECASE,
+)
+_COMMENT = re.compile(r"//|#|--|/\*")
 COPIES = frozenset(["clone", "copy", "deepcopy", "dup", "duplicate"])
 MAX_ABOVE = 400  # characters before a shape in which the line above it is looked for
+MAX_BESIDE = 200  # characters before and behind a shape in which words about it are looked for
 MAX_PROBLEMS = 50  # of what is not read; fewer are shown
 
 
@@ -109,12 +118,19 @@ class Reader(Calls):
             self.parts += [(shape.start, shape.end) for owner, shape in kept if owner in earlier]
             kept = [(owner, shape) for owner, shape in kept if owner not in earlier]
         shapes = [shape for _, shape in kept]
-        fields = within([match.span() for match in TYPE.finditer(self.text)], shapes)
-        doubtful = dict.fromkeys(fields if len(fields) < len(kept) else (), "a shape, or what a class begins with")
-        doubtful |= {s: "a shape, or a result" for s in shapes if _RESULT.fullmatch(s.label or self._above(s))}
-        doubtful |= {s: "a shape, or a bounding box" for p, s in pairwise(shapes) if s.form and _bounds(p) == s.points}
-        self.problems += [f"{short(self.text[s.start : s.end])}: {why}" for s, why in doubtful.items()]
+        doubtful: dict[Read, str] = {}
+        if TAKE_IN not in self.chosen:
+            fields = within([match.span() for match in TYPE.finditer(self.text)], shapes)
+            beside = {s for s in shapes if _ASIDE.search(self._line_of(s)) or self._is_bare(s)}
+            for some, what in ((fields, "what a class begins with"), (beside, "one of something else")):
+                doubtful |= dict.fromkeys(some if len(some) < len(shapes) else (), what)
+            doubtful |= {s: "a result" for s in shapes if _RESULT.fullmatch(s.label or self._above(s))}
+            doubtful |= {s: "a bounding box" for p, s in pairwise(shapes) if s.form and _bounds(p) == s.points}
+        self.problems += [
+            f"{short(self.text[s.start : s.end])}: a shape of its own, or {why}" for s, why in doubtful.items()
+        ]
         self.parts += [(s.start, s.end) for s in doubtful]
+        self.doubts = bool(doubtful)
         kept = [(owner, shape) for owner, shape in kept if shape not in doubtful]
         made = {(s.points, s.radius) for _, s in kept if not s.repeats}
         named = {(s.points, s.radius, s.label) for _, s in kept if s.label}
@@ -131,6 +147,16 @@ class Reader(Calls):
         return (
             self.text[max(0, shape.start - MAX_ABOVE) : shape.start].rstrip("` \t\n<").rpartition("\n")[2].strip("` \t")
         )
+
+    def _is_bare(self, shape: Read) -> bool:
+        """Return whether a box is a row of numbers without brackets and names."""
+        return bool(shape.form) and not (shape.label or shape.keyed) and self.text[shape.start] in "-+.0123456789"
+
+    def _line_of(self, shape: Read) -> str:
+        """Return the line on which a shape begins, without a comment."""
+        before = self.text[max(0, shape.start - MAX_BESIDE) : shape.start].rpartition("\n")[2]
+        behind = self.text[shape.end : shape.end + MAX_BESIDE].partition("\n")[0]
+        return _COMMENT.split(before + behind, maxsplit=1)[0]
 
     def _is_assigned(self, value: Any) -> bool:
         """Return whether a value stands behind a sign that assigns, and not in a log: a: (0, 0, 4, 4)."""

@@ -79,7 +79,7 @@ def _table(lines: Sequence[TableCell], number: int) -> tuple[Table | None, int]:
     rows = []
     while after < len(lines):
         line = lines[after]
-        if mark in BARS and _RULE.fullmatch(line.text or "x"):
+        if line.text.isspace() or (mark in BARS and _RULE.fullmatch(line.text or "x")):  # a line that a change removes
             after += 1
             continue
         cells = _cells(line, mark)
