@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ... import batch
+from ..harness.cells import Settings
 from ..methods import Method
 from .generators import Array, Rings, outward_normals, turn_rings, turned_boxes, unit_vectors
 from .hard_pairs import margins_of
@@ -167,6 +168,16 @@ def _at_the_origin(rng: Rng, n: int) -> tuple[Rings, Rings]:
     x = np.ldexp(rng.uniform(1, 2, n), rng.integers(-80, -40, n))
     b[:, 0] = np.stack([x, x * (1 + rng.integers(-3, 4, n) * 2.0**-52)], axis=1)
     return a, b
+
+
+def search_size(name: str, settings: Settings) -> tuple[int, int]:
+    """Return how many pairs a generation of a method's search has, and how many generations.
+
+    shapely gets fewer pairs, because it takes a hundred times as long.
+    """
+    if settings.quick:
+        return 1000, 16
+    return 5000 if name.startswith("shapely") else 20_000, 64
 
 
 def worst_pair(method: Method, make: MakePairs, rng: Rng, n: int, generations: int, *, metres: bool) -> WorstPair:
