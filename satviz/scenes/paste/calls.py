@@ -161,7 +161,7 @@ class Calls(Keyed):
     def _circle(self, group: Group, label: str) -> list[Read]:
         """Return the circle of a call: (center, radius), (x, y, radius), or (radius) where a position is given."""
         word = group.name.split(".")[-1]
-        if word == "arc" and len(group.items) > 4:  # of a canvas: an arc from 0 to a full turn is a circle
+        if word == "arc" and len(group.items) > 4:  # on a canvas, an arc from 0 to a full turn is a circle
             turn = re.sub(r"\s|Math\.|\.0*(?!\d)", "", self.text[group.items[4].start : group.items[4].end]).lower()
             if self.number(group.items[3]) != 0 or turn not in FULL_TURNS:
                 raise Unreadable("an arc that is not a full circle: satviz takes polygons and circles")
@@ -186,7 +186,7 @@ class Calls(Keyed):
             flat = [self.number(named.get("radius"))]
         if not flat:
             self._refuse_names(arguments)
-            raise Unreadable("a circle without a radius: write it behind the center")
+            raise Unreadable("a circle without a radius: write it after the center")
         x, y = points[0] if points else ZERO
         said = BY_RADIUS if points or place else f"a circle by its radius{AT_ORIGIN}"
         row = notation(group.name)
@@ -195,7 +195,7 @@ class Calls(Keyed):
         given = x, y, *(place or ()), flat[0]
         bare = group.name == "circle" and len(group.items) == 3 and all(isinstance(v, Num) for v in group.items)
         if self.mode(group) not in ("", CENTER_SIZE):
-            raise Unreadable("an ellipseMode other than CENTER: write the center and the diameter")
+            raise Unreadable("ellipseMode is not CENTER, and only CENTER is read: write the center and the diameter")
         if bare and self._choose(ROUND, CHOICES[ROUND], sure=DIAMETER if self.sketch else "") == DIAMETER:
             flat[0], said = flat[0] / 2, BY_DIAMETER
         x, y = (x + place[0], y + place[1]) if place else (x, y)
@@ -228,7 +228,7 @@ class Calls(Keyed):
             if radius == other:
                 return [circle((x, y), radius, group, label, BY_RADIUS, other)]
         if self.mode(group) not in ("", CENTER_SIZE):
-            raise Unreadable("an ellipseMode other than CENTER: write the center and the diameter")
+            raise Unreadable("ellipseMode is not CENTER, and only CENTER is read: write the center and the diameter")
         flat = self.numbers(group.items) or []
         if len(flat) not in (3, 4) or flat[2] != flat[-1]:
             raise Unreadable("an ellipse: give it as a polygon with many corners")

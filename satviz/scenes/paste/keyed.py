@@ -70,7 +70,7 @@ class Keyed(Boxes):
             row = next((found for found in made_by if found), None)
         offset = self.point(obj.get("offset")) if obj.get("offset") is not None else None
         if offset is not None and angle is not None and self.number(angle):
-            raise Unreadable("an offset and an angle in one shape: write the corners that result")
+            raise Unreadable("a shape with an offset and an angle is not read: write its corners")
         points = obj.get("points")
         outline = self.ring(points) if points is not None else None
         if outline is None and any(isinstance(k, int) for k in obj.fields):

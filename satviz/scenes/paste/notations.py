@@ -26,7 +26,7 @@ class Notation(NamedTuple):
     ask: tuple[str, ...] = ()
     unit: str = ""
     keyed: str = ""  # the form of a box with the keys x, y, width and height
-    alone: bool = False  # of a box or circle given by its size: its corner, not its center, is where its body is
+    alone: bool = False  # a box or circle given by its size has its corner, not its center, at the position of its body
 
 
 ANY_BOX = (CORNER_SIZE, CORNER_CORNER, CENTER_SIZE, CENTER_HALF)

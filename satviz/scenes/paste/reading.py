@@ -75,8 +75,8 @@ _ASIDE = re.compile(
 _COMMENT = re.compile(r"//|#|--|/\*")
 COPIES = frozenset(["clone", "copy", "deepcopy", "dup", "duplicate"])
 MAX_ABOVE = 400  # characters before a shape in which the line above it is looked for
-MAX_BESIDE = 200  # characters before and behind a shape in which words about it are looked for
-MAX_PROBLEMS = 50  # of what is not read; fewer are shown
+MAX_BESIDE = 200  # characters before and after a shape in which words about it are looked for
+MAX_PROBLEMS = 50  # problems that are collected; fewer are shown
 
 
 class Reader(Calls):

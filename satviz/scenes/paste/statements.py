@@ -47,9 +47,10 @@ _NUMBERED = re.compile(rf"(?P<key>{_LETTERS}|left|top|right|bottom)_?(?P<owner>\
 _PREFIXED = re.compile(rf"(?P<owner>\w+?)(?:_(?P<key>{_LETTERS})|(?P<camel>X|Y|W|H|R|Width|Height|Radius|Diameter))")
 _CORNER = re.compile(r"(?P<name>(?:v|p|pt|point|vertex|vert|corner)?)[ _]?(?P<number>\d{1,4})", re.IGNORECASE)
 _ROUND = re.compile(r"circle|ellips|ball|dis[ck]s?\b|box|rect|center|centre", re.IGNORECASE)
+# names of the results of a test
 RESULTS = frozenset(
     ["contact", "contacts", "manifold", "intersection", "overlap", "axes", "axis", "simplex", "normals", "minkowski"]
-)  # what a test gives
+)
 TYPES = frozenset(["float", "double", "number", "int", "integer", "f32", "f64"])
 BEFORE_POINTS = frozenset(["at", "with", "through", "by", "is", "are", "has"])  # words before corners in a sentence
 _LETTERED = re.compile(r"(?P<owner>[a-dA-DpPqQ])(?P<key>[xywhr])")
@@ -69,15 +70,15 @@ class Statements(Names):
         super().__init__(text)
         self.runs: list[Run] = []
         self.taken: set[int] = set()  # values that a run has
-        # rectMode(CENTER): what it is of, where it stands, and the mode
+        # ("rect" or "ellipse", place in the text, mode) of each call such as rectMode(CENTER)
         self.modes = [(m[1], m.start(), m[2].lower()) for m in _MODE.finditer(text)]
         self._open: dict[str, Obj] = {}  # runs that may go on
         self._grown: set[int] = set()  # lists to which corners were added
         self._pen: Group | None = None
         self._corners: Obj | None = None  # a numbered list that may go on
         self._next, self._named = 0, ""
-        self.sketch = bool(_SKETCH.search(text))  # of Processing or p5.js
-        self._draws = "lineto" in text.lower()  # moveTo is that of a pen, and of no body
+        self.sketch = bool(_SKETCH.search(text))  # whether the text is a sketch of Processing or p5.js
+        self._draws = "lineto" in text.lower()  # a moveTo moves a pen, not a body
 
     def assign(self, items: Sequence[Any]) -> None:
         """Sort the lines of a text or block: what gets a name, and what stands alone."""
