@@ -913,9 +913,41 @@ love.graphics.circle("fill", 60, 5, 5)""",
     Paste(
         "bump.lua",
         """world:add(A, 0, 0, 64, 256)
-world:add(B, 64, 0, 32, 32)""",
-        (),
-        says="world",
+world:add("B", 64, 0, 32, 32)""",
+        ((0, 0, 64, 256), (64, 0, 96, 32)),
+    ),
+    Paste(
+        "bump.lua, moved",
+        """world:add(A, 0, 0, 64, 256)
+world:add(B, 64, 0, 32, 32)
+world:move(B, 0, 64)""",
+        ((0, 0, 64, 256), (64, 0, 96, 32)),
+        says="move",
+    ),
+    Paste(
+        "three.js, boxes of points",
+        """const pts = [new THREE.Vector2(0, 0), new THREE.Vector2(4, 1), new THREE.Vector2(2, 4)];
+const a = new THREE.Box2().setFromPoints(pts);
+const b = new THREE.Box2();
+b.setFromPoints([new THREE.Vector2(3, 0), new THREE.Vector2(7, 4)]);
+const c = new THREE.Box2().setFromCenterAndSize(new THREE.Vector2(3, 0), new THREE.Vector2(8, 4));
+const d = new THREE.Box2();
+d.set(new THREE.Vector2(3, 0), new THREE.Vector2(7, 4));""",
+        ((0, 0, 4, 4), (3, 0, 7, 4), (-1, -2, 7, 2), (3, 0, 7, 4)),
+    ),
+    Paste(
+        "turf.bboxPolygon",
+        """const bbox = [0, 0, 4, 4];
+const a = turf.bboxPolygon(bbox);
+const b = turf.bboxPolygon([3, 0, 7, 4]);""",
+        ((0, 0, 4, 4), (3, 0, 7, 4)),
+    ),
+    Paste(
+        "paper.js",
+        """var a = new paper.Path.Rectangle({ from: new Point(0, 0), to: new Point(4, 4), strokeColor: 'black' });
+var b = new Path.Rectangle({point: [3, 3], size: [4, 4]});
+var c = new Path.Circle(new Point(3, 3), 2);""",
+        ((0, 0, 4, 4), (3, 3, 7, 7), (1, 1, 5, 5)),
     ),
     Paste(
         "YAML",
@@ -3470,5 +3502,114 @@ export var center = Vector2(10, 10)""",
         "shapes in a sentence that says that they work",
         "[(0, 0), (4, 0), (0, 3)] works, [(1, 1), (5, 1), (1, 4)] not",
         ((0, 0, 4, 3), (1, 1, 5, 4)),
+    ),
+    # -- files of engines
+    Paste(
+        "colliders of Unity",
+        """--- !u!61 &1234567
+BoxCollider2D:
+  m_Enabled: 1
+  m_Offset: {x: 1, y: 2}
+  serializedVersion: 2
+  m_Size: {x: 4, y: 4}
+  m_EdgeRadius: 0
+--- !u!58 &1234568
+CircleCollider2D:
+  m_Offset: {x: 7, y: 0}
+  m_Radius: 5
+--- !u!60 &1234569
+PolygonCollider2D:
+  m_Offset: {x: 1, y: 0}
+  m_Points:
+    m_Paths:
+    - - {x: 0, y: 0}
+      - {x: 4, y: 0}
+      - {x: 0, y: 3}
+EdgeCollider2D:
+  m_Points:
+  - {x: 1, y: 1}
+  - {x: 5, y: 1}
+  - {x: 1, y: 4}""",
+        ((-1, 0, 3, 4), (2, -5, 12, 5), (1, 0, 5, 3), (1, 1, 5, 4)),
+    ),
+    Paste(
+        "a collider of Unity with a transform",
+        """Transform:
+  m_LocalPosition: {x: 10, y: 0, z: 0}
+  m_LocalScale: {x: 2, y: 2, z: 1}
+BoxCollider2D:
+  m_Size: {x: 4, y: 4}
+CapsuleCollider2D:
+  m_Size: {x: 4, y: 8}""",
+        ((-2, -2, 2, 2),),
+        says="CapsuleCollider2D is not read",
+    ),
+    Paste(
+        "a scene of Godot with resources",
+        """[gd_scene load_steps=2 format=3 uid="uid://abc"]
+
+[sub_resource type="RectangleShape2D" id="1"]
+size = Vector2(4, 2)
+
+[sub_resource type="CircleShape2D" id="2_x"]
+radius = 5.0
+
+[node name="Player" type="Area2D" parent="."]
+position = Vector2(10, 20)
+
+[node name="A" type="CollisionShape2D" parent="Player"]
+position = Vector2(1, 1)
+shape = SubResource("1")
+
+[node name="B" type="CollisionShape2D" parent="."]
+position = Vector2(5, 1)
+rotation = 1.5
+shape = SubResource("2_x")
+
+[node name="C" type="CollisionPolygon2D" parent="."]
+position = Vector2(1, 1)
+polygon = PackedVector2Array(0, 0, 4, 0, 0, 3)""",
+        ((9, 20, 13, 22), (0, -4, 10, 6), (1, 1, 5, 4)),
+    ),
+    Paste(
+        "a scene of Godot 3 with extents and a scale",
+        """[sub_resource type="RectangleShape2D" id=1]
+extents = Vector2( 4, 4 )
+
+[node name="A" type="CollisionShape2D" parent="."]
+position = Vector2( 1, 1 )
+shape = SubResource( 1 )
+
+[node name="B" type="CollisionShape2D" parent="."]
+position = Vector2( 5, 1 )
+scale = Vector2( 2, 2 )
+shape = SubResource( 1 )""",
+        ((-3, -3, 5, 5), (1, -3, 9, 5)),
+        says="scale 2, 2",
+    ),
+    Paste(
+        "a scene of Godot with a capsule",
+        """[sub_resource type="CapsuleShape2D" id="1"]
+radius = 5.0
+height = 20.0
+
+[sub_resource type="CircleShape2D" id="2"]
+radius = 5.0""",
+        ((-5, -5, 5, 5),),
+        says="CapsuleShape2D is not read",
+    ),
+    Paste(
+        "blocks of YAML with other keys between the numbers",
+        """a:
+  x: 0
+  y: 0
+  visible: true
+  radius: 5
+b:
+  x: 9
+  enabled: true
+  y: 0
+  radius: 5""",
+        ((-5, -5, 5, 5), (4, -5, 14, 5)),
     ),
 )

@@ -34,6 +34,7 @@ from .notations import (
     CORNER_OR_CENTER,
     CORNER_SIZE,
     ELLIPSE,
+    MAKERS,
     MANY,
     MOVE,
     MOVES,
@@ -74,8 +75,8 @@ _ASIDE = re.compile(
 _COMMENT = re.compile(r"//|#|--|/\*")
 COPIES = frozenset(["clone", "copy", "deepcopy", "dup", "duplicate"])
 MAX_ABOVE = 400  # characters before a shape in which the line above it is looked for
-MAX_BESIDE = 200  # characters before and behind a shape in which words about it are looked for
-MAX_PROBLEMS = 50  # of what is not read; fewer are shown
+MAX_BESIDE = 200  # characters before and after a shape in which words about it are looked for
+MAX_PROBLEMS = 50  # problems that are collected; fewer are shown
 
 
 class Reader(Calls):
@@ -100,7 +101,10 @@ class Reader(Calls):
         entries = [e for e in entries if id(e[2]) not in self.taken and not isinstance(e[2], Name)]  # b = a
         entries += [(run.value.start, run.label, run.value) for run in self.runs]
         found: list[tuple[int, Read]] = []
+        asked: list[tuple[int, dict[str, tuple[str, ...]]]] = []
         for _, name, value in sorted(entries, key=lambda entry: entry[0]):
+            self.asked = {}
+            asked.append((id(value), self.asked))
             label = name.split(" (")[0]
             shapes = self.shapes(value, label)
             if len(shapes) > 1:  # the name is that of a result, or of a list, and of no single shape
@@ -113,6 +117,9 @@ class Reader(Calls):
             if any(id(each) in self.used for each in lists):
                 self.used.add(id(points))
         kept = [(owner, shape) for owner, shape in found if owner not in self.used]
+        self.asked = {}
+        for what, ask in (pair for owner, asks in asked if owner not in self.used for pair in asks.items()):
+            self.asked[what] = tuple(dict.fromkeys((*self.asked.get(what, ()), *ask)))
         earlier = {id(v) for values in self.env.earlier.values() for v in values if self._is_assigned(v)}
         if any(owner in earlier for owner, _ in kept) and self._choose(TWICE, CHOICES[TWICE]) == LAST_VALUE:
             self.parts += [(shape.start, shape.end) for owner, shape in kept if owner in earlier]
@@ -196,6 +203,11 @@ class Reader(Calls):
         """Return the shapes of a bracket, a call or a typed list, with the calls behind it."""
         if (copied := self._copied(group)) is not None:
             return self.shapes(copied, label)
+        if (
+            not group.items and len(group.methods) == 1 and group.methods[0][0].lower() in MAKERS
+        ):  # Box2().setFromPoints(a)
+            ((name, given),) = group.methods
+            group = replace(group, items=given.items, name=name, methods=[])
         row = notation(group.name) if group.name else None
         kind = row.kind if row else ""
         if two := TWO_SHAPES.get(group.name.lower().split(".")[-1]):
