@@ -511,8 +511,11 @@ def test_several_refused_shapes_are_listed_in_words():
         pytest.param("m_Paths:\n" * 100_000, marks=pytest.mark.slow),
         pytest.param(":add(a, 1" * 11_000, marks=pytest.mark.slow),
         pytest.param("".join(" " * i + "a:\n" for i in range(1_000)), marks=pytest.mark.slow),
+        pytest.param('<g transform="scale(2)">' * 9_000, marks=pytest.mark.slow),
+        pytest.param('<g transform="scale(' + "2 " * 30_000 + ')">', marks=pytest.mark.slow),
+        pytest.param("<g " * 300_000, marks=pytest.mark.slow),
     ],
-    ids=range(33),
+    ids=range(36),
 )
 def test_a_long_text_in_these_notations_is_refused_within_a_second(text):
     start = time.process_time()

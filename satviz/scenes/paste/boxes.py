@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from math import cos, radians, sin
+from math import cos, isqrt, radians, sin, sqrt
 from typing import Any
 
 from .exact import centroid
@@ -64,6 +64,8 @@ FORM_WORDS = {
     CENTER_HALF: "a box by its center and half its size",
 }
 
+Affine = tuple[Fraction, Fraction, Fraction, Fraction, Fraction, Fraction]
+IDENTITY: Affine = (Fraction(1), Fraction(0), Fraction(0), Fraction(1), Fraction(0), Fraction(0))
 # Forms with the numbers of another one, in another order.
 ORDERS = {X_THEN_Y: (CORNER_CORNER, (0, 2, 1, 3)), SIZE_CORNER: (CORNER_SIZE, (2, 3, 0, 1))}
 
@@ -212,14 +214,7 @@ class Boxes(Points):
             unit = DEGREES if more_than_a_turn else self._choose(ANGLE, likely)
         self.asked.setdefault(TURN, CHOICES[TURN])
         signed = -value if Y_DOWN in self.chosen else value
-        if unit == DEGREES and signed % 90 == 0:
-            quarter = int(signed / 90) % 4
-            c, s = map(Fraction, ((1, 0), (0, 1), (-1, 0), (0, -1))[quarter])
-            exact = True
-        else:
-            turn = radians(float(signed)) if unit == DEGREES else float(signed)
-            c, s = Fraction(cos(turn)), Fraction(sin(turn))
-            exact = False
+        c, s, exact = cosine_and_sine(signed, unit)
         px, py = pivot or ZERO
         points = tuple((px + (x - px) * c - (y - py) * s, py + (x - px) * s + (y - py) * c) for x, y in shape.points)
         said = f"{shape.said}, turned by {plain(value)} {unit}"
@@ -308,6 +303,34 @@ def moved(shape: Read, move: Pt) -> Read:
         last = (box[2] + move[0], box[3] + move[1]) if shape.form == CORNER_CORNER else box[2:]
         box = (box[0] + move[0], box[1] + move[1], *last)
     return replace(shape, points=points, said=said, box=box, used=shape.used | places(*move))
+
+
+def transformed(shape: Read, matrix: Affine, *, exact: bool) -> Read:
+    """Return the shape under x' = ax + cy + e and y' = bx + dy + f; Unreadable for a circle that becomes an ellipse."""
+    a, b, c, d, e, f = matrix
+    if matrix[:4] == IDENTITY[:4]:
+        return moved(shape, (e, f))
+    points = tuple((a * x + c * y + e, b * x + d * y + f) for x, y in shape.points)
+    radius, square = shape.radius, a * a + b * b
+    if radius is not None:
+        if max(abs(square - c * c - d * d), abs(a * c + b * d)) > (0 if exact else square / 10**12):
+            raise Unreadable("a transform makes an ellipse of a circle: give it as a polygon with many corners")
+        root = Fraction(isqrt(square.numerator), isqrt(square.denominator))
+        exact = exact and root * root == square
+        radius *= root if exact else Fraction(sqrt(square))
+    rounded = shape.rounded or not exact
+    return replace(
+        shape, points=points, radius=radius, said=f"{shape.said}, transformed", rounded=rounded, box=(), form=""
+    )
+
+
+def cosine_and_sine(angle: Fraction, unit: str) -> tuple[Fraction, Fraction, bool]:
+    """Return the cosine and the sine of an angle, and whether they are exact."""
+    if unit == DEGREES and angle % 90 == 0:
+        c, s = ((1, 0), (0, 1), (-1, 0), (0, -1))[int(angle / 90) % 4]
+        return Fraction(c), Fraction(s), True
+    turn = radians(float(angle)) if unit == DEGREES else float(angle)
+    return Fraction(cos(turn)), Fraction(sin(turn)), False
 
 
 def origin_of(obj: Obj, name: str, usual: str) -> str:

@@ -18,6 +18,7 @@ from .boxes import (
     Read,
     circle,
     moved,
+    transformed,
 )
 from .calls import Calls
 from .cleaned import TYPE
@@ -319,6 +320,10 @@ class Reader(Calls):
                 continue
             if plain in HARMLESS and any(isinstance(v, Group) for v in arguments.items):
                 found = [*found, *self._each(arguments.items, "")]  # a.intersects(b)
+                continue
+            if plain == "affine":  # the transforms of SVG
+                *matrix, exact = (v.value for v in arguments.items)
+                found = [transformed(shape, tuple(matrix), exact=bool(exact)) for shape in found]
                 continue
             if plain in MOVES and len(arguments.items) in (1, 2):
                 move = self.point(arguments) or self.point(arguments.items[0])
