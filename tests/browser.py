@@ -123,6 +123,19 @@ def site_with_python(folder):
     return folder
 
 
+SITE_URL = "https://example.org/a/satviz/"
+
+
+def still_site(folder):
+    """Write the site without Python, which knows its address, into the folder and return the folder."""
+    from satviz.safe_write import write
+    from satviz.site.build import site
+
+    for path, data in site(live=False, url=SITE_URL)[0]:
+        write(folder / path, data)
+    return folder
+
+
 @contextmanager
 def served(folder):
     """Yield the address of a server of the site in this folder."""
