@@ -35,10 +35,11 @@ def pytest_xdist_auto_num_workers(config):
 
 # The files that take longest, in the order in which processes take them: those that end a run are short.  batch_few
 # compiles most of numba's kernels.  What needs the same ones comes later: two processes would both compile them.
-ORDER = ("browser_page", "browser_site", "browser", "embedding_recipes", "grading", "package", "study_sections")
-ORDER += ("batch_few", "check", "comparison", "trace", "widgets", "pictures", "site", "batch_exact", "batch_narrow")
-ORDER += ("browser_paste", "convex_parts", "study_run", "study", "while_dragging", "never_wrong", "cli", "relate")
-ORDER += ("readme", "handout", "failing", "page", "render", "advice", "batch_broad", "notebooks")
+ORDER = ("browser_site", "browser_page", "browser", "notebooks", "embedding_recipes", "types", "grading", "package")
+ORDER += ("study_sections", "batch_few", "check", "comparison", "trace", "widgets", "pictures", "site", "batch_exact")
+ORDER += ("never_wrong", "readme", "advice", "batch_work", "batch_narrow", "paste_texts", "browser_paste")
+ORDER += ("convex_parts", "study_run", "study", "while_dragging", "cli", "relate", "handout", "failing", "page")
+ORDER += ("render", "batch_broad")
 
 
 def pytest_collection_modifyitems(items):
