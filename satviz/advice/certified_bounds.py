@@ -46,7 +46,7 @@ SQUARE_ROUNDINGS = 12
 # 4u R.  That is 38u R.
 RANGE_ROUNDINGS = 72
 
-WIDENING = 1 + 2.0**-40  # of a bounding circle's rounded radius, so that the circle holds every corner
+WIDENING = 1 + 2.0**-40  # a bounding circle's rounded radius is multiplied by it, so that the circle holds every corner
 
 Disc = tuple[float, float, float]  # x, y, radius
 

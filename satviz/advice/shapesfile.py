@@ -163,4 +163,4 @@ def _in_the_file(message: str) -> str:
         return f"coords: {message}"
     if message.startswith("circle"):
         return f"{'radii' if ': radius' in message else 'centers'}: {message}"
-    return message.replace("number of vertices", "number of rows of coords")  # of offsets, named in the message
+    return message.replace("number of vertices", "number of rows of coords")  # the message names the array offsets too

@@ -217,7 +217,7 @@ def _likeness(hypothesis: Hypothesis, results: Sequence[Result], rules: Rules, a
         if i >= 11 and missed > 9 * alike:
             return None  # too few of the wrong answers, which come first, are explained
     if not alike or (asked != rules and not not_touching):
-        return None  # what is wrong about touching shapes alone is the mistake touch-as-apart
+        return None  # wrong answers about touching shapes alone are the mistake touch-as-apart
     return Likeness(hypothesis.name, agrees, len(results), alike, either, hypothesis.words)
 
 

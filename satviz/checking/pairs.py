@@ -25,10 +25,10 @@ KINDS = {
 BOXES, CONVEX, CONCAVE, CIRCLES, ROUND, REPEATED = KINDS
 KNOWN_SCENES, PAST_ONE_EDGE = "scenes of known mistakes", "just past one edge"
 DEFAULT_KINDS = BOXES, CONVEX
-SIZES = (3, 4, 6, 8, 12, 20, 60, 400)  # of the grids that later pairs lie on, in whole numbers
-PAIRS_PER_SIZE = 24  # where there are many ways to lie beside each other; of the other kinds a third
+SIZES = (3, 4, 6, 8, 12, 20, 60, 400)  # sizes of the grids of whole numbers on which the pairs lie, smallest first
+PAIRS_PER_SIZE = 24  # pairs of the kinds with many relative positions; the other kinds have a third as many
 MAX_CORNERS = 8
-ONE_EDGE_SIZE = 60  # of shapes that lie past an edge, so near that hardly any other edge shows the gap
+ONE_EDGE_SIZE = 60  # size of shapes that lie just past one edge: hardly any other edge shows the gap
 
 Maker = Callable[[Random, int], Shape]
 

@@ -292,7 +292,7 @@ def distances(ring: Ring) -> list[float]:
     return [dist(mean(ring), vertex) for vertex in ring]
 
 
-LARGE_RADII: tuple[tuple[Middle, Radius], ...] = (  # of circles that hold the whole shape
+LARGE_RADII: tuple[tuple[Middle, Radius], ...] = (  # (center, radius) of circles that hold the whole shape
     (mean, lambda ring: max(distances(ring))),
     (middle_of_box, lambda ring: hypot(*sides(ring)) / 2),
 )

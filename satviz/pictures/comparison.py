@@ -39,7 +39,7 @@ MAX_PANEL = 340.0, 300.0
 BETWEEN, HEAD, RIM = 20.0, 24.0, 16.0  # between the panels, for each one's heading, around the words above
 BOTH_PANELS_WIDTH_PT = 2 * MAX_PANEL[0] + BETWEEN
 MIN_PANEL = 170.0  # a smaller panel has no space for its words
-AXES_RIM = 0.2  # of the shapes' size: space on all sides for the axes of the steps
+AXES_RIM = 0.2  # space on all sides for the axes of the steps, as a factor of the shapes' size
 TALL = 1.5  # a canvas that is this many times as tall as wide has the panels one above the other
 
 

@@ -18,7 +18,7 @@ NOT_FOUND = "404.html"  # GitHub Pages, GitLab Pages and Netlify send it, with t
 MANIFEST = "imsmanifest.xml"
 SCENE_OF_PAGE = {"gallery.html": "aabb-turned", "challenges.html": "far-centers", "yours.html": "no-nearest-vertex"}
 DEFAULT_SCENE = "triangles"
-CARD_PT = 600.0, 315.0  # of the picture that a social network shows: 1200 x 630 pixels
+CARD_PT = 600.0, 315.0  # size of the picture that a social network shows: 1200 x 630 pixels
 QUOTED = re.compile(r'"([a-z0-9-]+)"')
 RELATIVE = re.compile(r'\b(href|src)="(?!#|/|https?:)')
 SITEMAPS = "http://www.sitemaps.org/schemas/sitemap/0.9"

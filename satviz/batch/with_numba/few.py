@@ -28,7 +28,7 @@ from .jit_cache import compiled
 MAX_SHAPES = 1 << 14  # above it blocks of pairs bound the memory, and Python no longer matters
 WORD_BYTES = 8  # marks that are read at once
 MAX_BUCKET = 32  # values in one bucket up to which insertion sorts fast
-MIN_CELL = 2.0**-48  # of the farthest coordinate: smaller cells run together
+MIN_CELL = 2.0**-48  # least cell size as a factor of the farthest coordinate: numbers of smaller cells run together
 
 
 def colliding_pairs(shapes: Shapes) -> Pairs | None:

@@ -16,7 +16,7 @@ from .filter import boxes
 BLOCK_CORNERS = 1 << 16  # corners of a shape at a time, over all pairs: what bounds the memory, and stays in the cache
 MAX_VALUES_AT_ONCE = 1 << 16  # edges times corners, over all pairs, up to which all edges are evaluated at once
 BLOCK_SIGNS = 1 << 15  # exact signs computed at a time: each takes some hundred bytes a term
-RELATION_OF_SIGN = np.array([TOUCHING, APART, OVERLAPPING], np.int8)  # of 0, 1 and -1
+RELATION_OF_SIGN = np.array([TOUCHING, APART, OVERLAPPING], np.int8)  # indexed by a sign: 0, 1, -1
 
 
 def relations(a: CornerColumns, ia: Indices, b: CornerColumns, ib: Indices) -> Signs:

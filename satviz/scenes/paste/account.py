@@ -42,14 +42,14 @@ from .statements import ADDERS, ATTACHERS, PEN_STARTS, PENS, owner_of
 from .tokens import CLOSE, FIELD, LINE, MARK, NAME, NUMBER, OPEN, OTHER, TEXT, Token, tokens
 from .tree import parts_of
 
-MAX_PARTS = 50  # that are not understood; fewer are named
+MAX_PARTS = 50  # parts that are not understood and are collected; fewer are named
 MAX_ARGUMENTS = 200  # words and signs in a call in which the names of shapes are looked for
 MAX_ASIDE = 2  # numbers of a line of other things; three can be a shape
 _FIELD_LINE = re.compile("[nt]mnm?")  # by the kinds of tokens: a name or a text, a mark, a number
 APPLIED = frozenset([*METHODS, *MOVES, *SHIFTS, *TURNS, *ADDERS, *ATTACHERS, *PENS, *PEN_STARTS, *SETTERS, *RESETS])
 MOVERS = frozenset([*MOVES, *SHIFTS, *TURNS, "scale", "transform", "settransform"]) - {"offset", "translation"}
 ASSIGNS = ("=", ":=", ":")
-STYLE = re.compile(r"[a-z]?[-.:ox]{1,2}[a-z]?")  # of a plot: b-
+STYLE = re.compile(r"[a-z]?[-.:ox]{1,2}[a-z]?")  # the format of a line in a plot, such as b-
 NO_WORDS = re.compile(r"[A-Za-z_][\w.]*")
 LOOP = re.compile(r"^\s*for\s*\([^;]*;[^;]*;[^;)]*\)")
 DEFINES = frozenset({"def", "function", "fn", "func", "fun", "void", "class", "struct"})  # words before a new name
@@ -116,7 +116,7 @@ class Account:
         self.counts: set[int] = set()  # where numbers end that count or name something
         self.aside: set[int] = set()  # where numbers end that stand on lines of other things
         self.nested = False  # within a text in quotes, whose numbers nobody else counts
-        self.quoted = False  # behind a quote of a text that goes over several lines
+        self.quoted = False  # whether a quote has opened a text of several lines
         self.session = session
         self.close: dict[int, int] = {}
         self.open: dict[int, int] = {}
@@ -428,7 +428,7 @@ class Account:
         """Name a word among the numbers of a shape that is on no list."""
         token, after = self.at(i), self.at(i + 1)
         if after.kind == OPEN and self.callee(i + 1) is token:
-            return  # of the call
+            return  # the name belongs to a call, which is checked by itself
         last = last_of(token.text)
         if self.joins_tail(i):
             self.miss(i, i + 1)
@@ -623,7 +623,8 @@ class Account:
         escapes = token.text[0] == "\\" and token.text != "\\ "
         loose = before.end < token.start and token.end < after.start
         if loose and ((token.text == "." and self.is_data(i - 1)) or (token.text == "$" and self.is_data(i + 1))):
-            self.miss(i, i + 1)  # of Haskell: circle (0, 0) 1 . flip, and flip . id $ [(0, 0), (4, 0), (0, 3)]
+            # operators of Haskell: circle (0, 0) 1 . flip, and flip . id $ [(0, 0), (4, 0), (0, 3)]
+            self.miss(i, i + 1)
             return
         known = token.text in PUNCTUATION or escapes or self.is_of_code(i, frame)
         if known or (not frame.data and self.is_of_text(i)):
@@ -670,7 +671,8 @@ class Account:
         if token.text == "<" and tight and notation(after.text):
             return True  # <POLYGON ((0 0, 4 0, 0 3))>
         closes = token.text == ">" and before.end == token.start and (before.kind == CLOSE or before.text == ">")
-        return (closes and after.kind != NUMBER) or (token.text == "%" and tight and after.text == "{")  # of Elixir
+        # %{ begins a map in Elixir
+        return (closes and after.kind != NUMBER) or (token.text == "%" and tight and after.text == "{")
 
     def is_of_text(self, i: int) -> bool:
         """Return whether a sign stands between columns, ends a sentence, or is a dash."""

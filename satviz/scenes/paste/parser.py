@@ -75,8 +75,8 @@ class _Parser:
         self.tokens = found
         self.at = 0
         self.remarks: list[str] = []
-        self.indices: set[int] = set()  # where numbers end that count: v[2], float[3]
-        self.understood: list[tuple[int, int]] = []  # that a rule gives a meaning: poly << P(0, 0) << P(1, 0)
+        self.indices: set[int] = set()  # the ends of numbers that are an index or a length: v[2], float[3]
+        self.understood: list[tuple[int, int]] = []  # spans that a rule understands: poly << P(0, 0) << P(1, 0)
         self.ended: set[int] = set()  # places of brackets with semicolons in them
 
     def items(self, bracket: str, depth: int) -> list[Any]:
@@ -254,7 +254,7 @@ class _Parser:
         mark = next((i for i, a in enumerate(atoms) if is_mark(a, ("=", ":=", "=>", ":"))), None)
         if mark is not None and not any(is_mark(a, ("==", "<=", ">=", "!=")) for a in atoms[:mark]):
             sign = mark
-            if is_mark(atoms[mark], (":",)):  # `let a: Type = value`: the value stands behind the =
+            if is_mark(atoms[mark], (":",)):  # `let a: Type = value`: the value comes after the =
                 sign = next((i for i, a in enumerate(atoms) if i > mark and is_mark(a, ("=",))), mark)
                 if any(isinstance(a, Token) and a.kind == NUMBER for a in atoms[mark:sign]):
                     sign = mark

@@ -209,10 +209,8 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     every = sum(row["pairs"] for row in own)
     left = every - sum(row["right"] for row in own)
     title = (
-        f"After a push by SAT in float64 {_share(rows, 'SAT, float64', 'overlap left by rounding')} of the pairs still "
-        f"overlap by a rounding; {_share(rows, 'SAT, raw normals', 'more than 1 % too long')} of the pushes by raw "
-        f"normals are more than 1 % too long; {left} of satviz's {every} pushes are wrong (at most "
-        f"{wilson_interval(left, every)[1]:.1%})"
+        f"SAT in float64 leaves {_share(rows, 'SAT, float64', 'overlap left by rounding')} of pairs overlapping by a "
+        f"rounding; {left} of satviz's {every} pushes are wrong (at most {wilson_interval(left, every)[1]:.1%})"
     )
     lines = (
         "Pairs that overlap, pushed apart by each method and then tested exactly. Right: how far the push is off in "

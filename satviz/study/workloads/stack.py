@@ -18,7 +18,7 @@ Test = Callable[[Polygon, Polygon], Contact]
 
 SLOPE = 0.3  # radians
 ALONG, UP = (cos(SLOPE), sin(SLOPE)), (-sin(SLOPE), cos(SLOPE))
-HALF = 0.5, 0.25  # of a box, in metres
+HALF = 0.5, 0.25  # half width and half height of a box, in metres
 GRAVITY, STEP, ITERATIONS, FRICTION = 9.81, 1 / 60, 10, 0.6
 SLOP, CORRECTION = 0.005, 0.2  # metres of depth that are left alone; share of the rest that a step corrects
 FLAT = 0.02  # metres: corners that lie so near to the furthest one belong to the same side
