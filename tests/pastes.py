@@ -3612,4 +3612,61 @@ b:
   radius: 5""",
         ((-5, -5, 5, 5), (4, -5, 14, 5)),
     ),
+    # -- what an outsider found
+    Paste(
+        "OpenCV draws a box by two corners",
+        """cv2.rectangle(img, (10, 10), (50, 30), (0, 255, 0), 2)
+cv2.circle(img, (60, 20), 10, (0, 0, 255), -1)""",
+        ((10, 10, 50, 30), (50, 10, 70, 30)),
+    ),
+    Paste(
+        "Matter.js prints corners that are absolute and turned",
+        """{"position":{"x":100,"y":100},"angle":0.7853981633974483,"vertices":[{"x":100,"y":71.7157},{"x":128.2843,"y":100},{"x":100,"y":128.2843},{"x":71.7157,"y":100}]}
+{"position":{"x":150,"y":100},"angle":0,"vertices":[{"x":140,"y":90},{"x":160,"y":90},{"x":160,"y":110},{"x":140,"y":110}]}""",
+        ((71.7157, 71.7157, 128.2843, 128.2843), (140, 90, 160, 110)),
+    ),
+    Paste(
+        "a hole in GeoJSON order",
+        """const a = [[[0,0],[10,0],[10,10],[0,10],[0,0]], [[2,2],[8,2],[8,8],[2,8],[2,2]]];
+const b = [[[4,4],[6,4],[6,6],[4,6],[4,4]]];""",
+        ((0, 0, 10, 10), (4, 4, 6, 6)),
+        says="a hole of the one before",
+    ),
+    Paste(
+        "rings of Esri JSON",
+        """{"rings":[[[0,0],[0,10],[10,10],[10,0],[0,0]],[[2,2],[8,2],[8,8],[2,8],[2,2]]]}
+{"rings":[[[4,4],[4,6],[6,6],[6,4],[4,4]]]}""",
+        ((0, 0, 10, 10), (4, 4, 6, 6)),
+        says="a hole of the one before",
+    ),
+    Paste(
+        "Phaser 2 gives a circle its diameter",
+        """var a = new Phaser.Circle(100, 100, 50);
+var b = new Phaser.Geom.Circle(160, 100, 50);""",
+        ((75, 75, 125, 125), (110, 50, 210, 150)),
+    ),
+    *(
+        Paste(f"points of a test, {name}", f"{name}({points})", (), says="does not say what its points are")
+        for name, points in (
+            (
+                "collide_aabb::collide",
+                "Vec3::new(160.0, 275.0, 0.0), Vec2::new(80.0, 50.0), Vec3::new(232.0, 294.0, 0.0)",
+            ),
+            ("aabbOverlap", "vec2(0,0), vec2(4,4), vec2(4,1), vec2(6,3)"),
+            ("trianglesOverlap", "vec2(0,0), vec2(4,0), vec2(0,4), vec2(3,3), vec2(6,3), vec2(3,6)"),
+        )
+    ),
+    Paste(
+        "a rectangle with a position and no size",
+        "rectangle position (10, 10), circle position (50, 20), radius 4",
+        ((46, 16, 54, 24),),
+        says="10, 10",
+    ),
+    Paste(
+        "words before pairs of numbers",
+        """player: pos (0, 0) vel (5, 0) size (10, 10)
+wall: pos (10, 0) vel (0, 0) size (10, 10)""",
+        (),
+        says="a word stands before each pair",
+    ),
 )

@@ -16,7 +16,9 @@ from .notations import (
     CORNER_OR_CENTER,
     CORNER_SIZE,
     DEGREES,
+    DIAMETER,
     RADIANS,
+    RADIUS,
     SIZE_CORNER,
     X_THEN_Y,
     Notation,
@@ -28,7 +30,7 @@ from .tree import Group, Name, Num, Value
 SKETCH_MODES = {"corner": CORNER_SIZE, "corners": CORNER_CORNER, "center": CENTER_SIZE, "radius": CENTER_HALF}
 # What can be asked, and the words of `--as`.
 BOX_FORM, ANGLE, TURN, ORDER, PIVOT, CORNERS = "box", "angle", "turn", "order", "pivot", "corners"
-ROUND, RADIUS, DIAMETER = "round", "radius", "diameter"
+ROUND = "round"
 Y_UP, Y_DOWN, WIDTH_FIRST, HEIGHT_FIRST = "y-up", "y-down", "width-first", "height-first"
 EACH_VALUE, LAST_VALUE, TWICE = "each-value", "last-value", "twice"
 COMMAS, DECIMAL_COMMAS, SEPARATORS = "commas", "decimal-commas", "separators"

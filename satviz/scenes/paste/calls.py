@@ -13,8 +13,6 @@ from .boxes import (
     BY_DIAMETER,
     BY_RADIUS,
     CHOICES,
-    DIAMETER,
-    RADIUS,
     ROUND,
     Read,
     circle,
@@ -31,7 +29,9 @@ from .notations import (
     CORNER_CORNER,
     CORNER_OR_CENTER,
     CORNER_SIZE,
+    DIAMETER,
     RADIANS,
+    RADIUS,
     X_THEN_Y,
     Notation,
     key,
@@ -196,7 +196,8 @@ class Calls(Keyed):
         bare = group.name == "circle" and len(group.items) == 3 and all(isinstance(v, Num) for v in group.items)
         if self.mode(group) not in ("", CENTER_SIZE):
             raise Unreadable("ellipseMode is not CENTER, and only CENTER is read: write the center and the diameter")
-        if bare and self._choose(ROUND, CHOICES[ROUND], sure=DIAMETER if self.sketch else "") == DIAMETER:
+        sure = row.form if row and row.form else DIAMETER if self.sketch else ""
+        if (bare or (row and row.form)) and self._choose(ROUND, CHOICES[ROUND], sure=sure) == DIAMETER:
             flat[0], said = flat[0] / 2, BY_DIAMETER
         x, y = (x + place[0], y + place[1]) if place else (x, y)
         return [circle((x, y), flat[0], group, label, said, *given)]
@@ -257,6 +258,7 @@ class Calls(Keyed):
         pairs = isinstance(inner, Group) and any(isinstance(v, Pair) for v in inner.items)
         if isinstance(inner, Group) and not (inner.name or pairs) and len(inner.items) > 1 and not self.point(inner):
             self.consume(arguments)
+            row = row._replace(form="", ask=ANY_BOX) if group.name.startswith("cv") else row  # a box, not two corners
             arguments = list(inner.items)  # Rect([0, 0, 4, 4]), setFromPoints([(0, 0), (4, 1), (2, 4)])
         parts = [self.point(a) if isinstance(self.resolve(a), (Group, Obj)) else None for a in arguments]
         if len(parts) > 2 and all(parts) and group.name.lower().endswith(("frompoints", "boundingrect")):

@@ -18,6 +18,7 @@ from .boxes import (
     origin_of,
     unit_of,
 )
+from .exact import centroid
 from .names import Obj, Unreadable
 from .notations import (
     CENTER_HALF,
@@ -84,6 +85,11 @@ class Keyed(Boxes):
             shift, given = place or ZERO, places(*(place or ()))
             if all(str(name).lower() == "centroid" for name in obj.fields if key(name) in ("center", "corner", "x")):
                 shift = ZERO  # where its corners are already
+            middle, size = centroid(outline), max(abs(c - outline[0][k]) for p in outline for k, c in enumerate(p))
+            if place and all(abs(c - p) * 1000 < size for c, p in zip(middle, place, strict=True)) and shift != ZERO:
+                shift = ZERO  # where its corners are already, as Matter prints them, and turned
+                given |= places(self.number(angle)) if angle is not None and self._is_number(angle) else set()
+                angle = None
             sure = RELATIVE if row and row.kind == RING else ""
             if shift != ZERO and self._choose(CORNERS, CHOICES[CORNERS], sure=sure) == ABSOLUTE:
                 shift = ZERO

@@ -14,6 +14,7 @@ ELLIPSE, OTHER_SHAPE, ON_THE_GLOBE, TABLE = "ellipse", "other", "globe", "table"
 # How the four numbers of a box are meant, in the words of `--as`.
 CORNER_SIZE, CORNER_CORNER, CENTER_SIZE, CENTER_HALF = "corner-size", "corner-corner", "center-size", "center-half"
 X_THEN_Y, SIZE_CORNER = "x-then-y", "size-corner"
+RADIUS, DIAMETER = "radius", "diameter"
 DEGREES, RADIANS = "degrees", "radians"
 
 
@@ -83,6 +84,8 @@ NOTATIONS = (
         BOX,
         CORNER_CORNER,
     ),
+    Notation("cv2.rectangle cv.rectangle imagedraw.rectangle", BOX, CORNER_CORNER),
+    Notation("phaser.circle", CIRCLE, DIAMETER),
     Notation("bounds", BOX, CENTER_SIZE, keyed=CORNER_SIZE),
     Notation("envelope referencedenvelope", BOX, ask=(X_THEN_Y, CORNER_CORNER)),
     Notation("jts.env", BOX, X_THEN_Y),

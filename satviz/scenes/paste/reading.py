@@ -132,6 +132,9 @@ class Reader(Calls):
             for some, what in ((fields, "what a class begins with"), (beside, "one of something else")):
                 doubtful |= dict.fromkeys(some if len(some) < len(shapes) else (), what)
             doubtful |= {s: "a result" for s in shapes if _RESULT.fullmatch(s.label or self._above(s))}
+            doubtful |= {
+                s: "a hole of the one before" for (a, p), (b, s) in pairwise(kept) if a == b and self._is_hole(s, p)
+            }
             doubtful |= {s: "a bounding box" for p, s in pairwise(shapes) if s.form and _bounds(p) == s.points}
         self.problems += [
             f"{short(self.text[s.start : s.end])}: a shape of its own, or {why}" for s, why in doubtful.items()
@@ -154,6 +157,13 @@ class Reader(Calls):
         return (
             self.text[max(0, shape.start - MAX_ABOVE) : shape.start].rstrip("` \t\n<").rpartition("\n")[2].strip("` \t")
         )
+
+    def _is_hole(self, shape: Read, outer: Read) -> bool:
+        """Return whether an outline stands behind another one in a list, and lies within its bounds: [[...], [...]]."""
+        if self.text[outer.end : shape.start].strip() != "," or shape.form or outer.form or shape.is_circle:
+            return False
+        (x0, y0), _, (x1, y1), _ = _bounds(outer)
+        return all(x0 <= x <= x1 and y0 <= y <= y1 for x, y in shape.points)
 
     def _is_bare(self, shape: Read) -> bool:
         """Return whether a box is a row of numbers without brackets and names."""

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
-from .atoms import holds_numbers
+from .atoms import holds_numbers, is_pair
 from .harmless import words
 from .names import Names, Obj, is_block, short
 from .notations import (
@@ -188,6 +188,8 @@ class Statements(Names):
                 self._line(inner)
         elif isinstance(item, Group):
             declared = notation(item.before) if item.before else None
+            if is_pair(item) and key(item.name) == "center":
+                declared = None  # rectangle position (10, 10)
             if declared and (
                 declared.kind in (BOX, CIRCLE, OTHER_SHAPE) or not notation(item.name)
             ):  # Circle c(0, 0, 1)
