@@ -393,7 +393,7 @@ circle((9, 9), 1)""",
         as_="corner-size",
     ),
     Paste(
-        "text behind a bracket",
+        "text after a bracket",
         """[(0,0), (4,0), (4,4), (0,4)] is the first polygon (4 corners)
 [(5,0), (9,0), (9,4), (5,4)] is the second one, 1 away""",
         ((0, 0, 4, 4), (5, 0, 9, 4)),
@@ -3394,7 +3394,7 @@ verts\t0x00f3fa4c {{x=0.0 y=0.0}, {x=4.0 y=0.0}, {x=0.0 y=3.0}}\tVec2[3]""",
         ((-5, -5, 5, 5), (0, 0, 4, 3)),
     ),
     Paste(
-        "words behind a struct", "{x=0 y=0 r=5}\tmoved 4\n{x=3 y=0 r=5}", ((-5, -5, 5, 5), (-2, -5, 8, 5)), says="moved"
+        "words after a struct", "{x=0 y=0 r=5}\tmoved 4\n{x=3 y=0 r=5}", ((-5, -5, 5, 5), (-2, -5, 8, 5)), says="moved"
     ),
     Paste(
         "gdb",

@@ -108,7 +108,7 @@ class Names:
         return value
 
     def consume(self, items: Sequence[Any]) -> None:
-        """Note that the values behind these names belong to a shape, so that they are not shapes of their own."""
+        """Note that the values of these names belong to a shape, so that they are not shapes of their own."""
         self.used |= {id(self.resolve(item)) for item in items if isinstance(item, Name)}
 
     def as_object(self, group: Group) -> Obj:

@@ -423,7 +423,8 @@ def _gives(root: Group, text: str, chosen: tuple[str, ...], *, keeps: bool) -> s
 def _pairs(shapes: Sequence[PastedShape]) -> list[AnsweredPair]:
     """Return the pairs that meet, the deepest first; if none meets, the nearest pair.
 
-    Concave outlines have so many pairs of convex parts that only the pairs are shown whose boxes overlap most.
+    At most MAX_TRACES pairs, with about MAX_PART_PAIRS pairs of convex parts together: if there are more, those whose
+    boxes overlap most.
     """
     near = []
     for a, b in combinations(shapes, 2):

@@ -132,7 +132,7 @@ class Points(Statements):
         return self.number(x), self.number(y)
 
     def _refuse_methods(self, group: Group) -> None:
-        """Raise Unreadable for a call behind a value that would change it."""
+        """Raise Unreadable for a chained call that would change a value."""
         for name, arguments in group.methods:
             if name.lower() not in HARMLESS and arguments.items:
                 raise Unreadable(f".{name}(...) is not evaluated: write the result")

@@ -173,11 +173,11 @@ class Reader(Calls):
     def _line_of(self, shape: Read) -> str:
         """Return the line on which a shape begins, without a comment."""
         before = self.text[max(0, shape.start - MAX_BESIDE) : shape.start].rpartition("\n")[2]
-        behind = self.text[shape.end : shape.end + MAX_BESIDE].partition("\n")[0]
-        return _COMMENT.split(before + behind, maxsplit=1)[0]
+        after = self.text[shape.end : shape.end + MAX_BESIDE].partition("\n")[0]
+        return _COMMENT.split(before + after, maxsplit=1)[0]
 
     def _is_assigned(self, value: Any) -> bool:
-        """Return whether a value stands behind a sign that assigns, and not in a log: a: (0, 0, 4, 4)."""
+        """Return whether a value follows a sign that assigns, and not in a log: a: (0, 0, 4, 4)."""
         begin = self.text.rfind("\n", 0, value.start) + 1
         return bool(_ASSIGNED.fullmatch(self.text, begin, value.start)) and not _SECTION.search(self.text, value.end)
 
@@ -211,7 +211,7 @@ class Reader(Calls):
         return []
 
     def _group(self, group: Group, label: str) -> list[Read]:
-        """Return the shapes of a bracket, a call or a typed list, with the calls behind it."""
+        """Return the shapes of a bracket, a call or a typed list, with its chained calls applied."""
         if (copied := self._copied(group)) is not None:
             return self.shapes(copied, label)
         if (
@@ -261,7 +261,7 @@ class Reader(Calls):
             return [s for item in group.items if not self._are_names(item) for s in self._rings(item, label)]
         else:
             found = self._plain(group, label)
-        return self._after(group, found)
+        return self._with_chained_calls(group, found)
 
     def _are_names(self, value: Any) -> bool:
         """Return whether a value is a list of names: featureCollection([a, b])."""
@@ -312,8 +312,11 @@ class Reader(Calls):
             found = [self._turned(shape, angle, RADIANS, None) for shape in found]
         return [moved(shape, at) for shape in found] if at else found
 
-    def _after(self, group: Group, found: list[Read]) -> list[Read]:
-        """Return shapes with the moves and turns behind them applied; Unreadable for any other change."""
+    def _with_chained_calls(self, group: Group, found: list[Read]) -> list[Read]:
+        """Return the shapes after the chained calls of the group, such as `.rotate(45)`.
+
+        Unreadable for a call with numbers that is neither a move nor a turn.
+        """
         for name, arguments in group.methods:
             plain = name.lower()
             if not (found or plain in HARMLESS):
