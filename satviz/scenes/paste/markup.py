@@ -228,7 +228,8 @@ def _times(p: Affine, q: Affine) -> Affine:
 
 def _groups(text: str) -> tuple[list[int], list[tuple[Affine, bool]], list[tuple[int, int, list[Token]]]]:
     """Return where the transform of the groups around changes, what it is there, and the groups that are understood."""
-    places, made, parts = [0], [(IDENTITY, True)], []
+    places, made = [0], [(IDENTITY, True)]
+    parts: list[tuple[int, int, list[Token]]] = []
     stack = [made[0]]
     for m in _GROUP.finditer(text):
         if m[1]:
