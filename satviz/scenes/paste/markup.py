@@ -8,7 +8,7 @@ from itertools import islice
 
 from ...engine.geometry import InvalidScene
 from .boxes import IDENTITY, Affine, cosine_and_sine
-from .notations import DEGREES
+from .notations import Form
 from .prose import sentences
 from .svg_path import PATH_DATA, path_tokens
 from .tables import tables
@@ -211,7 +211,7 @@ def _matrix(text: str) -> tuple[Affine, bool] | None:
             case "matrix", 6:
                 made = (n[0], n[1], n[2], n[3], n[4], n[5])
             case "rotate", 1 | 3:
-                c, s, right = cosine_and_sine(n[0], DEGREES)
+                c, s, right = cosine_and_sine(n[0], Form.DEGREES)
                 x, y = n[1:] or IDENTITY[4:]
                 made, exact = (c, s, -s, c, x - c * x + s * y, y - s * x - c * y), exact and right
             case _:
