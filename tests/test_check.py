@@ -349,6 +349,13 @@ def test_a_check_ends_in_time():
     assert found.right and "Stopped after 0.1 s" in str(found) and found.unasked
 
 
+def test_a_text_instead_of_a_function_is_refused_with_the_way_to_pass_one():
+    with pytest.raises(TypeError, match=r"fn is the text 'x\.py:f', not a function: import .*satviz check FILE:NAME"):
+        sv.check("x.py:f")
+    with pytest.raises(TypeError, match="fn is a list: pass a function of two shapes"):
+        sv.check([])
+
+
 @pytest.mark.parametrize(
     "more",
     [{"returns": "colour"}, {"kinds": "cubes"}, {"kinds": ()}, {"touching": "no"}, {"tolerance": -1}, {"form": "x"}],

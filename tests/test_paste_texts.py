@@ -266,6 +266,12 @@ def test_an_unknown_part_gives_a_question(text):
     assert "\n" not in pasted.sentence and len(pasted.sentence) < 500
 
 
+def test_the_report_says_once_what_was_not_understood():
+    report = str(sv.paste("{x=0 y=0 r=5}\tmoved 4\n{x=3 y=0 r=5}"))
+    assert report.count("Not understood") == 1
+    assert "or take the shapes without it.\n  --as leave-out" in report
+
+
 def test_a_short_unknown_part_is_named_with_its_line():
     asked = sv.paste("verts[0] = (0,0)\nverts[1] << 1 = (4,0)\nverts[2] = (0,3)").questions[0].asks
     assert asked == "Not understood: << (in verts[1] << 1 = (4,0))."

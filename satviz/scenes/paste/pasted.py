@@ -208,12 +208,14 @@ class Pasted:
         for each in self.readings:
             yield f"{each.title}: {each.said}{', refused' if not each.shape else ''}"
             yield f"    read from: {each.excerpt}"
+        about_rest = [question for question in self.questions if sentence and question.what == "rest"]
         for question in self.questions:
             yield ""
-            yield str(question)
+            # the answer's sentence is this question with a remedy: it is said once
+            yield str(question._replace(asks=self.sentence) if question in about_rest else question)
             if not self.open:
                 yield f"  The relation is the same; {question.answers[0].choice} was taken."
-        if sentence:
+        if sentence and not about_rest:
             yield ""
             yield number_format.ascii_minus(self.sentence)
         if self.findings:
