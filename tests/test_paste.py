@@ -704,7 +704,7 @@ def fuzz(count, seed):
         known = numerals(text)
         for each in pasted.readings:
             one = each.read
-            if one.rounded or any(word in one.said for word in ("turned", "position", "two points", "diameter")):
+            if one.rounded or re.search("turned|position|two points|diameter|transformed", one.said):
                 continue  # sums of numbers
             if any(word in each.excerpt for word in ("body", "offset")):
                 continue  # at the place of a body

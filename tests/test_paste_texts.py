@@ -266,6 +266,12 @@ def test_an_unknown_part_gives_a_question(text):
     assert "\n" not in pasted.sentence and len(pasted.sentence) < 500
 
 
+def test_the_report_says_once_what_was_not_understood():
+    report = str(sv.paste("{x=0 y=0 r=5}\tmoved 4\n{x=3 y=0 r=5}"))
+    assert report.count("Not understood") == 1
+    assert "or take the shapes without it.\n  --as leave-out" in report
+
+
 def test_a_short_unknown_part_is_named_with_its_line():
     asked = sv.paste("verts[0] = (0,0)\nverts[1] << 1 = (4,0)\nverts[2] = (0,3)").questions[0].asks
     assert asked == "Not understood: << (in verts[1] << 1 = (4,0))."
@@ -511,8 +517,11 @@ def test_several_refused_shapes_are_listed_in_words():
         pytest.param("m_Paths:\n" * 100_000, marks=pytest.mark.slow),
         pytest.param(":add(a, 1" * 11_000, marks=pytest.mark.slow),
         pytest.param("".join(" " * i + "a:\n" for i in range(1_000)), marks=pytest.mark.slow),
+        pytest.param('<g transform="scale(2)">' * 9_000, marks=pytest.mark.slow),
+        pytest.param('<g transform="scale(' + "2 " * 30_000 + ')">', marks=pytest.mark.slow),
+        pytest.param("<g " * 300_000, marks=pytest.mark.slow),
     ],
-    ids=range(33),
+    ids=range(36),
 )
 def test_a_long_text_in_these_notations_is_refused_within_a_second(text):
     start = time.process_time()

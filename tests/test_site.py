@@ -283,7 +283,7 @@ def asked_in(chapter):
 
 
 def test_a_notebook_folds_the_text_that_answers():
-    """Its output is not there until the cell is run.  Directly behind a fold stands one line at most."""
+    """Its output is not there until the cell is run.  Directly after a fold stands one line at most."""
     for chapter in chapters.chapters():
         asked = False
         for cell in chapter.cells:

@@ -4,31 +4,10 @@ from dataclasses import replace
 from typing import Any
 
 from .axis_lists import is_flat, joined, lengths, pairs_of_lists
-from .boxes import (
-    ABSOLUTE,
-    AT_ORIGIN,
-    BY_RADIUS,
-    CHOICES,
-    CORNERS,
-    RELATIVE,
-    Boxes,
-    Read,
-    circle,
-    moved,
-    origin_of,
-    unit_of,
-)
+from .boxes import AT_ORIGIN, BY_RADIUS, CHOICES, Boxes, Read, circle, moved, origin_of, unit_of
 from .exact import centroid
 from .names import Obj, Unreadable
-from .notations import (
-    CENTER_HALF,
-    CENTER_SIZE,
-    CORNER_CORNER,
-    RING,
-    Notation,
-    key,
-    notation,
-)
+from .notations import Ask, Form, Kind, Notation, key, notation
 from .points import ZERO, Numeral, Pt, places
 from .tree import Bad, Group, Name, Num
 
@@ -90,8 +69,8 @@ class Keyed(Boxes):
                 shift = ZERO  # where its corners are already, as Matter prints them, and turned
                 given |= places(self.number(angle)) if angle is not None and self._is_number(angle) else set()
                 angle = None
-            sure = RELATIVE if row and row.kind == RING else ""
-            if shift != ZERO and self._choose(CORNERS, CHOICES[CORNERS], sure=sure) == ABSOLUTE:
+            sure = Form.RELATIVE if row and row.kind == Kind.RING else ""
+            if shift != ZERO and self._choose(Ask.CORNERS, CHOICES[Ask.CORNERS], sure=sure) == Form.ABSOLUTE:
                 shift = ZERO
             made = self._outline(outline, obj, label, shift, " and a position" if shift != ZERO else "")
             made = replace(made, used=made.used | given)
@@ -150,7 +129,7 @@ class Keyed(Boxes):
             two = self.resolve(obj.get("points"))
             ends = [self.point(v) for v in two.items] if isinstance(two, Group) else []
             if len(ends) == 2 and ends[0] and ends[1]:  # opposite corners
-                return [self._made_box([*ends[0], *ends[1]], CORNER_CORNER, obj, label)]
+                return [self._made_box([*ends[0], *ends[1]], Form.CORNER_CORNER, obj, label)]
         if {"a", "b", "c"} <= set(obj.fields) <= set("abcd") and (corners := self.ring(self._lettered(obj))):
             return [self._outline(corners, obj, label)]
         return None
@@ -194,7 +173,7 @@ def _placed(shape: Read, obj: Obj, place: Pt) -> Read:
     if obj.get("center", "corner", "x") is None:
         return shape
     xs, ys = zip(*shape.points, strict=True)
-    by_center = shape.is_circle or shape.form in (CENTER_SIZE, CENTER_HALF) or names & {"center", "centre"}
+    by_center = shape.is_circle or shape.form in (Form.CENTER_SIZE, Form.CENTER_HALF) or names & {"center", "centre"}
     old = ((min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2) if by_center else (min(xs), min(ys))
     made = moved(shape, (place[0] - old[0], place[1] - old[1]))
     return replace(made, used=made.used | places(*place))
