@@ -176,7 +176,7 @@ def test_a_sign_beside_the_data_is_never_dropped_without_a_question():
 
 
 @pytest.mark.slow
-def test_two_thousand_signs_beside_the_data():
+def test_none_of_two_thousand_signs_beside_the_data_is_dropped_without_a_question():
     attack(2000, seed=2)
 
 
@@ -449,7 +449,7 @@ def test_a_table_with_sizes_is_not_read_as_corners():
             sv.paste(names + "\n0,0,2,1\n9,0,1,1\n9,9,1,1")
 
 
-def test_a_hole_is_no_shape_of_its_own():
+def test_a_hole_is_not_read_as_a_shape_of_its_own():
     for text in (
         "Polygon(shell=[(0, 0), (4, 0), (0, 3)], holes=[[(1, 1), (2, 1), (1, 2)]])",
         "{outer: [[0, 0], [4, 0], [0, 3]], holes: [[[1, 1], [2, 1], [1, 2]]]}",
@@ -542,12 +542,12 @@ def test_a_long_text_in_these_notations_is_refused_within_a_second(text):
         lambda text: "class Thing:\n    x = 0\n    y = 0\n    r = 1\n\nprint(Thing)\n" + text,
     ],
 )
-def test_what_a_page_or_a_class_adds_to_a_text_makes_no_other_shape(change):
+def test_additions_of_a_page_or_a_class_do_not_change_the_shapes(change):
     text = "a = Circle(0, 0, 5)\nb = Polygon([(4, 0), (9, 0), (9, 4)])"
     assert answer(change(text))[1] == answer(text)[1] and not answer(change(text))[0]
 
 
 @pytest.mark.parametrize("words", ["contact points", "normals", "axes", "simplex", "Minkowski difference", "overlap"])
-def test_what_a_test_prints_is_no_shape(words):
+def test_the_printed_result_of_a_test_is_not_read_as_a_shape(words):
     text = "a = Circle(0, 0, 5)\nb = Circle(9, 0, 5)\n"
     assert answer(f"{text}{words}: (5, 0), (6, 2), (7, 9)")[1] == answer(text)[1]
