@@ -3724,4 +3724,68 @@ wall: pos (10, 0) vel (0, 0) size (10, 10)""",
             ('style="transform: scale(2)"', "scale 2"),
         )
     ),
+    # -- code that does not change the numbers
+    Paste(
+        "names of shapes with numbers",
+        "Rect1(0, 0, 10, 10), Circle2(0, 11, 10)",
+        ((0, 0, 10, 10), (-10, 1, 10, 21)),
+        as_="corner-size radius",
+    ),
+    Paste(
+        "numbers in the wrapper of an exact type",
+        """std::vector<Pt> a = { Pt(FT(192),FT(768)), Pt(FT(128),FT(688)), Pt(FT(160),FT(688)) };
+std::vector<Pt> b = { Pt(FT(160),FT(656)), Pt(FT(192),FT(608)), Pt(FT(320),FT(608)) };""",
+        ((128, 688, 192, 768), (160, 608, 320, 656)),
+    ),
+    Paste(
+        "arrows before boxes",
+        """[zones] P33 bbox -> (110, 106.5)-(196.5, 168.5)
+[zones] P18 bbox -> (116.3, 117)-(134.5, 173.5)""",
+        ((110, 106.5, 196.5, 168.5), (116.3, 117, 134.5, 173.5)),
+    ),
+    Paste(
+        "a type of Rust with a length",
+        """pub const A: [(f64, f64); 3] = [(0.0, 0.0), (4.0, 0.0), (0.0, 4.0)];
+pub const B: [(f64, f64); 3] = [(1.0, 1.0), (5.0, 1.0), (1.0, 5.0)];""",
+        ((0, 0, 4, 4), (1, 1, 5, 5)),
+    ),
+    Paste(
+        "a verbatim text of C#",
+        """var a = reader.Read(@"POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))");
+var b = reader.Read(@"POLYGON ((5 5, 6 5, 6 6, 5 5))");""",
+        ((0, 0, 4, 4), (5, 5, 6, 6)),
+    ),
+    Paste(
+        "iterators of C++",
+        """std::vector<P> u; u.emplace_back(0, 0); u.emplace_back(4, 0); u.emplace_back(0, 4);
+Polygon_2 pu(u.begin(), u.end());
+circle((9, 9), 1)""",
+        ((0, 0, 4, 4), (8, 8, 10, 10)),
+    ),
+    Paste(
+        "objects as pairs",
+        """const a = [{x: 0, y: 0}, {x: 4, y: 0}, {x: 0, y: 4}];
+const b = [{x: 1, y: 1}, {x: 5, y: 1}, {x: 1, y: 5}];
+const pa = polygon(a.map(p => [p.x, p.y]));
+const pb = polygon(b.map(({x, y}) => [x, y]));""",
+        ((0, 0, 4, 4), (1, 1, 5, 5)),
+    ),
+    Paste(
+        "objects with other pairs",
+        """const a = [{x: 0, y: 0}, {x: 4, y: 0}, {x: 0, y: 4}];
+const pa = polygon(a.map(p => [p.y, p.x]));""",
+        ((0, 0, 4, 4),),
+        says="a.map",
+    ),
+    Paste("a table with the column d", "cx,cy,d\n0,0,10\n12,0,10", ((-5, -5, 5, 5), (7, -5, 17, 5))),
+    Paste(
+        "a circle and an outline within it in one list",
+        "[((0, 0), 5), [(1, 1), (2, 1), (1, 2)]]",
+        ((-5, -5, 5, 5), (1, 1, 2, 2)),
+    ),
+    Paste(
+        "two outlines of a call",
+        "polygonClipping.intersection([[0, 0], [9, 0], [0, 9]], [[1, 1], [2, 1], [1, 2]])",
+        ((0, 0, 9, 9), (1, 1, 2, 2)),
+    ),
 )

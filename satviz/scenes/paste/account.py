@@ -345,6 +345,8 @@ class Account:
             return after.text in (":", "|")
         if before.text == "#" and before.end == self.at(i).start and self.at(i - 2).kind not in (NUMBER, CLOSE):
             return True  # body#17
+        if before.text == ";" and after.text == "]" and not frame.data:
+            return True  # of a type of Rust: [(f64, f64); 3]
         if before.text == "{" and after.text == "}":
             return self.at(i).value == 0
         if before.text in ",(" and after.text in ",)" and "," in (before.text, after.text):

@@ -253,7 +253,8 @@ def notation(name: str) -> Notation | None:
     for ending in ("::new", "::from", ".new", "_t"):
         plain = plain.removesuffix(ending) if plain not in NAMES else plain
     words = parts_of(plain)[-MAX_WORDS:]
-    for candidate in (plain, *(".".join(words[i:]) for i in range(len(words))), words[-1].rstrip("!")):
+    last = words[-1].rstrip("!")
+    for candidate in (plain, *(".".join(words[i:]) for i in range(len(words))), last, last.rstrip("0123456789")):
         if candidate in NAMES:
             return NAMES[candidate]
     return None

@@ -141,7 +141,9 @@ class Reader(Calls):
 
     def _is_hole(self, shape: Read, outer: Read) -> bool:
         """Return whether an outline stands behind another one in a list, and lies within its bounds: [[...], [...]]."""
-        if self.text[outer.end : shape.start].strip() != "," or shape.form or outer.form or shape.is_circle:
+        listed = self.text[max(0, outer.start - MAX_BESIDE) : outer.start].rstrip()[-1:] in ("[", "{")
+        beside = listed and self.text[outer.end : shape.start].strip() == ","
+        if not beside or shape.form or outer.form or shape.is_circle or outer.is_circle:
             return False
         (x0, y0), _, (x1, y1), _ = _bounds(outer)
         return all(x0 <= x <= x1 and y0 <= y <= y1 for x, y in shape.points)
