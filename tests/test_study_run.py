@@ -347,6 +347,16 @@ def test_the_chart_in_the_guide_comes_from_a_full_run_and_satviz_was_never_wrong
     assert all(len(row["ns_runs"]) == 6 for row in SPEED)
 
 
+def test_the_stored_run_has_the_sizes_that_a_full_run_has_now():
+    for cell in speed_against_accuracy.cells(Settings()):
+        if cell.name.startswith("worst-"):
+            name, n, generations, _ = cell.arguments
+            (row,) = (row for row in SPEED if row["method"] == name)
+            assert 0.5 < row["tried"] / (2 * n * generations) <= 1, name
+    ((paths, frames, _),) = (cell.arguments for cell in axis_order.cells(Settings()))
+    assert {(row["paths"], row["frames"]) for row in STORED["rows"]["order-of-axes"]} == {(paths, paths * frames)}
+
+
 @pytest.mark.parametrize("row", [row for row in SPEED if row["metres"]], ids=lambda row: row["method"])
 def test_the_worst_pair_of_the_guide_is_what_it_says(row):
     a, b = Polygon(row["a"]), Polygon(row["b"])

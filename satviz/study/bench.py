@@ -346,7 +346,7 @@ def _bench_frames(plan: BenchPlan) -> Iterator[TimingRow]:
             scene = moving_scene(rng, make(rng, n))
             repeats = min(30, max(1, 1000 // n))  # so that a call takes long enough to be timed
             jobs = {name: FrameJob(find, scene, repeats) for name, find in scene_methods(scene).items()}
-            rounds = plan.rounds if n < 30_000 else min(plan.rounds, 3) if n < 1_000_000 else 1
+            rounds = plan.rounds if n < 30_000 else min(plan.rounds, 3)
             samples: dict[int, FrameSample] = {}
             for row in _time_jobs("frames", work, n, dict(jobs), repeats, "us", rounds):
                 job = jobs[row.method]

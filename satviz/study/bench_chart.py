@@ -11,7 +11,6 @@ from ..render.chart import TEXT_POINTS, WIDTH, Chart, add_axes, add_text, share_
 from .bench import TimingRow
 from .bench_table import faster_from, growth_exponent, spread_of, wrong_counts
 from .harness.chart import label_ends, set_time_ticks
-from .harness.timings import Spread, least_of
 from .methods import ENGINES
 
 ROW, CORNERS = 34.0, 250.0  # points: the height of a work, and of the chart against corners
@@ -38,14 +37,9 @@ class SpeedRatio:
     low: float
     high: float
 
-    def spread(self, sign: int = 1) -> Spread:
-        """Return the ratio with its quartiles; with sign -1 all negative, so that the largest comes first."""
-        low, high = sorted((sign * self.low, sign * self.high))
-        return Spread(sign * self.times, low, high)
-
     def is_slower(self) -> bool:
         """Return whether the method is slower than shapely: the whole interval is below 1."""
-        return self.spread().is_below(Spread(1.0, 1.0, 1.0))
+        return self.high < 1
 
 
 def bench_chart(rows: Sequence[TimingRow], warning: str) -> Chart:
@@ -77,15 +71,14 @@ def bench_chart(rows: Sequence[TimingRow], warning: str) -> Chart:
 
 
 def _fastest_and_slowest(method: str, ratios: Sequence[SpeedRatio]) -> str:
-    """Return a sentence with a method's smallest and largest ratio of speed to shapely unprepared.
+    """Return a sentence with a method's smallest and largest ratio of speed to shapely unprepared, both medians.
 
     On the workload of the largest ratio, the sentence has the ratio to prepared shapely too.
     """
-    own = sorted((r for r in ratios if r.method == method), key=lambda r: r.times)
-    least, most = own[0], own[-1]
-    slowest, quickest = (" or ".join(least_of({r.work: r.spread(sign) for r in own})) for sign in (1, -1))
+    own = [r for r in ratios if r.method == method]
+    least, most = (pick(own, key=lambda r: r.times) for pick in (min, max))
     text = f"In the upper chart {method} is from {_times_in_words(least.times)} as fast as shapely unprepared "
-    text += f"({slowest}) to {_times_in_words(most.times)} ({quickest}"
+    text += f"({least.work}) to {_times_in_words(most.times)} ({most.work}"
     prepared = next((r for r in ratios if (r.work, r.method) == (most.work, PREPARED)), None)
     return text + (f"; {_times_in_words(most.times / prepared.times)} as fast as prepared)." if prepared else ").")
 

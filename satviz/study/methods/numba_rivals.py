@@ -295,15 +295,12 @@ def gjk_kernel(va: int | None, vb: int | None) -> Callable[..., None]:
         count_a, count_b = ax.shape[0] if va is None else va, bx.shape[0] if vb is None else vb
         for k in range(out.size):
             i = np.uintp(k)
-            dx, dy = bx[0, i] - ax[0, i], by[0, i] - ay[0, i]
-            px, py = _support(bx, by, i, count_b, -dx, -dy)
-            qx, qy = _support(ax, ay, i, count_a, dx, dy)
-            ux, uy = px - qx, py - qy
-            vx, vy, wx, wy, corners = 0.0, 0.0, 0.0, 0.0, 1
-            dx, dy = -ux, -uy
+            dx = (ax[0, i] + ax[count_a // 2, i]) - (bx[0, i] + bx[count_b // 2, i])  # from B's middle to A's
+            dy = (ay[0, i] + ay[count_a // 2, i]) - (by[0, i] + by[count_b // 2, i])
+            ux, uy, vx, vy, wx, wy, corners = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0
             hit = 1
             for _ in range(MAX_GJK_STEPS):
-                if dx == 0 and dy == 0:
+                if corners > 0 and dx == 0 and dy == 0:
                     break
                 px, py = _support(bx, by, i, count_b, dx, dy)
                 qx, qy = _support(ax, ay, i, count_a, -dx, -dy)
@@ -311,6 +308,10 @@ def gjk_kernel(va: int | None, vb: int | None) -> Callable[..., None]:
                 if px * dx + py * dy < 0:
                     hit = 0
                     break
+                if corners == 0:
+                    ux, uy, corners = px, py, 1
+                    dx, dy = -ux, -uy
+                    continue
                 if corners == 1:
                     vx, vy, corners = px, py, 2
                 else:

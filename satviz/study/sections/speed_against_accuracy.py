@@ -40,12 +40,17 @@ from ..workloads.adversary import (
     kilometre_shapes,
     search_size,
     worst_kilometre_shapes,
+    worst_kilometre_shapes_for_circles,
     worst_kilometre_shapes_in_float32,
     worst_pair,
 )
 from ..workloads.generators import Rings
 from ..workloads.hard_pairs import EXTREME_KIND, hard_pairs, touching_quadrilaterals
 
+SEARCHED = {  # the pairs with which a search begins, where they are not those of `worst_kilometre_shapes`
+    "SAT, float32": worst_kilometre_shapes_in_float32,
+    "bounding circles": worst_kilometre_shapes_for_circles,
+}
 GRID_METRES = 2.0**-43  # the step between neighbouring float64 numbers from 512 to 1024
 # in roundings u * span * reach the rounded normal costs 4 (with unit length 8), the landing of the corner 4, and that
 # of the edge 4.  So SAT on outward normals is right where the relative margin is above 12 (16).
@@ -98,8 +103,9 @@ def pairs_in_a_call(settings: Settings) -> int:
 def search(name: str, n: int, generations: int, settings: Settings) -> JsonRow:
     """Return the worst pair of a method in a scene of 1 km; `metres`: its gap, or the depth of its overlap."""
     (method,) = (method for method in compiled_methods() if method.name == name)
-    make = worst_kilometre_shapes_in_float32 if name == "SAT, float32" else worst_kilometre_shapes
-    found = worst_pair(method, make, settings.rng("worst", name), n, generations, metres=True)
+    found = worst_pair(
+        method, SEARCHED.get(name, worst_kilometre_shapes), settings.rng("worst", name), n, generations, metres=True
+    )
     row: JsonRow = {"method": name, "family": method.family, "metres": 0.0, "mistake": "", "tried": found.tried}
     if found.margin:
         a, b = Polygon(found.a[0]), Polygon(found.b[0])

@@ -72,6 +72,25 @@ def worst_kilometre_shapes_in_float32(rng: Rng, n: int) -> tuple[Rings, Rings]:
     return a, b
 
 
+def worst_kilometre_shapes_for_circles(rng: Rng, n: int) -> tuple[Rings, Rings]:
+    """Return pairs of `kilometre_shapes`, half of which are long kites side by side, each the other's mirror image.
+
+    Three corners of a kite lie at one end, and so does their mean, the center of its circle: no 4-gon of its size has a
+    larger one.
+    """
+    a, b = kilometre_shapes(rng, n)
+    long, wide = (
+        rng.uniform(0.95, 0.999, len(a[1::2])) * MOST_ACROSS,
+        rng.uniform(1, 1.2, (2, len(a[1::2]))) * LEAST_SIDE,
+    )
+    zero = np.zeros_like(long)
+    ends = np.stack([zero, long, wide[1], zero], axis=1), np.stack([zero, wide[0] / 2, wide[0], wide[0]], axis=1)
+    kites = np.stack(ends, axis=2)
+    at = rng.uniform(40, METRES_WIDE - 40, (len(kites), 1, 2))
+    a[1::2], b[1::2] = kites + at, kites[:, [0, 3, 2, 1]] * [1, -1] + at
+    return a, b
+
+
 def worst_shapes_within_two(rng: Rng, n: int) -> tuple[Rings, Rings]:
     """Return pairs of 4-gons with coordinates up to about 2, of which most have an edge of A that rounds most.
 
@@ -162,11 +181,12 @@ def _at_the_origin(rng: Rng, n: int) -> tuple[Rings, Rings]:
 
     The differences of such coordinates need more digits than two float64 have, with which shapely decides such pairs.
     """
-    end = rng.uniform(1, 2, (n, 1)) * np.ones(2)
+    end = rng.uniform(1, 2, (n, 2)) * rng.uniform(1, 2, (n, 1))
     a = _box_on(-end, end, rng.uniform(1, 4, n))
     b = np.array([(0, 0), (-1.0, -3.0), (1.0, -4.0), (2.0, -2.0)]) * rng.uniform(1, 2, (n, 1, 1))
-    x = np.ldexp(rng.uniform(1, 2, n), rng.integers(-80, -40, n))
-    b[:, 0] = np.stack([x, x * (1 + rng.integers(-3, 4, n) * 2.0**-52)], axis=1)
+    x = np.ldexp(rng.uniform(1, 2, n), rng.integers(-60, -44, n))
+    y = end[:, 1] / end[:, 0] * x
+    b[:, 0] = np.stack([x, y + np.spacing(y) * rng.integers(-2, 3, n)], axis=1)
     return a, b
 
 
@@ -210,7 +230,7 @@ def _search_once(
             gaps = np.where(rng.random(n) < 0.2, gaps, unit * rng.uniform(0.5, 2, n))
         new_b = beside(rng, new_a, new_b, gaps * rng.choice([-1.0, 1.0], n))
         if metres:  # their relative margins would need fractions
-            new_a[::16], new_b[::16] = _at_the_origin(rng, len(new_a[::16]))
+            new_a[::8], new_b[::8] = _at_the_origin(rng, len(new_a[::8]))
         new_a, new_b = _swapped(rng, _first_corner_changed(rng, new_a), _first_corner_changed(rng, new_b))
         if len(best):
             child_a, child_b = _changed(rng, a, b, n)
