@@ -68,7 +68,7 @@ class Read:
     named: bool = False  # it is known by its keys: width, height
     shift: Pt = ZERO  # the position that was added to its corners
     repeats: bool = False  # it stands in a call that tests two shapes, which may stand elsewhere as well
-    used: frozenset[int] = frozenset()  # where the numbers of the text end that stand in it
+    used: frozenset[int] = frozenset()  # the ends, in the text, of the numbers that the shape uses
 
     @property
     def is_circle(self) -> bool:

@@ -35,7 +35,7 @@ from .tree import Bad, Group, Name, Num, Pair, parts_of
 
 MAX_ANGLE = 50  # characters of an angle in terms of pi
 MAX_DEPTH = 24
-MAX_WORDS_BETWEEN = 60  # between a shape and the word that separates it from the next one
+MAX_WORDS_BETWEEN = 60  # tokens between a shape and the word that separates it from the next one
 LEAST = 3  # corners of an outline
 PAIRS = {"(": ")", "[": "]", "{": "}"}
 SEPARATORS = frozenset(["vs", "versus", "and", "against", "intersects", "overlaps", "touches", "collides"])
@@ -369,7 +369,7 @@ class _Parser:
         self.understood += [(atom.start, atom.end) for atom in atoms if isinstance(atom, Token) and atom.kind == OTHER]
 
     def joined(self, atoms: list[Any]) -> tuple[list[Any], list[str]]:
-        """Return the values among the atoms, each name joined with the brackets after it, and the operators."""
+        """Return (values, operators) of the atoms; a name and the brackets after it are one value."""
         values: list[Any] = []
         operators: list[str] = []
         i = 0
