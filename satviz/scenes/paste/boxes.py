@@ -35,14 +35,14 @@ Y_UP, Y_DOWN, WIDTH_FIRST, HEIGHT_FIRST = "y-up", "y-down", "width-first", "heig
 EACH_VALUE, LAST_VALUE, TWICE = "each-value", "last-value", "twice"
 COMMAS, DECIMAL_COMMAS, SEPARATORS = "commas", "decimal-commas", "separators"
 AROUND_CENTER, AROUND_CORNER, AROUND_ORIGIN = "around-center", "around-corner", "around-origin"
-RELATIVE, ABSOLUTE = "relative", "absolute"
+RELATIVE, ABSOLUTE, UNTURNED = "relative", "absolute", "unturned"
 CHOICES: Mapping[str, tuple[str, ...]] = {
     BOX_FORM: (*ANY_BOX, X_THEN_Y),
     ANGLE: (DEGREES, RADIANS),
     TURN: (Y_UP, Y_DOWN),
     ORDER: (WIDTH_FIRST, HEIGHT_FIRST),
     PIVOT: (AROUND_CENTER, AROUND_CORNER, AROUND_ORIGIN),
-    CORNERS: (RELATIVE, ABSOLUTE),
+    CORNERS: (RELATIVE, ABSOLUTE, UNTURNED),
     ROUND: (RADIUS, DIAMETER),
     TWICE: (EACH_VALUE, LAST_VALUE),
     COMMAS: (DECIMAL_COMMAS, SEPARATORS),
@@ -101,6 +101,7 @@ class Boxes(Points):
         super().__init__(text)
         self.chosen = chosen
         self.asked: dict[str, tuple[str, ...]] = {}
+        self.holes: set[int] = set()  # where outlines begin that may be holes of others
         self.doubts = False  # whether a part may be a shape or something else
         self.keeps = False  # a choice of a form is for the boxes whose form is asked, and for no others
 

@@ -154,6 +154,11 @@ TWO_SHAPES = {
     "circlerect": (("c2circle", 3), ("qrect", 4)),
     "rectangle_in_rectangle": (("rectd", 4), ("rectd", 4)),
 }
+# Names of tests with the points of two shapes: the notation of each, and how many points it has.
+TWO_OF_A_KIND = (
+    (re.compile(r"triangle", re.IGNORECASE), "triangle", 3),
+    (re.compile(r"aabb|box|rect", re.IGNORECASE), "box", 2),
+)
 
 # Keys of objects, and what is assigned to a variable's fields, without case, `_` and a leading `m`.
 KEYS = {
