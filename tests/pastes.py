@@ -289,8 +289,7 @@ circle((0, 0), 1)""",
         "a matrix in an SVG rect",
         """<rect x="0" y="0" width="10" height="10" transform="matrix(2 0.3 -0.2 3 4 5)"/>
 <circle cx="5" cy="5" r="3"/>""",
-        ((2, 2, 8, 8),),
-        says="transform",
+        ((2, 5, 24, 38), (2, 2, 8, 8)),
     ),
     Paste(
         "originX of Fabric",
@@ -394,7 +393,7 @@ circle((9, 9), 1)""",
         as_="corner-size",
     ),
     Paste(
-        "text behind a bracket",
+        "text after a bracket",
         """[(0,0), (4,0), (4,4), (0,4)] is the first polygon (4 corners)
 [(5,0), (9,0), (9,4), (5,4)] is the second one, 1 away""",
         ((0, 0, 4, 4), (5, 0, 9, 4)),
@@ -1705,8 +1704,7 @@ rect(5, 5, 10, 10);""",
         "svg g",
         """<g transform="translate(100 0)"><rect x="0" y="0" width="10" height="10"/></g>
 <rect x="5" y="5" width="10" height="10"/>""",
-        ((0, 0, 10, 10), (5, 5, 15, 15)),
-        says="translate",
+        ((100, 0, 110, 10), (5, 5, 15, 15)),
     ),
     Paste(
         "matter setPosition",
@@ -3396,7 +3394,7 @@ verts\t0x00f3fa4c {{x=0.0 y=0.0}, {x=4.0 y=0.0}, {x=0.0 y=3.0}}\tVec2[3]""",
         ((-5, -5, 5, 5), (0, 0, 4, 3)),
     ),
     Paste(
-        "words behind a struct", "{x=0 y=0 r=5}\tmoved 4\n{x=3 y=0 r=5}", ((-5, -5, 5, 5), (-2, -5, 8, 5)), says="moved"
+        "words after a struct", "{x=0 y=0 r=5}\tmoved 4\n{x=3 y=0 r=5}", ((-5, -5, 5, 5), (-2, -5, 8, 5)), says="moved"
     ),
     Paste(
         "gdb",
@@ -3731,5 +3729,126 @@ circle((11, 3), 1)""",
     *(
         Paste(f"flat lists of {name}", f"{name} = [0, 0, 4, 4, 2, 2, 6, 6]", (), says="in one list")
         for name in ("boxes", "aabbs", "rectangles")
+    ),
+    # -- transforms of SVG
+    Paste(
+        "SVG groups with transforms",
+        """<svg viewBox="0 0 100 100">
+ <g transform="translate(10 5) scale(2)">
+  <circle cx="0" cy="0" r="4"/>
+  <g transform="translate(1)" fill="red"><polygon points="0,0 4,0 0,3"/></g>
+  <g><rect width="1" height="2"/></g>
+ </g>
+ <rect x="12" y="0" width="4" height="4"/>
+</svg>""",
+        ((2, -3, 18, 13), (12, 5, 20, 11), (10, 5, 12, 9), (12, 0, 16, 4)),
+    ),
+    Paste(
+        "SVG elements with transforms",
+        """<rect width="4" height="4" transform="scale(2, .5)"/>
+<rect x="12" width="4" height="4" transform="matrix(1 0 0 1 5 5)"/>
+<rect width="4" height="2" transform="translate(3 4) rotate(90)"/>
+<rect x="12" width="4" height="4" transform="rotate(45, 14 2)"/>
+<circle cx="12" r="4" transform="matrix(3 4 -4 3 0 0)"/>""",
+        (
+            (0, 0, 8, 2),
+            (17, 5, 21, 9),
+            (1, 4, 3, 8),
+            (11.171572875, -0.828427125, 16.828427125, 4.828427125),
+            (16, 28, 56, 68),
+        ),
+    ),
+    *(
+        Paste(
+            f"SVG with {transform}",
+            f'<circle r="4" {transform}/>\n<circle cx="7" r="4"/>\n<rect width="1" height="1"/>',
+            ((3, -4, 11, 4), (0, 0, 1, 1)),
+            says=says,
+        )
+        for transform, says in (
+            ('transform="skewX(30)"', "'skewX(30)' is not applied"),
+            ('transform="scale(2, 1)"', "makes an ellipse of a circle"),
+            ('transform="scale(k)"', "'scale(k)' is not applied"),
+            ('transform="rotate(1 2)"', "'rotate(1 2)' is not applied"),
+            ('transform="rotate(5)" transform-origin="2 2"', "'2 2' is not applied"),
+        )
+    ),
+    *(
+        Paste(
+            f"an SVG group with {transform}",
+            f'<g {transform}><circle r="4"/></g>\n<circle cx="7" r="4"/>',
+            ((-4, -4, 4, 4), (3, -4, 11, 4)),
+            says=says,
+        )
+        for transform, says in (
+            ('transform="skewX(30)"', "skewX"),
+            ('transform="rotate(5)" transform-origin="2 2"', "rotate"),
+            ("transform={at}", "circle"),
+            ('style="transform: scale(2)"', "scale 2"),
+        )
+    ),
+    # -- code that does not change the numbers
+    Paste(
+        "names of shapes with numbers",
+        "Rect1(0, 0, 10, 10), Circle2(0, 11, 10)",
+        ((0, 0, 10, 10), (-10, 1, 10, 21)),
+        as_="corner-size radius",
+    ),
+    Paste(
+        "numbers in the wrapper of an exact type",
+        """std::vector<Pt> a = { Pt(FT(192),FT(768)), Pt(FT(128),FT(688)), Pt(FT(160),FT(688)) };
+std::vector<Pt> b = { Pt(FT(160),FT(656)), Pt(FT(192),FT(608)), Pt(FT(320),FT(608)) };""",
+        ((128, 688, 192, 768), (160, 608, 320, 656)),
+    ),
+    Paste(
+        "arrows before boxes",
+        """[zones] P33 bbox -> (110, 106.5)-(196.5, 168.5)
+[zones] P18 bbox -> (116.3, 117)-(134.5, 173.5)""",
+        ((110, 106.5, 196.5, 168.5), (116.3, 117, 134.5, 173.5)),
+    ),
+    Paste(
+        "a type of Rust with a length",
+        """pub const A: [(f64, f64); 3] = [(0.0, 0.0), (4.0, 0.0), (0.0, 4.0)];
+pub const B: [(f64, f64); 3] = [(1.0, 1.0), (5.0, 1.0), (1.0, 5.0)];""",
+        ((0, 0, 4, 4), (1, 1, 5, 5)),
+    ),
+    Paste(
+        "a verbatim text of C#",
+        """var a = reader.Read(@"POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))");
+var b = reader.Read(@"POLYGON ((5 5, 6 5, 6 6, 5 5))");""",
+        ((0, 0, 4, 4), (5, 5, 6, 6)),
+    ),
+    Paste(
+        "iterators of C++",
+        """std::vector<P> u; u.emplace_back(0, 0); u.emplace_back(4, 0); u.emplace_back(0, 4);
+Polygon_2 pu(u.begin(), u.end());
+circle((9, 9), 1)""",
+        ((0, 0, 4, 4), (8, 8, 10, 10)),
+    ),
+    Paste(
+        "objects as pairs",
+        """const a = [{x: 0, y: 0}, {x: 4, y: 0}, {x: 0, y: 4}];
+const b = [{x: 1, y: 1}, {x: 5, y: 1}, {x: 1, y: 5}];
+const pa = polygon(a.map(p => [p.x, p.y]));
+const pb = polygon(b.map(({x, y}) => [x, y]));""",
+        ((0, 0, 4, 4), (1, 1, 5, 5)),
+    ),
+    Paste(
+        "objects with other pairs",
+        """const a = [{x: 0, y: 0}, {x: 4, y: 0}, {x: 0, y: 4}];
+const pa = polygon(a.map(p => [p.y, p.x]));""",
+        ((0, 0, 4, 4),),
+        says="a.map",
+    ),
+    Paste("a table with the column d", "cx,cy,d\n0,0,10\n12,0,10", ((-5, -5, 5, 5), (7, -5, 17, 5))),
+    Paste(
+        "a circle and an outline within it in one list",
+        "[((0, 0), 5), [(1, 1), (2, 1), (1, 2)]]",
+        ((-5, -5, 5, 5), (1, 1, 2, 2)),
+    ),
+    Paste(
+        "two outlines of a call",
+        "polygonClipping.intersection([[0, 0], [9, 0], [0, 9]], [[1, 1], [2, 1], [1, 2]])",
+        ((0, 0, 9, 9), (1, 1, 2, 2)),
     ),
 )

@@ -1881,7 +1881,7 @@ UE_LOG(LogTemp, Warning, TEXT("%d"), A.Intersect(B));""",
         asks=True,
     ),
     Paste(
-        "decimal commas behind names",
+        "decimal commas after names",
         """name;x;y;radius
 ball;1,5;2,5;0,5
 peg;2,5;2,5;0,75""",

@@ -197,7 +197,7 @@ class _Pieces:
         """Cut a ring from vertex u to vertex v; return both pieces, without an end that became collinear."""
         i, j = sorted((ring.index(u), ring.index(v)))
         for end in (u, v):
-            if self.home.get(end) is ring:  # it may be reflex still in the piece behind an earlier cut
+            if self.home.get(end) is ring:  # it may be reflex still in the piece beyond an earlier cut
                 del self.home[end]
         found = []
         for piece in (ring[i : j + 1], ring[j:] + ring[: i + 1]):

@@ -197,7 +197,7 @@ def require_shape(shape: Any, name: str) -> Shape:
     """Return the shape itself; TypeError unless it is a Polygon or a Circle; `name`: the argument's name."""
     if isinstance(shape, (Polygon, Circle)):
         return shape
-    raise TypeError(f"{name} is a {type(shape).__name__}: make it a satviz.Polygon or satviz.Circle first")
+    raise TypeError(f"argument {name} is a {type(shape).__name__}: make it a satviz.Polygon or satviz.Circle first")
 
 
 def centroid(shape: Shape) -> Vec:

@@ -244,7 +244,10 @@ class Trace:
 
     @staticmethod
     def from_json(text: str) -> "Trace":
-        """Return the trace that `to_json` wrote; InvalidScene if a field is missing, unknown or false."""
+        """Return the trace that `to_json` wrote.
+
+        InvalidScene if a field is missing or unknown, or contradicts the shapes.
+        """
         trace: Trace = hooks.call("trace_from_json", text)
         return trace
 

@@ -74,8 +74,11 @@ def social_pictures(chapters: Sequence[Chapter]) -> Iterator[tuple[str, bytes]]:
         yield card_path(name), encode(social_card(name), "png", stem=name)
 
 
-def from_anywhere(page: bytes, url: str) -> bytes:
-    """Return the page of a missing address with links that lead to the site from any depth, if its address is known."""
+def not_found_page_with_absolute_links(page: bytes, url: str) -> bytes:
+    """Return the page 404.html with absolute links, which work at any depth.
+
+    Where the site's address is unknown ("") they stay relative.
+    """
     root = urlsplit(url).path if url else ""
     return RELATIVE.sub(rf'\1="{root}', page.decode()).encode()
 

@@ -235,7 +235,7 @@ def not_found_page(info: SiteInfo) -> bytes:
 """
     title, description = "There is no such page", "This address leads to no page of the site."
     page = html_page(info, hosting.NOT_FOUND, title, body, description=description)
-    return hosting.from_anywhere(page, info.url)
+    return hosting.not_found_page_with_absolute_links(page, info.url)
 
 
 def challenges_page(info: SiteInfo) -> bytes:

@@ -90,7 +90,7 @@ def relate_edges(a: Edges, b: Edges) -> Signs:
         return found
     nearest = _facing_corner(a, b), _facing_corner(b, a)
     for step in range(most):
-        # around from the edges at the corner that lies furthest towards the other shape: -1, 0, -2, 1, -3, ...
+        # outwards from the two edges at the corner furthest towards the other shape: -1, 0, -2, 1, -3, ...
         away = step // 2 if step % 2 else -1 - step // 2
         for (own, other), corner in zip(((a, b), (b, a)), nearest, strict=True):
             if step < own.edge_count and left.size:

@@ -345,6 +345,8 @@ class Account:
             return after.text in (":", "|")
         if before.text == "#" and before.end == self.at(i).start and self.at(i - 2).kind not in (NUMBER, CLOSE):
             return True  # body#17
+        if before.text == ";" and after.text == "]" and not frame.data:
+            return True  # of a type of Rust: [(f64, f64); 3]
         if before.text == "{" and after.text == "}":
             return self.at(i).value == 0
         if before.text in ",(" and after.text in ",)" and "," in (before.text, after.text):
@@ -545,7 +547,7 @@ class Account:
         return self.is_data(i + 1) or self.at(i + 1).kind in (OPEN, LINE)
 
     def is_choice(self, i: int) -> bool:
-        """Return whether data stands before a word in its line, and `else` behind it: a if b else c."""
+        """Return whether data stands before a word in its line, and `else` after it: a if b else c."""
         start, end = self.line(self.at(i))
         before = self.holds(start, self.at(i).start) or (self.at(i - 1).kind != NUMBER and self.is_data(i - 1))
         return before and "else" in self.text[self.at(i).end : end]
@@ -567,7 +569,7 @@ class Account:
         return self.at(i).end
 
     def check_field(self, i: int, frame: BracketFrame) -> None:
-        """Name an unknown field or method behind a shape."""
+        """Name an unknown field or chained method of a shape."""
         before, after = self.at(i - 1), self.at(i + 1)
         name = self.at(i).text.lstrip(".->:")
         if (after.text in ASSIGNS and before.kind != CLOSE) or (before.kind == LINE and after.text == "{"):
@@ -645,7 +647,7 @@ class Account:
         return (kind == NUMBER or bracket) and self.holds(*self.span(i)) and not (bracket and self.is_tested(i))
 
     def transposes(self, i: int) -> bool:
-        """Return whether a quote stands behind data; it can open or close a text of several lines as well."""
+        """Return whether a quote stands after data; it can open or close a text of several lines as well."""
         token, before, after = self.at(i), self.at(i - 1), self.at(i + 1)
         behind = before.end == token.start and before.kind in (CLOSE, NAME, NUMBER, FIELD)
         opens, self.quoted = self.quoted, not behind
@@ -724,7 +726,7 @@ def last_of(name: str) -> str:
 
 
 def root(name: str) -> str:
-    """Return the first part of a name, and the second one behind `this` or `self`: player of this.player.x."""
+    """Return the first part of a name, and the second one after `this` or `self`: player of this.player.x."""
     parts = parts_of(name)
     return parts[1] if parts[0] in ("this", "self") and len(parts) > 1 else parts[0]
 

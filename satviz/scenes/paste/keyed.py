@@ -4,31 +4,10 @@ from dataclasses import replace
 from typing import Any
 
 from .axis_lists import is_flat, joined, lengths, pairs_of_lists
-from .boxes import (
-    ABSOLUTE,
-    AT_ORIGIN,
-    BY_RADIUS,
-    CHOICES,
-    CORNERS,
-    RELATIVE,
-    Boxes,
-    Read,
-    circle,
-    moved,
-    origin_of,
-    unit_of,
-)
+from .boxes import AT_ORIGIN, BY_RADIUS, CHOICES, Boxes, Read, circle, moved, origin_of, unit_of
 from .exact import centroid
 from .names import Obj, Unreadable
-from .notations import (
-    CENTER_HALF,
-    CENTER_SIZE,
-    CORNER_CORNER,
-    RING,
-    Notation,
-    key,
-    notation,
-)
+from .notations import Ask, Form, Kind, Notation, key, notation
 from .points import ZERO, Numeral, Pt, places
 from .tree import Bad, Group, Name, Num
 
@@ -132,10 +111,11 @@ class Keyed(Boxes):
             names = {str(name).lower() for name in obj.fields if key(name) in ("center", "corner", "x")}
             middle, size = centroid(outline), max(abs(c - outline[0][k]) for p in outline for k, c in enumerate(p))
             there = all(abs(c - p) * 1000 < size for c, p in zip(middle, shift, strict=True))  # as Matter prints them
-            sure = RELATIVE if row and row.kind == RING else ABSOLUTE if there or names == {"centroid"} else ""
-            corners = self._choose(CORNERS, CHOICES[CORNERS] if turns else CHOICES[CORNERS][:2], sure=sure)
-            turns = turns and corners != ABSOLUTE
-            shift = shift if corners == RELATIVE else ZERO
+            sure = Form.ABSOLUTE if there or names == {"centroid"} else ""
+            sure = Form.RELATIVE if row and row.kind == Kind.RING else sure
+            corners = self._choose(Ask.CORNERS, CHOICES[Ask.CORNERS] if turns else CHOICES[Ask.CORNERS][:2], sure=sure)
+            turns = turns and corners != Form.ABSOLUTE
+            shift = shift if corners == Form.RELATIVE else ZERO
         made = self._outline(outline, obj, label, shift, " and a position" if shift != ZERO else "")
         used |= places(self.number(angle)) if self._is_number(angle) else frozenset()
         made = replace(made, used=made.used | used)
@@ -155,7 +135,7 @@ class Keyed(Boxes):
             two = self.resolve(obj.get("points"))
             ends = [self.point(v) for v in two.items] if isinstance(two, Group) else []
             if len(ends) == 2 and ends[0] and ends[1]:  # opposite corners
-                return [self._made_box([*ends[0], *ends[1]], CORNER_CORNER, obj, label)]
+                return [self._made_box([*ends[0], *ends[1]], Form.CORNER_CORNER, obj, label)]
         if {"a", "b", "c"} <= set(obj.fields) <= set("abcd") and (corners := self.ring(self._lettered(obj))):
             return [self._outline(corners, obj, label)]
         return None
@@ -199,7 +179,7 @@ def _placed(shape: Read, obj: Obj, place: Pt) -> Read:
     if obj.get("center", "corner", "x") is None:
         return shape
     xs, ys = zip(*shape.points, strict=True)
-    by_center = shape.is_circle or shape.form in (CENTER_SIZE, CENTER_HALF) or names & {"center", "centre"}
+    by_center = shape.is_circle or shape.form in (Form.CENTER_SIZE, Form.CENTER_HALF) or names & {"center", "centre"}
     old = ((min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2) if by_center else (min(xs), min(ys))
     made = moved(shape, (place[0] - old[0], place[1] - old[1]))
     return replace(made, used=made.used | places(*place))

@@ -157,7 +157,7 @@ class _Parser:
                     end_line()
             elif not bracket and atoms and self.ends_sentence(token):
                 end_line()
-            elif not bracket and self.ends_list(token, atoms, row):
+            elif not bracket and self.is_and_before_last_point(token, atoms, row):
                 self.understood.append((token.start, token.end))
                 end_item()
             elif not bracket and self.separates(token, atoms, row):
@@ -190,12 +190,12 @@ class _Parser:
         return (said or bool(row)) and not (atoms and is_mark(atoms[-1], ("=", ":", ":=")))
 
     def ends_sentence(self, token: Token) -> bool:
-        """Return whether a point ends a sentence, and another one begins behind it."""
+        """Return whether a point ends a sentence, and another one begins after it."""
         loose = self.text[token.start - 1] == " "  # f . g
         return token.text == "." and not loose and self.next_is(NAME) and self.tokens[self.at].start > token.end
 
-    def ends_list(self, token: Token, atoms: Sequence[Any], row: Sequence[Any]) -> bool:
-        """Return whether a word stands before the last of several points: (0, 0), (4, 0) and (0, 3)."""
+    def is_and_before_last_point(self, token: Token, atoms: Sequence[Any], row: Sequence[Any]) -> bool:
+        """Return whether `token` is the "and" before the last point of a list: (0, 0), (4, 0) and (0, 3)."""
         before = atoms or row
         if token.text != "and" or not before or not is_pair(before[-1]) or not self.next_is(OPEN):
             return False
@@ -375,7 +375,7 @@ class _Parser:
         self.understood += [(atom.start, atom.end) for atom in atoms if isinstance(atom, Token) and atom.kind == OTHER]
 
     def joined(self, atoms: list[Any]) -> tuple[list[Any], list[str]]:
-        """Return the values among the atoms, each name joined with the brackets behind it, and the operators."""
+        """Return the values among the atoms, each name joined with the brackets after it, and the operators."""
         values: list[Any] = []
         operators: list[str] = []
         i = 0
@@ -436,7 +436,7 @@ class _Parser:
         return values, operators
 
     def path(self, atoms: Sequence[Any]) -> tuple[str | int, ...]:
-        """Return the path that is assigned to: the last name before the sign, with the indices and fields behind it."""
+        """Return the path that is assigned to: the last name before the sign, with the indices and fields after it."""
         names = [i for i, a in enumerate(atoms) if isinstance(a, Token) and a.kind in (NAME, TEXT)]
         parts: list[str | int] = []
         begin = names[-1] if names else 0

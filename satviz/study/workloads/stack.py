@@ -151,9 +151,9 @@ def _solve_point(bodies: list[Body], speeds: list[list[float]], point: ContactPo
     for k in (0, 1):
         (x, y), arm_a, arm_b = _arms(bodies, point, k)
         along = (vb[0] - va[0]) * x + (vb[1] - va[1]) * y + vb[2] * arm_b - va[2] * arm_a
-        mass = a.inverse + b.inverse + arm_a * arm_a * a.inverse_inertia + arm_b * arm_b * b.inverse_inertia
+        inverse_mass = a.inverse + b.inverse + arm_a * arm_a * a.inverse_inertia + arm_b * arm_b * b.inverse_inertia
         wanted = 0.0 if k else CORRECTION / STEP * max(0.0, point.contact[1] - SLOP)
         limit = FRICTION * point.impulses[0] if k else inf
-        after = min(max(point.impulses[k] + (wanted - along) / mass, -limit if k else 0.0), limit)
+        after = min(max(point.impulses[k] + (wanted - along) / inverse_mass, -limit if k else 0.0), limit)
         change, point.impulses[k] = after - point.impulses[k], after
         _apply(bodies, speeds, point, k, change)
