@@ -471,6 +471,8 @@ class Account:
                 self.miss(i, i + 2)
         elif self.at(i - 1).text in DECLARES:
             return  # (def a [[0 0] [4 0] [4 3]])
+        elif after.kind == OPEN and words(token.text) & OTHER_NUMBERS and not self.is_data(i + 1):
+            return  # velocity (5, 0)
         elif not (self.is_inside(token.text) or is_shape(token.text) or self.is_value(i)):
             self.miss(i, i)
 
