@@ -147,7 +147,7 @@ def of_vertices(normal_of: Callable[[float, float], Vec], a: Ring, b: Ring) -> l
     return [normal_of(*p) for ring in (a, b) for p in ring]
 
 
-def one_for_equal_counts(a: Ring, b: Ring) -> list[Vec]:
+def normals_of_a_if_equal_counts(a: Ring, b: Ring) -> list[Vec]:
     """Return the normals of A alone where both rings have as many vertices, else of both."""
     return listed(a, b if len(a) != len(b) else ())
 
@@ -205,8 +205,11 @@ def one_extreme_each(step: int, ring: Ring, n: Vec) -> Interval:
     return ends([pick(ring[::step], key=itemgetter(k)) for pick in (min, max) for k in (0, 1)], n)
 
 
-def one_end_each(sign: int, ring: Ring, n: Vec) -> Interval:
-    """Return a range where a landing place that is a new minimum is not tried as the maximum; `sign` -1: vice versa."""
+def range_by_elif(sign: int, ring: Ring, n: Vec) -> Interval:
+    """Return the range that the faulty loop `if t < lo ... elif t > hi ...` finds.
+
+    A coordinate that becomes the minimum is never compared with the maximum.  `sign` -1 exchanges the two ends.
+    """
     lo, hi = inf, -inf
     for p in ring:
         at = sign * (n.x * p.x + n.y * p.y)
@@ -277,7 +280,7 @@ def mean(ring: Ring) -> Vec:
 
 
 def sides(ring: Ring) -> tuple[float, float]:
-    """Return the width and the height of the bounding box."""
+    """Return (width, height) of the bounding box."""
     width, height = (max(axis) - min(axis) for axis in zip(*ring))
     return width, height
 
@@ -292,7 +295,7 @@ def distances(ring: Ring) -> list[float]:
     return [dist(mean(ring), vertex) for vertex in ring]
 
 
-LARGE_RADII: tuple[tuple[Middle, Radius], ...] = (  # of circles that hold the whole shape
+LARGE_RADII: tuple[tuple[Middle, Radius], ...] = (  # (center, radius) of circles that hold the whole shape
     (mean, lambda ring: max(distances(ring))),
     (middle_of_box, lambda ring: hypot(*sides(ring)) / 2),
 )
@@ -324,7 +327,7 @@ def _chosen_edges() -> Iterator[Variant]:
     yield opened, Written(partial(listed, cut_a=slice(-1))), "here for A alone"
     yield opened, Written(partial(listed, cut_b=slice(-1))), "here for B alone"
     yield "one-shapes-normals", Written(partial(listed, cut_a=slice(0))), "here those of B"
-    yield "same-shape", Written(one_for_equal_counts), "here for shapes with equally many corners"
+    yield "same-shape", Written(normals_of_a_if_equal_counts), "here for shapes with equally many corners"
     yield one, Written(lambda a, b: of_world(a, b)[:1]), "here on the x axis"
     yield one, Written(lambda a, b: listed(a, b)[:1]), "here on the normal of the first edge"
     yield one, Written(lambda a, b: listed(a, b)[-1:]), "here on the normal of the last edge"
@@ -377,7 +380,7 @@ def _measured() -> Iterator[Variant]:
         yield "extremes-once", Written(ends=partial(one_extreme_each, step)), ""
         yield (
             "extremes-once",
-            Written(ends=partial(one_end_each, step)),
+            Written(ends=partial(range_by_elif, step)),
             "here with an else between the two comparisons",
         )
     yield "extremes-once", Written(ends=lambda ring, n: ends(ring[:-1], n)), "here without the last vertex"

@@ -16,7 +16,7 @@ from ..scenes.strictjson import require_type
 from ..widgets.explorer_model import ExplorerModel
 from ..widgets.goals import GOAL_NAMES
 
-_models: dict[str, ExplorerModel] = {}  # by the place on the page
+_models: dict[str, ExplorerModel] = {}  # the key is the place on the page
 _check, _reader = PageCheck(), ReaderPython()  # the latter is used in the worker of the reader's code alone
 CHOICES = {
     "presets": [s.name for s in SCENES],
@@ -61,7 +61,7 @@ def _open(place: str, content: dict[str, Any]) -> dict[str, Any]:
             "pinned": shown.row,
         }
         pose |= {"view": shown.view} if shown.view else {}
-        width = content.get("width")  # of a narrow place for the picture
+        width = content.get("width")  # present if the place for the picture is narrow
         if width is not None or shown._replace(goal=None) != DEFAULT_VIEW:
             first = model.state()
             reply = model.answer({"kind": "pose", "a": first["a"], "b": first["b"], "width": width, **pose})

@@ -110,17 +110,17 @@ def squared_gap(a: Polygon, b: Polygon) -> Fraction:
     """
     k, sides = _sides_of_difference(a, b)
     beyond = [Fraction(side * side, nx * nx + ny * ny) for side, (nx, ny) in sides if side < 0]
-    return (max(beyond) if beyond else _least_square(sides)) / Fraction(4**k)
+    return (max(beyond) if beyond else _least_squared_distance(sides)) / Fraction(4**k)
 
 
 def mtv_directions(a: Polygon, b: Polygon) -> list[Ints]:
     """Return the directions in which the shortest push of b ends the overlap of two convex polygons, of any length."""
     _, sides = _sides_of_difference(a, b)
-    least = _least_square(sides)
+    least = _least_squared_distance(sides)
     return [(nx, ny) for side, (nx, ny) in sides if Fraction(side * side, nx * nx + ny * ny) == least]
 
 
-def _least_square(sides: Iterable[tuple[int, Ints]]) -> Fraction:
+def _least_squared_distance(sides: Iterable[tuple[int, Ints]]) -> Fraction:
     """Return the squared distance of the origin from the nearest side; `sides`: as `_sides_of_difference` returns."""
     return min(Fraction(side * side, nx * nx + ny * ny) for side, (nx, ny) in sides)
 
@@ -193,14 +193,14 @@ def _relation_by_distance(squared_distance: int | Fraction, squared_radius: int)
 
 
 def _integers(values: Sequence[float]) -> tuple[int, list[int]]:
-    """Return k and the integers value * 2**k; every float64 is an integer over a power of two."""
+    """Return (k, the integers value * 2**k); every float64 is an integer over a power of two."""
     ratios = [value.as_integer_ratio() for value in values]
     unit = max(den for _, den in ratios)
     return unit.bit_length() - 1, [num * (unit // den) for num, den in ratios]
 
 
 def _rings(a: Polygon, b: Polygon, move: tuple[float, float] = (0.0, 0.0)) -> tuple[int, tuple[list[Ints], list[Ints]]]:
-    """Return k and both outlines scaled to integers by 2**k, counter-clockwise, without repeated corners; b moved."""
+    """Return (k, outlines): both scaled to integers by 2**k, counter-clockwise, without repeated corners; b moved."""
     k, (dx, dy, *flat) = _integers([*move, *(c for v in (*a.vertices, *b.vertices) for c in v)])
     points = list(zip(flat[::2], flat[1::2], strict=True))
     n = len(a.vertices)

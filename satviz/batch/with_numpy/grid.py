@@ -6,7 +6,8 @@ import numpy as np
 
 from ..array_types import Array, CellSize, Indices, Pairs
 
-Ranges = list[tuple[Indices, Indices, Indices]]  # which queries; where the stored boxes of each begin; how many
+# (indices of queries, first stored box of each, number of stored boxes of each)
+Ranges = list[tuple[Indices, Indices, Indices]]
 
 BLOCK_PAIRS = 1 << 20  # pairs of boxes compared at a time: what bounds the memory
 MAX_TABLE_CELLS_PER_BOX = 8  # up to so many a table of where each cell begins is worth its memory
@@ -52,7 +53,7 @@ def meeting_pairs(
 def _cell_ranges(
     bounds: Array, queries: Indices, stored: Indices, d: int, cell: float
 ) -> tuple[Indices, Indices, Indices]:
-    """Return for axis d the first and last cell that each query must search, and the cell of each stored box.
+    """Return for axis d (first cell and last cell that each query must search, cell of each stored box).
 
     A box that meets a query begins before the query ends, and not more than its own width before the
     query begins.  Numbers that would not fit, or lie so far out that those next to one another are many cells

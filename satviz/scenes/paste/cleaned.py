@@ -17,9 +17,9 @@ _STAMP = (
     rf"\d{{4}}[-/]\d\d[-/]\d\d(?:[T ](?:{_TIME}|\d\d:\d\d)(?:Z|[+-]\d\d:?\d\d)?)?"
     rf"|(?:\d\d-\d\d[ ]|[IWEF]\d{{4}}[ ])?{_TIME}(?:[ ][AP]M\b)?|\d{{10}}\.\d+(?=\])"
 )
-# the host and the process that syslog writes behind the time, and the line of a source in that of glog
+# the host and the process that syslog writes after the time, and the source line that glog writes
 _SYSLOG = rf"(?:<\d+>\d?[ ]?)?(?:[A-Z][a-z]{{2}}[ ]+\d{{1,2}}[ ]{_TIME}|{_STAMP})[ ][\w.-]+[ ]"
-# what says all of a shape: three keys with numbers (but not x, y and z), or two with points
+# patterns that describe a whole shape: three keys with numbers (not x, y and z), or two keys with points
 _KEYED = r"[A-Za-z_][\w-]*[ \t]?=[ \t]?"
 _SCALAR, _POINT, _GAP = rf"{_KEYED}[-+]?[\d.]+", rf"{_KEYED}\([^()\n]*\)", r"[ \t,;]+"
 _KEYS = rf"{_SCALAR}{_GAP}{_SCALAR}{_GAP}(?![zZ]\b){_SCALAR}|{_POINT}{_GAP}{_POINT}"
@@ -38,7 +38,7 @@ _SHAPE = r"(?i:circle|ball|dis[ck]|rect(?:angle)?|box|polygon|triangle)"
 _NUMBERED = rf"\b({_SHAPE})[ ]+(?:#\d+:?|\d+:?(?=[ ]*\([ ]?{_N}[ ]?,[ ]?{_N}[ ]?,))(?=[ ]*\()"
 _LETTER = r"(?:x|y|w|h|r|width|height|radius)"
 _PLACED = r"(?:(?:top|bottom|upper|lower)[ -](?:left|right)|center|centre|pos|position|size|extents)"
-# Behind the sign of a line that a change adds or removes stands no number, as in -4, and not one space, as in a list.
+# After the sign of a line that a change adds or removes stands no number, as in -4, and not one space, as in a list.
 _REMOVED, _ADDED = r"[ \t]*-(?![ \t]*[-.\d]| \S).*\n", r"[ \t]*\+(?![ \t]*[.\d]| \S).*(?:\n|\Z)"
 _PATCH = re.compile(r"^(?:--- \S.*\n\+\+\+ \S|@@ -\d+.*@@)", re.MULTILINE)
 _CHANGE = re.compile(rf"^(?:{_REMOVED})++(?P<added>(?:{_ADDED})++)?", re.MULTILINE)
@@ -65,16 +65,20 @@ _ROWS = [
         (r"<br ?/?>|&(?:quot|#39|nbsp);", blank),
         (r"&(?:amp|lt|gt);", lambda m: unescape(m[0]).ljust(len(m[0]))),
         (rf"<([A-Za-z]\w*)>(\s*{_N}\s*)</\1>", lambda m: f" {m[1]}={m[2]};".ljust(len(m[0]))),
-        (  # of PHP: [x] => 0, and of Clojure: :x 0; a number is a place in a list
+        (  # PHP writes [x] => 0, Clojure :x 0; a number is a place in a list
             r"(?:\[(\w+)\]|\b(\d+))\s*=>(?=\s*(?:[Aa]rray\b|[-\d\[]))|(?<=[{\s]):([a-z]\w*)\s(?=\s*[-.\d\[{])",
             lambda m: ("," if m[m.lastindex].isdigit() else f",{m[m.lastindex]}:").ljust(len(m[0])),
         ),
         (rf"^[ \t]*\w{{1,40}}\s*<<(?=\s*{_N}(?:\s*,\s*{_N}){{5,}}\s*;)", lambda m: m[0].replace("<<", "= ")),  # Eigen
         (r"(?<=\s)--?[a-z][\w-]*[ =](?=[\"'])", blank),  # an option of a command line
         (r"(?<=\w):(?=(?:moveTo|move|rotate|setPosition|setRotation|setAngle|translate)\()", lambda _: "."),  # Lua
+        (r"^[ \t]*m_Paths:[ \t]*\n[ \t]*-(?= - \{)|^(?:--- !|%YAML|%TAG).*", blank),  # Unity
         (_PREFIX, blank),
-        (r"(?<=@export)_\w+(?:\([^()\n]*\))?|(?<=\bexport)\([^()\n]*\)", blank),  # of GDScript
+        (r"(?<=@export)_\w+(?:\([^()\n]*\))?|(?<=\bexport)\([^()\n]*\)", blank),  # annotations of GDScript
         (r"(?<=\bat )(?:the )?origin\b|(?<=\bon )the origin\b", lambda m: "(0, 0)".rjust(len(m[0]))),
+        (r"\.map\((?:(\w+)[ ]?=>[ ]?\[\1\.x,[ ]?\1\.y\]|\(\{[ ]?x,[ ]?y[ ]?\}\)[ ]?=>[ ]?\[x,[ ]?y\])\)", blank),
+        (r"\b(\w+)\.begin\(\),[ ]*\1\.end\(\)", lambda m: m[1].ljust(len(m[0]))),
+        (r"(?<=\w) ->(?= \([-+.\d])", lambda _: " : "),
         (_NUMBERED, lambda m: m[1].ljust(len(m[0]))),
         (r"\(/(?=\s*[-+.\d])|(?<=[\s.\d])/\)", lambda m: {"(/": "[ ", "/)": " ]"}[m[0]]),  # Fortran
         (r"^[ \t]*(?:real|integer)\b[^:\n]*::|(?<=\w)\([\d, ]+\)(?=[ ]*=[ ]*(?:\[ |reshape))", blank),
@@ -93,7 +97,7 @@ TYPE = re.compile(
     r"|^(?P<exported>(?:[ \t]*(?:@export\b|export {2,}var\b).*(?:\n|\Z)\s*)++)",
     re.MULTILINE,
 )
-MAX_TYPES = 20  # of which the names are looked for
+MAX_TYPES = 20  # types whose names are looked for in the text
 
 # what a debugger writes beside values: places in a list, sizes, types
 _WATCH = re.compile(

@@ -35,7 +35,7 @@ CHANGING_CALLS = listed(
     minkowski dissolve symmetric snap cross dot zip repeat
     """
 )
-# Methods behind a shape that leave it alone.
+# Chained methods that leave a shape unchanged.
 METHODS = listed(
     """
     topolygon unwrap into tovec to_vec clone copy deepcopy dup duplicate
@@ -51,7 +51,7 @@ PRODUCERS = listed(
     union merge unite difference symmetric_difference buffer convex_hull envelope
     """
 )
-# Calls behind a shape that the reader passes over.
+# Chained calls that the reader passes over.
 HARMLESS = METHODS | {"union", "merge", "normalize", "normalise", "astype"}
 # Keys beside the numbers of a shape whose values change nothing.
 KEYS = listed(
@@ -101,7 +101,7 @@ CHANGING_NUMBERS = listed(
 # Words in a key, or in the name of a call, whose numbers are none of a shape.
 OTHER_NUMBERS = listed(
     """
-    velocity speed axes force torque gravity mass inertia density friction restitution color colour fill stroke
+    velocity vel speed axes force torque gravity mass inertia density friction restitution color colour fill stroke
     alpha opacity window canvas screen viewport viewbox svg area count length index id label layer category mask group
     time timestamp step size_t sleep stiffness damping damp slop constraint render print printf println log assert
     prev previous impulse motion tolerance epsilon eps expected distance camera image version line error warn info
@@ -110,7 +110,7 @@ OTHER_NUMBERS = listed(
     overlap
     """
 )
-# Words of a line that can say how another shape differs.
+# A line with one of these words can describe a shape relative to another shape.
 DIFFERENCES = listed("left right up down above below larger smaller bigger wider taller narrower times same")
 # Words that change a shape on the line of one, and say nothing on another line: double k = 2, the sum of the radii
 _NEEDS_A_SHAPE = listed(
@@ -130,9 +130,22 @@ COMPARING = listed("return if elif while for")
 DRAWS = frozenset(["draw", "fill", "stroke", "plot", "print", "printf", "show", "render", "cv2.drawContours"])
 # Types around one number: np.float64(0.5) is 0.5.
 CASTS = frozenset(
-    ["np.float64", "np.float32", "np.int64", "np.int32", "numpy.float64", "Decimal", "double", "b2MakeRot"]
+    [
+        "FT",
+        "RT",
+        "Fraction",
+        "Float64",
+        "np.float64",
+        "np.float32",
+        "np.int64",
+        "np.int32",
+        "numpy.float64",
+        "Decimal",
+        "double",
+        "b2MakeRot",
+    ]
 )
-# Words before and behind a number that counts or names something.
+# Words before and after a number that counts or names something.
 LABELS = listed(
     """
     circle polygon box rect rectangle shape triangle version length capacity object obj line step
@@ -141,10 +154,10 @@ LABELS = listed(
 COUNTED = listed(
     """
     rows row corner corners point points vertex vertices verts pts edge edges shapes polygons circles boxes ms fps
-    times people users
+    times people users rectangles triangles pixel pixels bodies
     """
 )
-# Words that say that the numbers behind them hold only sometimes, or several times.
+# Words that say that the numbers after them hold only sometimes, or several times.
 FLOW = frozenset(["else", "elif", "for", "while", "foreach", "case", "switch", "repeat", "until", "lambda", "map"])
 
 

@@ -8,7 +8,7 @@ from .tokens import CLOSE, MARK, NAME, NUMBER, OPEN, Token, tokens
 _N = r"[-+\u2212]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?(?:[ ]?(?:px|[cmk]?m|ft)\b)?+"
 _PLACE = rf"(?:\([ ]?{_N}[ ]?,[ ]?{_N}[ ]?\)|\b(?:center|centre|at|position)[ ]{_N}[ ]?,[ ]?{_N})"
 _AT = r"(?:(?:centered|centred|at|on|with|and|its) +){0,3}"
-_M = r"-?\d+(?:\.\d+)?"  # in a range: 0..4
+_M = r"-?\d+(?:\.\d+)?"  # a number in a range: 0..4
 _FILL = r"[ ,]{1,3}(?:(?:and|with|has|having|of|is|a|an|the|its|size|shape)[ ,]{1,3}){0,4}"
 _P, _A = rf"\({_N}[ ]?,[ ]?{_N}\)", rf"(?:{_N}|\({_N}\))"
 _STYLE = r"(?:\[(?![^\]]*(?:scale|shift|rotate|slant|cm=))[^\]()\n]*\])?"  # of TikZ, without a change of place
@@ -32,7 +32,7 @@ SENTENCES = (
     ("qrect", re.compile(rf"<rect\({_N}, {_N}, {_N}, {_N}\)>")),  # pygame
     ("qrect", re.compile(rf"\[P: {_P}, S: {_P}\]")),  # Godot
     ("qrect", re.compile(rf"\(x:{_N}, y:{_N}, width:{_N}, height:{_N}\)")),  # Unity
-    ("v2", re.compile(rf"<{_N}, {_N}>")),  # of C#
+    ("v2", re.compile(rf"<{_N}, {_N}>")),  # a vector of C#
     ("image.rect", re.compile(rf"\bmin(?:imum)?(?: at| =|:)? {_P},?(?: and)? (?:its )?max(?:imum)?(?: at| =|:)? {_P}")),
     ("image.rect", re.compile(rf"\b(?:rect|rectangle|box)(?: [A-Za-z]+){{0,3}} from {_P} to {_P}", re.IGNORECASE)),
     (
@@ -54,6 +54,11 @@ SENTENCES = (
     ("svg.polygon", re.compile(rf"\\(?:draw|fill|filldraw|path){_STYLE}\s*{_P}(?:\s*--\s*{_P})+\s*--\s*cycle")),  # TikZ
     ("circle", re.compile(rf"\({_N}[ ]?,[ ]?{_N}\)[ ]circle[ ]\({_N}\)")),
     ("image.rect", re.compile(rf"\({_N}[ ]?,[ ]?{_N}\)[ ]rectangle[ ]\({_N}[ ]?,[ ]?{_N}\)")),
+    (
+        "qrect",
+        re.compile(rf":add\((?:[A-Za-z_][\w.]*|\"[^\"\n]*\"|'[^'\n]*')(?:[ ]?,[ ]?{_N}){{4}}[ ]?\)"),
+        re.compile(rf",[ ]?({_N})"),
+    ),  # bump of Lua
     ("rect", re.compile(rf"{_PLACE}{_FILL}{_N}[ ]?[x\u00d7][ ]?{_N}(?![\w.%])", re.IGNORECASE)),
 )
 _NUMBER = re.compile(rf"(?<!\bV){_N}")

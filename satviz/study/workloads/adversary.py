@@ -26,7 +26,7 @@ MakePairs = Callable[[Rng, int], tuple[Rings, Rings]]
 PARENTS = 200  # pairs that are kept from one generation to the next
 METRES_WIDE = 1000.0
 LEAST_SIDE, MOST_ACROSS = 1.0, 14.0  # metres, of the 4-gons in a scene of 1 km
-GENERATIONS = 8  # of one search; after them it finds little more
+GENERATIONS = 8  # generations of one search; later ones find little more
 HARDEST, EASIEST = -56, 4  # log2 of the gaps of the first generation, in scene units
 JUST_ABOVE = 1.01  # a product up to so many powers of two is just above one
 LEAST_BEND = 1e-6  # sine of the turn at a corner, below which a 4-gon counts as flat
@@ -202,7 +202,7 @@ def _search_once(
     best, tried = np.empty(0), 0
     for _ in range(generations):
         new_a, new_b = make(rng, n)
-        facing = np.arange(n) % 8 < 3  # of all kinds of A's
+        facing = np.arange(n) % 8 < 3  # 3 of 8 pairs, among all kinds of A
         new_b[facing] = _facing(rng, new_a[facing])
         gaps = np.ldexp(rng.uniform(1, 2, n), rng.integers(HARDEST, EASIEST, n))
         if len(best):  # near the gaps at which the method is still wrong
