@@ -79,8 +79,7 @@ def _player_data(scene: Scene, shown: ViewOptions, options: EmbedOptions) -> dic
     "range" holds the first and the last step if only these are played.
     """
     predict = shown.predict or options.predict
-    trace = scene.record()
-    trace = trace.truth if predict and trace.shortcut else trace
+    trace = scene.record().truth if predict else scene.record()
     shows = playbacks(trace)
     first, last = options.steps or (0, len(shows[0]["steps"]) - 1)
     if last >= len(shows[0]["steps"]):
