@@ -111,7 +111,7 @@ def _playback_of_pictures(
 ) -> dict[str, Any]:
     """Return pictures as a playback; each is shown for `frame_ms` milliseconds, or as long as its words take."""
     times = (reading_time_ms(drawn.sentence) if frame_ms is None else frame_ms for drawn in pictures)
-    facts = [{"ms": ms, "row": None, "code": [], "stage": stage} for ms in times]
+    facts: list[dict[str, Any]] = [{"ms": ms, "row": None, "code": [], "stage": stage} for ms in times]
     found = _playback_data(trace, pictures[-1].sentence, pictures, facts)
     return found | {"rows": [], "asks": False, "code": []}
 
