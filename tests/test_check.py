@@ -397,7 +397,7 @@ def test_every_hypothesis_names_a_failing_case():
 def test_each_way_to_make_a_mistake_is_named_for_it(i):
     """A function that answers as one hypothesis does, and rightly where this one knows no answer."""
     hypothesis, case = HYPOTHESES[i], NAMED[HYPOTHESES[i].name]
-    in_moves = case.is_about_push or "digit" in hypothesis.words or "the smallest, too" in hypothesis.words
+    in_moves = case.is_about_push or "digit" in hypothesis.variant or "the smallest, too" in hypothesis.variant
     rules = Rules("mtv" if in_moves else "hit")  # those two are seen in hardly any verdict
     if not hypothesis.is_about(rules):
         pytest.skip("no answer for two shapes shows it")
@@ -407,7 +407,7 @@ def test_each_way_to_make_a_mistake_is_named_for_it(i):
         return predicted[0] if predicted else sv.record(a, b).mtv if in_moves else bool(sv.relate(a, b))
 
     kinds = {"boxes", "convex", kind_of(*case.shapes)} | (
-        {"circles", "circle and polygon"} if "circle" in hypothesis.words else set()
+        {"circles", "circle and polygon"} if "circle" in hypothesis.variant else set()
     )
     found = sv.check(fn, form="shapes", returns=rules.returns, kinds=sorted(kinds), seconds=30)
     assert found.finding == "wrong" and found.behaves_like[0].name in SAME.get(hypothesis.name, (hypothesis.name,))

@@ -92,9 +92,13 @@ def test_a_moodle_label(browser, site, tmp_path):
     is_dragged(browser, tmp_path, "label.html", grows=False)
 
 
+@pytest.fixture(scope="module")
+def sphinx(tmp_path_factory):
+    return environment(tmp_path_factory.mktemp("sphinx"), "sphinx", "myst-parser")
+
+
 @pytest.mark.parametrize("kind", ["rst", "markdown"])
-def test_sphinx(browser, site, tmp_path, kind):
-    python = environment(tmp_path, "sphinx", "myst-parser")
+def test_sphinx(browser, site, sphinx, tmp_path, kind):
     source = tmp_path / "source"
     source.mkdir()
     saved(source, site)
@@ -104,7 +108,7 @@ def test_sphinx(browser, site, tmp_path, kind):
         (source / "index.rst").write_text(f"A page\n======\n\n{recipe('Sphinx', 'rst')}", encoding="utf-8")
     else:
         (source / "index.md").write_text(f"# A page\n\n{recipe('Sphinx', 'markdown')}", encoding="utf-8")
-    code, said = run(python, "-m", "sphinx", "-W", "-q", source, tmp_path / "out", cwd=tmp_path)
+    code, said = run(sphinx, "-m", "sphinx", "-W", "-q", source, tmp_path / "out", cwd=tmp_path)
     assert code == 0, said
     is_dragged(browser, tmp_path / "out", "index.html", grows=True)
 

@@ -25,7 +25,7 @@ from satviz.engine.geometry import Relation
 from satviz.engine.shapes import Circle, Polygon, Shape
 from satviz.study import truth
 
-ORDINARY, MILLION = 20_000, 1_000_000
+ORDINARY, MILLION = 10_000, 1_000_000
 ALL = "everything at once"
 
 every_form = pytest.mark.parametrize("form", FORMS)

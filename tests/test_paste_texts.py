@@ -499,8 +499,20 @@ def test_several_refused_shapes_are_listed_in_words():
         pytest.param("radius of the center and " * 6_000, marks=pytest.mark.slow),
         pytest.param('<g transform="translate(1,2)">' * 4_000, marks=pytest.mark.slow),
         pytest.param("".join(f"rect(1 + 2, 3, 4, {i})\n" for i in range(3_000)), marks=pytest.mark.slow),
+        pytest.param("}\t" * 500_000, marks=pytest.mark.slow),
+        pytest.param("@export var\n" * 80_000, marks=pytest.mark.slow),
+        pytest.param("class_name a\n" * 80_000, marks=pytest.mark.slow),
+        pytest.param(" " * 200_000 + "-" + "\t" * 200_000, marks=pytest.mark.slow),
+        pytest.param("Nov 27 11:06:25 " * 60_000, marks=pytest.mark.slow),
+        pytest.param("edit [0, 0, 1, 1] " * 5_000, marks=pytest.mark.slow),
+        pytest.param("a:\n  b: 1\n" * 8_000, marks=pytest.mark.slow),
+        pytest.param("a:\n" + "  b: 1\n" * 16_000, marks=pytest.mark.slow),
+        pytest.param('[node name="a"]\n' * 7_000, marks=pytest.mark.slow),
+        pytest.param("m_Paths:\n" * 100_000, marks=pytest.mark.slow),
+        pytest.param(":add(a, 1" * 11_000, marks=pytest.mark.slow),
+        pytest.param("".join(" " * i + "a:\n" for i in range(1_000)), marks=pytest.mark.slow),
     ],
-    ids=range(21),
+    ids=range(33),
 )
 def test_a_long_text_in_these_notations_is_refused_within_a_second(text):
     start = time.process_time()

@@ -18,7 +18,7 @@ class PlayerModel:
     """
 
     turns = False
-    _own: Callable[[Trace], Sequence[Picture]] | None = None  # what draws its pictures, if they are not the steps
+    _own: Callable[[Trace], Sequence[Picture]] | None = None  # the function that draws the pictures; None: the steps
 
     def __init__(self, trace: Trace, *, turns: bool = False, difference: bool = False) -> None:
         self.trace = trace

@@ -16,7 +16,9 @@ from .notations import (
     CORNER_OR_CENTER,
     CORNER_SIZE,
     DEGREES,
+    DIAMETER,
     RADIANS,
+    RADIUS,
     SIZE_CORNER,
     X_THEN_Y,
     Notation,
@@ -28,7 +30,7 @@ from .tree import Group, Name, Num, Value
 SKETCH_MODES = {"corner": CORNER_SIZE, "corners": CORNER_CORNER, "center": CENTER_SIZE, "radius": CENTER_HALF}
 # What can be asked, and the words of `--as`.
 BOX_FORM, ANGLE, TURN, ORDER, PIVOT, CORNERS = "box", "angle", "turn", "order", "pivot", "corners"
-ROUND, RADIUS, DIAMETER = "round", "radius", "diameter"
+ROUND = "round"
 Y_UP, Y_DOWN, WIDTH_FIRST, HEIGHT_FIRST = "y-up", "y-down", "width-first", "height-first"
 EACH_VALUE, LAST_VALUE, TWICE = "each-value", "last-value", "twice"
 COMMAS, DECIMAL_COMMAS, SEPARATORS = "commas", "decimal-commas", "separators"
@@ -46,7 +48,8 @@ CHOICES: Mapping[str, tuple[str, ...]] = {
     COMMAS: (DECIMAL_COMMAS, SEPARATORS),
 }
 LEAVE_OUT = "leave-out"  # the shapes stand without what was not understood
-ALL_CHOICES = (*(choice for choices in CHOICES.values() for choice in choices), LEAVE_OUT)
+TAKE_IN = "take-in"  # what may be a shape is one
+ALL_CHOICES = (*(choice for choices in CHOICES.values() for choice in choices), LEAVE_OUT, TAKE_IN)
 FULL_TURN = Fraction(63, 10)  # an angle beyond a full turn in radians is in degrees
 ONLY_IF_IT_MATTERS = (TURN, ORDER, ROUND)  # asked only where the answer changes
 CENTER_KEYS = ("center", "centre", "centroid", "middle", "cx", "xc", "centerx", "xcenter")
@@ -98,6 +101,7 @@ class Boxes(Points):
         super().__init__(text)
         self.chosen = chosen
         self.asked: dict[str, tuple[str, ...]] = {}
+        self.doubts = False  # whether a part may be a shape or something else
         self.keeps = False  # a choice of a form is for the boxes whose form is asked, and for no others
 
     def _overridden(self, form: str) -> str:

@@ -10,6 +10,7 @@ from .boxes import (
     BY_RADIUS,
     CHOICES,
     CORNERS,
+    RELATIVE,
     Boxes,
     Read,
     circle,
@@ -17,11 +18,13 @@ from .boxes import (
     origin_of,
     unit_of,
 )
+from .exact import centroid
 from .names import Obj, Unreadable
 from .notations import (
     CENTER_HALF,
     CENTER_SIZE,
     CORNER_CORNER,
+    RING,
     Notation,
     key,
     notation,
@@ -68,7 +71,7 @@ class Keyed(Boxes):
             row = next((found for found in made_by if found), None)
         offset = self.point(obj.get("offset")) if obj.get("offset") is not None else None
         if offset is not None and angle is not None and self.number(angle):
-            raise Unreadable("an offset and an angle in one shape: write the corners that result")
+            raise Unreadable("a shape with an offset and an angle is not read: write its corners")
         points = obj.get("points")
         outline = self.ring(points) if points is not None else None
         if outline is None and any(isinstance(k, int) for k in obj.fields):
@@ -82,7 +85,13 @@ class Keyed(Boxes):
             shift, given = place or ZERO, places(*(place or ()))
             if all(str(name).lower() == "centroid" for name in obj.fields if key(name) in ("center", "corner", "x")):
                 shift = ZERO  # where its corners are already
-            if shift != ZERO and self._choose(CORNERS, CHOICES[CORNERS]) == ABSOLUTE:
+            middle, size = centroid(outline), max(abs(c - outline[0][k]) for p in outline for k, c in enumerate(p))
+            if place and all(abs(c - p) * 1000 < size for c, p in zip(middle, place, strict=True)) and shift != ZERO:
+                shift = ZERO  # where its corners are already, as Matter prints them, and turned
+                given |= places(self.number(angle)) if angle is not None and self._is_number(angle) else set()
+                angle = None
+            sure = RELATIVE if row and row.kind == RING else ""
+            if shift != ZERO and self._choose(CORNERS, CHOICES[CORNERS], sure=sure) == ABSOLUTE:
                 shift = ZERO
             made = self._outline(outline, obj, label, shift, " and a position" if shift != ZERO else "")
             made = replace(made, used=made.used | given)

@@ -55,7 +55,11 @@ _PLACES = frozenset(["x", "y", "cx", "cy"])
 
 
 def all_tokens(text: str) -> tuple[list[Token], list[Token], list[tuple[int, int]]]:
-    """Return the tokens of a text, those with markup, path data and tables as calls and lists, and where these are."""
+    """Return (tokens as written, tokens as read, spans) of a text.
+
+    In the tokens as read, markup, path data, tables and sentences are calls and lists; `spans`: where they stood, as
+    (start, end).  InvalidScene for more than MAX_TOKENS.
+    """
     plain = tokens(text)
     held = {m.end(): _attributes(m[1], m.start(1)) for m in _OBJECT.finditer(text)}
     parts = [(m.start(), m.end(), list(_element(m, held.get(m.start(), {})))) for m in _ELEMENT.finditer(text)]
@@ -177,7 +181,7 @@ def _changes(text: str, at: int) -> Iterator[Token]:
 
 
 def _call(name: str, values: list[Token]) -> Iterator[Token]:
-    """Yield a call behind a shape."""
+    """Yield a chained call of a shape."""
     yield Token(FIELD, f".{name}", values[0].start, values[0].start)
     yield _mark(OPEN, "(", values[0].start)
     for value in values:

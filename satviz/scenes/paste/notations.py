@@ -14,6 +14,7 @@ ELLIPSE, OTHER_SHAPE, ON_THE_GLOBE, TABLE = "ellipse", "other", "globe", "table"
 # How the four numbers of a box are meant, in the words of `--as`.
 CORNER_SIZE, CORNER_CORNER, CENTER_SIZE, CENTER_HALF = "corner-size", "corner-corner", "center-size", "center-half"
 X_THEN_Y, SIZE_CORNER = "x-then-y", "size-corner"
+RADIUS, DIAMETER = "radius", "diameter"
 DEGREES, RADIANS = "degrees", "radians"
 
 
@@ -26,7 +27,7 @@ class Notation(NamedTuple):
     ask: tuple[str, ...] = ()
     unit: str = ""
     keyed: str = ""  # the form of a box with the keys x, y, width and height
-    alone: bool = False  # of a box or circle given by its size: its corner, not its center, is where its body is
+    alone: bool = False  # a box or circle given by its size has its corner, not its center, at the position of its body
 
 
 ANY_BOX = (CORNER_SIZE, CORNER_CORNER, CENTER_SIZE, CENTER_HALF)
@@ -64,7 +65,7 @@ NOTATIONS = (
     Notation(
         "bodies.rectangle add.rectangle bodies.rect boxshape2d centered_rect rotatedrect p2.box p2.rectangle "
         "create_box rect::from_center_size display.newrect newrectangleshape rect.fromcenter "
-        "rectangleshape2d boxcollider2d",
+        "rectangleshape2d boxcollider2d setfromcenterandsize",
         BOX,
         CENTER_SIZE,
     ),
@@ -79,10 +80,12 @@ NOTATIONS = (
     Notation(
         "shapely.box geometry.box st_makeenvelope makeenvelope bbox boundingbox ltrb pixel.r image.rect rect64 "
         "rectd rect.fromltrb rect.frompoints rect::from_corners create_rectangle RECT RECTL lnglatbounds "
-        "latlngbounds cpbbnew rectf bb box2.new three.box2 fbox2d",
+        "latlngbounds cpbbnew rectf bb box2.new three.box2 fbox2d bboxpolygon setfrompoints boundingrect",
         BOX,
         CORNER_CORNER,
     ),
+    Notation("cv2.rectangle cv.rectangle imagedraw.rectangle", BOX, CORNER_CORNER),
+    Notation("phaser.circle", CIRCLE, DIAMETER),
     Notation("bounds", BOX, CENTER_SIZE, keyed=CORNER_SIZE),
     Notation("envelope referencedenvelope", BOX, ask=(X_THEN_Y, CORNER_CORNER)),
     Notation("jts.env", BOX, X_THEN_Y),
@@ -90,7 +93,7 @@ NOTATIONS = (
     Notation("c2aabb aabb aabb2d aabb2 box2 box2d b2aabb extent", BOX, ask=(CORNER_CORNER, CENTER_HALF)),
     Notation(
         "aabb2d::new rect::from_center_half_size cuboid b2makebox setasbox b2makeoffsetbox b2makesquare pl.box "
-        "planck.box",
+        "planck.box hyperrectangle",
         BOX,
         CENTER_HALF,
     ),
@@ -104,7 +107,8 @@ NOTATIONS = (
         "capsule b2capsule capsule2d capsuleshape2d segment b2segment linesegment line ray edge roundedrect "
         "roundedbox b2makeroundedbox makeroundedbox stadium matrix roundrectangle2d.double roundrectangle2d.float "
         "roundrect rrect drawrectanglepro drawpoly box3 box3d aabb3d cube sphere bodies.polygon bodies.trapezoid "
-        "create_oval oval rhombus star wedge ring arcshape regularpolygon",
+        "create_oval oval rhombus star wedge ring arcshape regularpolygon capsulecollider2d compositecollider2d "
+        "segmentshape2d worldboundaryshape2d separationrayshape2d",
         OTHER_SHAPE,
     ),
     Notation("setbounds drawrect", BOX, ask=(CORNER_SIZE, CORNER_CORNER)),
@@ -199,6 +203,7 @@ TURNS = {
 }
 SETTERS = frozenset(["set", "setxy"])
 # Calls that give a box or a circle all its numbers anew, in the order of the call that made it.
+MAKERS = frozenset(["setfrompoints", "setfromcenterandsize"])  # that an empty box has
 RESETS = frozenset(["set", "setto", "setbounds", "setrect", "setframe", "update"])
 
 

@@ -82,7 +82,7 @@ def of_pair(pair: AnsweredPair, *, decimals: bool) -> Iterator[Finding]:
         yield Finding(
             "whole-numbers",
             both,
-            f"With the parts behind the decimal point cut off, {a.name} and {b.name} are {_words(cut)} "
+            f"With the digits after the decimal point cut off, {a.name} and {b.name} are {_words(cut)} "
             f"instead of {_words(relation)}.",
             "Keep floating-point numbers, or scale before you convert.",
         )

@@ -16,7 +16,7 @@ from .. import minimal_test
 from ..link import link
 from ..scenefile import MAX_VERTICES, Scene
 from . import findings, others
-from .boxes import ALL_CHOICES, BOX_FORM, CHOICES, COMMAS, DECIMAL_COMMAS, LEAVE_OUT, ONLY_IF_IT_MATTERS, Read
+from .boxes import ALL_CHOICES, BOX_FORM, CHOICES, COMMAS, DECIMAL_COMMAS, LEAVE_OUT, ONLY_IF_IT_MATTERS, TAKE_IN, Read
 from .cleaned import cleaned
 from .findings import KINDS, Finding, PastedShape, listed
 from .objects import as_text
@@ -79,6 +79,7 @@ CHOICE_WORDS = {
     "decimal-commas": "0,5 is 0.5",
     "separators": "0,5 is 0 and 5",
     "leave-out": "the shapes as read, without it",
+    "take-in": "a shape of its own",
 }
 
 
@@ -396,9 +397,9 @@ def _about_the_rest(
 ) -> PasteQuestion:
     """Return the question whether the shapes are complete without the parts that were not understood."""
     keeps = reader.keeps or BOX_FORM in reader.asked
-    gives = _gives(root, text, (*chosen, LEAVE_OUT), keeps=keeps)
-    answer = Answer(LEAVE_OUT, CHOICE_WORDS[LEAVE_OUT], gives)
-    return PasteQuestion("rest", f"{ASKS['rest']} {_shorten(missed)}.", (answer,), matters=True)
+    choices = (LEAVE_OUT, *([TAKE_IN] if reader.doubts else []))
+    answers = (Answer(c, CHOICE_WORDS[c], _gives(root, text, (*chosen, c), keeps=keeps)) for c in choices)
+    return PasteQuestion("rest", f"{ASKS['rest']} {_shorten(missed)}.", tuple(answers), matters=True)
 
 
 def _gives(root: Group, text: str, chosen: tuple[str, ...], *, keeps: bool) -> str:
@@ -422,7 +423,8 @@ def _gives(root: Group, text: str, chosen: tuple[str, ...], *, keeps: bool) -> s
 def _pairs(shapes: Sequence[PastedShape]) -> list[AnsweredPair]:
     """Return the pairs that meet, the deepest first; if none meets, the nearest pair.
 
-    Concave outlines have so many pairs of convex parts that only the pairs are shown whose boxes overlap most.
+    At most MAX_TRACES pairs, with about MAX_PART_PAIRS pairs of convex parts together: if there are more, those whose
+    boxes overlap most.
     """
     near = []
     for a, b in combinations(shapes, 2):

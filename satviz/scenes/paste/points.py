@@ -5,9 +5,9 @@ from fractions import Fraction
 from typing import Any
 
 from .atoms import is_pair
-from .harmless import HARMLESS
+from .harmless import HARMLESS, TESTS
 from .names import Obj, Unreadable, short
-from .notations import LIST_WORDS, POINT, RING, notation
+from .notations import LIST_WORDS, POINT, RING, key, notation
 from .statements import Statements
 from .tree import Bad, Group, Name, Num, Pair, Value
 
@@ -132,7 +132,7 @@ class Points(Statements):
         return self.number(x), self.number(y)
 
     def _refuse_methods(self, group: Group) -> None:
-        """Raise Unreadable for a call behind a value that would change it."""
+        """Raise Unreadable for a chained call that would change a value."""
         for name, arguments in group.methods:
             if name.lower() not in HARMLESS and arguments.items:
                 raise Unreadable(f".{name}(...) is not evaluated: write the result")
@@ -171,7 +171,10 @@ class Points(Statements):
                     f"a list of {len(flat)} numbers is not a list of x and y: one is missing, or there is one too many"
                 )
             return list(zip(flat[::2], flat[1::2], strict=True))
-        return self._points(items)
+        found = self._points(items)
+        if found and len(found) > 2 and other and (TESTS.search(value.name) or not LIST_WORDS.search(value.name)):
+            raise Unreadable(f"{short(value.name)}(...) does not say what its points are: write each shape by itself")
+        return found
 
     def _between_spaces(self, items: Sequence[Any]) -> list[Any]:
         """Return the numbers of 0,0 4,0 0,3 and of 0 0, 4 0, 0 3, and those of 0,0,5 4,0,5 0,3,5 without each third."""
@@ -247,6 +250,9 @@ class Points(Statements):
         if count < len(items):
             place = next(i for i, p in enumerate(found) if p is None)
             raise Unreadable(why or f"item {place} (counted from 0) of a list of corners is not a pair of numbers")
+        names = {item.name for item in items if isinstance(item, Group) and item.name}
+        if len(names) > 1 and any(key(name) in ("center", "size", "half", "offset", "corner") for name in names):
+            raise Unreadable("a word stands before each pair of numbers, so they are no corners: write x=, y=, w=, h=")
         return [p for p in found if p is not None]
 
     def _is_number(self, item: Any) -> bool:

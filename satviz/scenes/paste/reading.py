@@ -13,6 +13,7 @@ from .boxes import (
     BOX_FORM,
     CHOICES,
     LAST_VALUE,
+    TAKE_IN,
     TWICE,
     Read,
     circle,
@@ -33,6 +34,7 @@ from .notations import (
     CORNER_OR_CENTER,
     CORNER_SIZE,
     ELLIPSE,
+    MAKERS,
     MANY,
     MOVE,
     MOVES,
@@ -64,9 +66,17 @@ SHORTENED = re.compile(
 _RESULT = re.compile(
     r"(?i)(output|result|intersection)\b.*|(print\()?\w+\.(intersection|union|difference|buffer)\(.*\)"
 )
+# words of a line about something that was tried besides, or about what is no shape
+_ASIDE = re.compile(
+    r"\b(?:edit|update|p\.?s)\W{0,3}\d*:|(?<![a-z])(?:works|worked|tried|instead|phone|call|tel|fax|mobile|versions?|date"
+    r"|colou?rs?|rgba?)(?![a-z])",
+    re.IGNORECASE,
+)
+_COMMENT = re.compile(r"//|#|--|/\*")
 COPIES = frozenset(["clone", "copy", "deepcopy", "dup", "duplicate"])
 MAX_ABOVE = 400  # characters before a shape in which the line above it is looked for
-MAX_PROBLEMS = 50  # of what is not read; fewer are shown
+MAX_BESIDE = 200  # characters before and after a shape in which words about it are looked for
+MAX_PROBLEMS = 50  # problems that are collected; fewer are shown
 
 
 class Reader(Calls):
@@ -91,7 +101,10 @@ class Reader(Calls):
         entries = [e for e in entries if id(e[2]) not in self.taken and not isinstance(e[2], Name)]  # b = a
         entries += [(run.value.start, run.label, run.value) for run in self.runs]
         found: list[tuple[int, Read]] = []
+        asked: list[tuple[int, dict[str, tuple[str, ...]]]] = []
         for _, name, value in sorted(entries, key=lambda entry: entry[0]):
+            self.asked = {}
+            asked.append((id(value), self.asked))
             label = name.split(" (")[0]
             shapes = self.shapes(value, label)
             if len(shapes) > 1:  # the name is that of a result, or of a list, and of no single shape
@@ -104,17 +117,30 @@ class Reader(Calls):
             if any(id(each) in self.used for each in lists):
                 self.used.add(id(points))
         kept = [(owner, shape) for owner, shape in found if owner not in self.used]
+        self.asked = {}
+        for what, ask in (pair for owner, asks in asked if owner not in self.used for pair in asks.items()):
+            self.asked[what] = tuple(dict.fromkeys((*self.asked.get(what, ()), *ask)))
         earlier = {id(v) for values in self.env.earlier.values() for v in values if self._is_assigned(v)}
         if any(owner in earlier for owner, _ in kept) and self._choose(TWICE, CHOICES[TWICE]) == LAST_VALUE:
             self.parts += [(shape.start, shape.end) for owner, shape in kept if owner in earlier]
             kept = [(owner, shape) for owner, shape in kept if owner not in earlier]
         shapes = [shape for _, shape in kept]
-        fields = within([match.span() for match in TYPE.finditer(self.text)], shapes)
-        doubtful = dict.fromkeys(fields if len(fields) < len(kept) else (), "a shape, or what a class begins with")
-        doubtful |= {s: "a shape, or a result" for s in shapes if _RESULT.fullmatch(s.label or self._above(s))}
-        doubtful |= {s: "a shape, or a bounding box" for p, s in pairwise(shapes) if s.form and _bounds(p) == s.points}
-        self.problems += [f"{short(self.text[s.start : s.end])}: {why}" for s, why in doubtful.items()]
+        doubtful: dict[Read, str] = {}
+        if TAKE_IN not in self.chosen:
+            fields = within([match.span() for match in TYPE.finditer(self.text)], shapes)
+            beside = {s for s in shapes if _ASIDE.search(self._line_of(s)) or self._is_bare(s)}
+            for some, what in ((fields, "what a class begins with"), (beside, "one of something else")):
+                doubtful |= dict.fromkeys(some if len(some) < len(shapes) else (), what)
+            doubtful |= {s: "a result" for s in shapes if _RESULT.fullmatch(s.label or self._above(s))}
+            doubtful |= {
+                s: "a hole of the one before" for (a, p), (b, s) in pairwise(kept) if a == b and self._is_hole(s, p)
+            }
+            doubtful |= {s: "a bounding box" for p, s in pairwise(shapes) if s.form and _bounds(p) == s.points}
+        self.problems += [
+            f"{short(self.text[s.start : s.end])}: a shape of its own, or {why}" for s, why in doubtful.items()
+        ]
         self.parts += [(s.start, s.end) for s in doubtful]
+        self.doubts = bool(doubtful)
         kept = [(owner, shape) for owner, shape in kept if shape not in doubtful]
         made = {(s.points, s.radius) for _, s in kept if not s.repeats}
         named = {(s.points, s.radius, s.label) for _, s in kept if s.label}
@@ -132,8 +158,25 @@ class Reader(Calls):
             self.text[max(0, shape.start - MAX_ABOVE) : shape.start].rstrip("` \t\n<").rpartition("\n")[2].strip("` \t")
         )
 
+    def _is_hole(self, shape: Read, outer: Read) -> bool:
+        """Return whether an outline stands behind another one in a list, and lies within its bounds: [[...], [...]]."""
+        if self.text[outer.end : shape.start].strip() != "," or shape.form or outer.form or shape.is_circle:
+            return False
+        (x0, y0), _, (x1, y1), _ = _bounds(outer)
+        return all(x0 <= x <= x1 and y0 <= y <= y1 for x, y in shape.points)
+
+    def _is_bare(self, shape: Read) -> bool:
+        """Return whether a box is a row of numbers without brackets and names."""
+        return bool(shape.form) and not (shape.label or shape.keyed) and self.text[shape.start] in "-+.0123456789"
+
+    def _line_of(self, shape: Read) -> str:
+        """Return the line on which a shape begins, without a comment."""
+        before = self.text[max(0, shape.start - MAX_BESIDE) : shape.start].rpartition("\n")[2]
+        after = self.text[shape.end : shape.end + MAX_BESIDE].partition("\n")[0]
+        return _COMMENT.split(before + after, maxsplit=1)[0]
+
     def _is_assigned(self, value: Any) -> bool:
-        """Return whether a value stands behind a sign that assigns, and not in a log: a: (0, 0, 4, 4)."""
+        """Return whether a value follows a sign that assigns, and not in a log: a: (0, 0, 4, 4)."""
         begin = self.text.rfind("\n", 0, value.start) + 1
         return bool(_ASSIGNED.fullmatch(self.text, begin, value.start)) and not _SECTION.search(self.text, value.end)
 
@@ -167,9 +210,14 @@ class Reader(Calls):
         return []
 
     def _group(self, group: Group, label: str) -> list[Read]:
-        """Return the shapes of a bracket, a call or a typed list, with the calls behind it."""
+        """Return the shapes of a bracket, a call or a typed list, with its chained calls applied."""
         if (copied := self._copied(group)) is not None:
             return self.shapes(copied, label)
+        if (
+            not group.items and len(group.methods) == 1 and group.methods[0][0].lower() in MAKERS
+        ):  # Box2().setFromPoints(a)
+            ((name, given),) = group.methods
+            group = replace(group, items=given.items, name=name, methods=[])
         row = notation(group.name) if group.name else None
         kind = row.kind if row else ""
         if two := TWO_SHAPES.get(group.name.lower().split(".")[-1]):
@@ -212,7 +260,7 @@ class Reader(Calls):
             return [s for item in group.items if not self._are_names(item) for s in self._rings(item, label)]
         else:
             found = self._plain(group, label)
-        return self._after(group, found)
+        return self._with_chained_calls(group, found)
 
     def _are_names(self, value: Any) -> bool:
         """Return whether a value is a list of names: featureCollection([a, b])."""
@@ -263,8 +311,11 @@ class Reader(Calls):
             found = [self._turned(shape, angle, RADIANS, None) for shape in found]
         return [moved(shape, at) for shape in found] if at else found
 
-    def _after(self, group: Group, found: list[Read]) -> list[Read]:
-        """Return shapes with the moves and turns behind them applied; Unreadable for any other change."""
+    def _with_chained_calls(self, group: Group, found: list[Read]) -> list[Read]:
+        """Return the shapes after the chained calls of the group, such as `.rotate(45)`.
+
+        Unreadable for a call with numbers that is neither a move nor a turn.
+        """
         for name, arguments in group.methods:
             plain = name.lower()
             if not (found or plain in HARMLESS):

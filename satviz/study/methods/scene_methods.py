@@ -34,7 +34,7 @@ BOX2D_STEP = 2.0**-20  # seconds: nothing moves by itself in so short a time
 def scene_methods(scene: MovingScene) -> dict[str, FindPairs]:
     """Return the methods that take the shapes of this scene and are installed here, by their names in the table."""
     found: dict[str, FindPairs] = {name: partial(_satviz_pairs, engine=engine) for name, engine in installed_engines()}
-    if len(scene.shapes) > 1:  # of one kind, making a batch anew takes no longer
+    if len(scene.shapes) > 1:  # with shapes of one kind, making a new batch is as fast as moving it
         for name, engine in installed_engines():
             found[f"{name}, moved"] = partial(_moved_pairs, shapes=batch_of(scene.frames[0].sides), engine=engine)
     counts = set(scene.frames[0].padded.counts.tolist())
