@@ -129,7 +129,7 @@ def test_the_archive_is_a_package_whose_items_and_files_are_there(files):
 
 
 @pytest.mark.slow
-def test_zip_writes_one_archive_over_its_own_and_over_nothing_else(tmp_path, capsys, files, monkeypatch):
+def test_zip_overwrites_an_archive_that_it_made_and_nothing_else(tmp_path, capsys, files, monkeypatch):
     monkeypatch.setattr("satviz.site.build.site", lambda **_: (iter(files.items()), []))
     for _ in range(2):
         assert main(["site", str(tmp_path / "course"), "--still", "--zip"]) == 0

@@ -78,7 +78,7 @@ def with_numbers_changed(notebook):
     return changed
 
 
-def test_there_are_chapters():
+def test_the_chapters_are_numbered_from_1_without_a_gap():
     assert [name[0] for name in CHAPTERS] == [str(i + 1) for i in range(len(CHAPTERS))] and len(CHAPTERS) >= 6
 
 
@@ -118,7 +118,7 @@ def test_every_output_but_measured_times_is_compared():
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS)
-def test_a_chapter_is_committed_executed_small_and_bare(chapter):
+def test_a_chapter_is_committed_with_its_outputs_below_its_size_limit_and_without_metadata(chapter):
     import nbformat
 
     notebook, text = read(chapter), (FOLDER / chapter).read_text(encoding="utf-8")
@@ -175,7 +175,7 @@ def test_in_an_exported_page_a_widget_is_its_picture(browser, tmp_path, route):
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS)
-def test_links_lead_somewhere(chapter):
+def test_links_of_a_chapter_lead_to_files_and_to_the_chapters_beside_it(chapter):
     notebook_words = re.sub(r"<!--.*?-->", "", prose(read(chapter)), flags=re.DOTALL)  # comments are for the site
     links = re.findall(r"\]\(([^)#]+)\)", notebook_words)
     assert links and not [link for link in links if "://" not in link and not (FOLDER / link).is_file()]
@@ -186,7 +186,7 @@ def test_links_lead_somewhere(chapter):
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS)
-def test_every_exercise_has_a_solution_that_comes_out_as_it_says(chapter):
+def test_each_solution_prints_the_value_that_it_states(chapter):
     """A solution's last words, `# value`, are what the expression before them gives."""
     notebook = read(chapter)
     exercises = re.split(r"^\*\*\d\.\*\* ", prose(notebook).split("## Exercises")[1], flags=re.MULTILINE)[1:]

@@ -103,7 +103,7 @@ def test_a_symptom_links_to_every_mistake_that_causes_it(pages):
         assert re.findall(r'href="scene.html#([^"]+)"', part) == list(names)
 
 
-def test_nothing_comes_from_elsewhere(files):
+def test_the_pages_load_nothing_from_another_server(files):
     for path, data in files.items():
         if path.startswith("reference/") or path.endswith(".png"):
             continue  # test_reference.py
@@ -429,7 +429,7 @@ def test_pages_have_short_coordinates_and_compressed_steps(pages):
     assert show["predict"] and len(show["shows"][0]["steps"]) > 15
 
 
-def test_the_command_writes_a_site_over_its_own_and_over_nothing_else(tmp_path, capsys, files, monkeypatch):
+def test_the_command_overwrites_a_site_that_it_made_and_nothing_else(tmp_path, capsys, files, monkeypatch):
     monkeypatch.setattr("satviz.site.build.site", lambda **_: (iter(files.items()), []))
     out = tmp_path / "site"
     for _ in range(2):
@@ -781,7 +781,7 @@ def test_axes_that_are_parallel_up_to_rounding_count_as_one():
         assert found.met and found.status == "Exactly one axis separates them.", (hundredths, found.status)
 
 
-def test_touching_is_exact():
+def test_the_touch_challenge_accepts_only_an_exact_touch():
     box = sv.Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
     assert stands("touch", box, sv.Circle((2, 0.5), 1)).met
     hair = stands("touch", box, sv.Circle((2.0000000000000004, 0.5), 1))

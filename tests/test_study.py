@@ -288,14 +288,14 @@ def test_the_chart_of_frames_says_where_lines_cross_what_differs_and_what_was_wr
     assert "both engines together: 0 of 20 checked" in said and "all together: 8 of 28 checked" in said
 
 
-def test_bench_refuses_nonsense(capsys):
+def test_bench_refuses_invalid_options(capsys):
     with pytest.raises(SystemExit) as stop:
         main(["bench", "--pairs", "0"])
     assert stop.value.code == 2 and capsys.readouterr().err.count("\n") == 1
 
 
 @pytest.mark.parametrize("name", WORKLOADS)
-def test_workloads_are_seeded(name):
+def test_the_same_seed_gives_the_same_workload(name):
     one, two = (WORKLOADS[name](np.random.default_rng(3), 20) for _ in range(2))
     for mine, other in zip(one, two):
         assert all(np.array_equal(p, q) for p, q in zip(mine, other))

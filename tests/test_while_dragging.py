@@ -2,6 +2,7 @@
 
 import random
 import re
+from functools import lru_cache
 from math import cos, dist, pi, sin
 
 import pytest
@@ -74,6 +75,7 @@ WAYS = {}, {"pinned": 1}, {"mtv": True}, {"view": "truth"}, {"difference": True}
 LENGTH = rf"(?:gap \+|gap of |overlap |depth |distance |way out )({NUMBER})"
 
 
+@lru_cache(maxsize=200)  # two tests read each
 def anywhere(seed):
     """Return an explorer's state after random moves of both shapes, with one of the tools in use."""
     rng = random.Random(seed)
@@ -86,7 +88,7 @@ def anywhere(seed):
 
 
 @pytest.mark.parametrize("poses_asked", [80, pytest.param(200, marks=pytest.mark.slow)])
-def test_on_one_screen_one_thing_has_one_number(poses_asked):
+def test_texts_shown_together_name_one_axis_and_print_a_length_with_the_same_digits(poses_asked):
     """The axis is the same in table, picture and number line; a length has the same digits everywhere."""
     spoken_of = 0
     for seed in range(poses_asked):
@@ -115,7 +117,7 @@ def test_on_one_screen_one_thing_has_one_number(poses_asked):
 
 
 @pytest.mark.parametrize("poses_asked", [80, pytest.param(400, marks=pytest.mark.slow)])
-def test_a_sentence_says_that_so_it_is_only_where_the_heading_does(poses_asked):
+def test_a_sentence_calls_the_claim_right_only_where_the_heading_does(poses_asked):
     wrong_numbers = 0
     for seed in range(poses_asked):
         state = anywhere(seed)

@@ -13,7 +13,7 @@ _COLOUR = re.compile(r"#[0-9a-f]{6}\b")
 _IDS = re.compile(r' id="([^"]+)"')
 _LABELS = re.compile(r' aria-labelledby="[^"]*"')  # not needed: the title element names the picture
 _COORDINATES = re.compile(r' (?:d|x|y)="[^"]*"')
-_FINE_DIGITS = re.compile(r"(\.\d\d)\d+")  # beyond hundredths of a point, which nobody sees
+_FINE_DIGITS = re.compile(r"(\.\d\d)\d+")  # digits beyond hundredths of a point, which nobody sees
 _INDENT = re.compile(r"\n +")
 _STYLE_ELEMENT = re.compile(r"\s*<defs>\s*<style[^>]*>[^<]*</style>\s*</defs>")
 

@@ -36,7 +36,8 @@ CLAIMED, ACTUAL = "what the shortcut saw", "what is true"
 FULLER = step_picture.FULLER | {Stage.NORMAL: Stage.AXIS}
 # in points
 MAX_PANEL = 340.0, 300.0
-BETWEEN, HEAD, RIM = 20.0, 24.0, 16.0  # between the panels, for each one's heading, around the words above
+# space between the panels, for each panel's heading, and around the words above them
+BETWEEN, HEAD, RIM = 20.0, 24.0, 16.0
 BOTH_PANELS_WIDTH_PT = 2 * MAX_PANEL[0] + BETWEEN
 MIN_PANEL = 170.0  # a smaller panel has no space for its words
 AXES_RIM = 0.2  # space on all sides for the axes of the steps, as a factor of the shapes' size
@@ -74,7 +75,7 @@ def picture(
 
 
 def _panel_size(largest: tuple[float, float]) -> tuple[tuple[float, float], bool]:
-    """Return the largest width and height of a panel, and whether the panels stand one above the other.
+    """Return ((largest width, largest height) of a panel, whether the panels stand one above the other).
 
     On a canvas that is too small for both, the panels keep their least size, and the whole picture is shown smaller.
     """

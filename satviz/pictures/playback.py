@@ -40,7 +40,7 @@ MAX_STEPS = 600
 # two panels, one above the other; the second size is for panels whose words need more space
 NARROW_PANEL_SIZES_PT = (338.0, 680.0), (350.0, 700.0)
 MAX_NARROW_WIDTH_PT = 430.0  # a narrow playback that gets wider than this is left out
-MAX_NARROW_STEPS = 150  # and so is one of more steps
+MAX_NARROW_STEPS = 150  # a narrow playback of more steps is left out
 
 
 def playbacks(trace: Trace) -> list[dict[str, Any]]:

@@ -13,7 +13,7 @@ from ..scenes.scenefile import Scene
 from ..scenes.strictjson import require_type
 from ..widgets.explorer_model import OFFERED, ExplorerModel
 
-_models: dict[str, ExplorerModel] = {}  # by the place on the page
+_models: dict[str, ExplorerModel] = {}  # the key is the place on the page
 _check, _reader = PageCheck(), ReaderPython()  # the latter is used in the worker of the reader's code alone
 
 

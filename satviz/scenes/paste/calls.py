@@ -7,36 +7,11 @@ from fractions import Fraction
 from typing import Any
 
 from .axis_lists import are_axes, joined, lengths
-from .boxes import (
-    AT_ORIGIN,
-    BOX_FORM,
-    BY_DIAMETER,
-    BY_RADIUS,
-    CHOICES,
-    ROUND,
-    Read,
-    circle,
-    moved,
-    unit_of,
-)
+from .boxes import AT_ORIGIN, BY_DIAMETER, BY_RADIUS, CHOICES, Read, circle, moved, unit_of
 from .exact import centroid, hull
 from .keyed import Keyed
 from .names import Obj, Unreadable
-from .notations import (
-    ANY_BOX,
-    CENTER_HALF,
-    CENTER_SIZE,
-    CORNER_CORNER,
-    CORNER_OR_CENTER,
-    CORNER_SIZE,
-    DIAMETER,
-    RADIANS,
-    RADIUS,
-    X_THEN_Y,
-    Notation,
-    key,
-    notation,
-)
+from .notations import ANY_BOX, CORNER_OR_CENTER, Ask, Form, Notation, key, notation
 from .points import ZERO, Pt, angle_of, places
 from .tree import Bad, Group, Name, Num, Pair, parts_of
 
@@ -194,10 +169,10 @@ class Calls(Keyed):
             x, y, said = flat[0], flat[0], f"a circle by its radius{AT_ORIGIN}"
         given = x, y, *(place or ()), flat[0]
         bare = group.name == "circle" and len(group.items) == 3 and all(isinstance(v, Num) for v in group.items)
-        if self.mode(group) not in ("", CENTER_SIZE):
+        if self.mode(group) not in ("", Form.CENTER_SIZE):
             raise Unreadable("ellipseMode is not CENTER, and only CENTER is read: write the center and the diameter")
-        sure = row.form if row and row.form else DIAMETER if self.sketch else ""
-        if (bare or (row and row.form)) and self._choose(ROUND, CHOICES[ROUND], sure=sure) == DIAMETER:
+        sure = row.form if row and row.form else Form.DIAMETER if self.sketch else ""
+        if (bare or (row and row.form)) and self._choose(Ask.ROUND, CHOICES[Ask.ROUND], sure=sure) == Form.DIAMETER:
             flat[0], said = flat[0] / 2, BY_DIAMETER
         x, y = (x + place[0], y + place[1]) if place else (x, y)
         return [circle((x, y), flat[0], group, label, said, *given)]
@@ -228,16 +203,16 @@ class Calls(Keyed):
             x, y, radius, other = (self.number(keys[name]) for name in ("cx", "cy", "rx", "ry"))
             if radius == other:
                 return [circle((x, y), radius, group, label, BY_RADIUS, other)]
-        if self.mode(group) not in ("", CENTER_SIZE):
+        if self.mode(group) not in ("", Form.CENTER_SIZE):
             raise Unreadable("ellipseMode is not CENTER, and only CENTER is read: write the center and the diameter")
         flat = self.numbers(group.items) or []
         if len(flat) not in (3, 4) or flat[2] != flat[-1]:
             raise Unreadable("an ellipse: give it as a polygon with many corners")
         said, radius = BY_DIAMETER, flat[2] / 2
-        sure = DIAMETER if self.sketch or row.form else ""
-        if len(flat) == 4 and self._choose(ROUND, (DIAMETER, RADIUS), sure=sure) == RADIUS:
+        sure = Form.DIAMETER if self.sketch or row.form else ""
+        if len(flat) == 4 and self._choose(Ask.ROUND, (Form.DIAMETER, Form.RADIUS), sure=sure) == Form.RADIUS:
             said, radius = BY_RADIUS, flat[2]
-        x, y = (flat[0] + radius, flat[1] + radius) if row.form == CORNER_SIZE else (flat[0], flat[1])
+        x, y = (flat[0] + radius, flat[1] + radius) if row.form == Form.CORNER_SIZE else (flat[0], flat[1])
         return [circle((x, y), radius, group, label, said, *flat)]
 
     def _box(self, group: Group, row: Notation, label: str) -> list[Read]:
@@ -263,7 +238,7 @@ class Calls(Keyed):
         parts = [self.point(a) if isinstance(self.resolve(a), (Group, Obj)) else None for a in arguments]
         if len(parts) > 2 and all(parts) and group.name.lower().endswith(("frompoints", "boundingrect")):
             xs, ys = zip(*(p for p in parts if p), strict=True)
-            made = self._made_box([min(xs), min(ys), max(xs), max(ys)], CORNER_CORNER, group, label)
+            made = self._made_box([min(xs), min(ys), max(xs), max(ys)], Form.CORNER_CORNER, group, label)
             return [replace(made, said=f"the bounding box of {len(xs)} points", used=places(*xs, *ys), keyed=True)]
         if parts and any(p is not None for p in parts):
             flat: list[Fraction] = []
@@ -271,13 +246,13 @@ class Calls(Keyed):
                 flat += part if part is not None else [self.number(argument)]
         else:
             flat = self.numbers(arguments) or []
-        if row.form == CENTER_HALF and len(flat) >= 4 and parts[0] is None:
+        if row.form == Form.CENTER_HALF and len(flat) >= 4 and parts[0] is None:
             flat = [*flat[2:4], *flat[:2], *flat[4:]]  # b2 and planck: half sizes, then the center
         if len(flat) in (1, 3) and group.name.lower().endswith("square"):
             flat.append(flat[-1])
         if len(flat) == 2:  # a size alone: its center is where its body is
-            form = self._choose(BOX_FORM, row.ask) if row.ask == CORNER_OR_CENTER else row.form or CENTER_SIZE
-            form = form if form in (CENTER_SIZE, CENTER_HALF) or row.alone or row.ask else CENTER_SIZE
+            form = self._choose(Ask.BOX_FORM, row.ask) if row.ask == CORNER_OR_CENTER else row.form or Form.CENTER_SIZE
+            form = form if form in (Form.CENTER_SIZE, Form.CENTER_HALF) or row.alone or row.ask else Form.CENTER_SIZE
             flat = [*(place or ZERO), *flat]
             made = self._made_box(flat, form, group, label, angle, row.unit)
             return [made if place else replace(made, said=f"{made.said}{AT_ORIGIN}")]
@@ -287,19 +262,28 @@ class Calls(Keyed):
         ask = row.ask or ()
         if not row.form and len(arguments) == 3:
             ask = CORNER_OR_CENTER  # a point, a width and a height
-        if group.bracket == "[" and row.form == CORNER_SIZE:  # Mathematica: Rectangle[{0, 0}, {1, 1}]
-            row, ask = row._replace(form=CORNER_CORNER if len(arguments) == 2 else ""), ask or ANY_BOX
+        if group.bracket == "[" and row.form == Form.CORNER_SIZE:  # Mathematica: Rectangle[{0, 0}, {1, 1}]
+            row, ask = row._replace(form=Form.CORNER_CORNER if len(arguments) == 2 else ""), ask or ANY_BOX
         second = self.resolve(arguments[1]) if len(arguments) == 2 else None
-        if row.form == CORNER_SIZE and isinstance(second, Group) and "point" in second.name.lower():
-            row, ask = row._replace(form=""), (CORNER_CORNER, CORNER_SIZE)
+        if row.form == Form.CORNER_SIZE and isinstance(second, Group) and "point" in second.name.lower():
+            row, ask = row._replace(form=""), (Form.CORNER_CORNER, Form.CORNER_SIZE)
         form = (
-            self._choose(BOX_FORM, ask, sure=self.mode(group)) if ask and not row.form else self._overridden(row.form)
+            self._choose(Ask.BOX_FORM, ask, sure=self.mode(group))
+            if ask and not row.form
+            else self._overridden(row.form)
         )
-        if len(flat) == 5 and angle is None and form not in (CORNER_CORNER, X_THEN_Y) and not self.mode(group):
+        if (
+            len(flat) == 5
+            and angle is None
+            and form not in (Form.CORNER_CORNER, Form.X_THEN_Y)
+            and not self.mode(group)
+        ):
             angle = angle_of(group, flat)
         if len(arguments) == 4 and not named.fields and row.ask == ANY_BOX and not self.mode(group):
             self._ask_order()
-        made = self._made_box(flat[:4], form, group, label, angle, RADIANS if row.form == CENTER_HALF else row.unit)
+        made = self._made_box(
+            flat[:4], form, group, label, angle, Form.RADIANS if row.form == Form.CENTER_HALF else row.unit
+        )
         made = replace(made, keyed=bool(row.form))
         return [moved(made, place) if place else made]
 

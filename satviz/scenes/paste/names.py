@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any
 
-from .notations import BOX, CIRCLE, OTHER_SHAPE, key, notation
+from .notations import Kind, key, notation
 from .tree import Bad, Group, Name, Num, Pair, Value, parts_of
 
 _ZERO = re.compile(r"(?:\.|::)zero$|^cpvzero$|^b2Vec2_zero$", re.IGNORECASE)
@@ -77,7 +77,9 @@ class Names:
             node.earlier.setdefault(last, []).append(old)
         value = pair.value
         declared = notation(pair.before) if pair.before and isinstance(value, Group) and not value.name else None
-        if declared and declared.kind in (BOX, CIRCLE, OTHER_SHAPE) and value.bracket in "({":  # Rect r = {0, 0, 1, 1}
+        if (
+            declared and declared.kind in (Kind.BOX, Kind.CIRCLE, Kind.OTHER_SHAPE) and value.bracket in "({"
+        ):  # Rect r = {0, 0, 1, 1}
             value = replace(value, name=pair.before)
         if isinstance(value, Bad) and value.inside:
             value = Group(value.start, value.end, value.inside, "words")

@@ -8,21 +8,7 @@ from typing import Any, NamedTuple
 from .atoms import holds_numbers, is_pair
 from .harmless import words
 from .names import Names, Obj, is_block, short
-from .notations import (
-    BOX,
-    CIRCLE,
-    MAKERS,
-    MOVES,
-    OTHER_SHAPE,
-    POINT,
-    RESETS,
-    RING,
-    SETTERS,
-    SHIFTS,
-    TURNS,
-    key,
-    notation,
-)
+from .notations import MAKERS, MOVES, RESETS, SETTERS, SHIFTS, TURNS, Kind, key, notation
 from .tree import Bad, Group, Name, Num, Pair, Value, parts_of
 
 # Calls that add a corner to a list, that draw an outline with a pen, and that give a shape to a body.
@@ -191,7 +177,7 @@ class Statements(Names):
             if is_pair(item) and key(item.name) == "center":
                 declared = None  # rectangle position (10, 10)
             if declared and (
-                declared.kind in (BOX, CIRCLE, OTHER_SHAPE) or not notation(item.name)
+                declared.kind in (Kind.BOX, Kind.CIRCLE, Kind.OTHER_SHAPE) or not notation(item.name)
             ):  # Circle c(0, 0, 1)
                 made = replace(item, name=item.before, before="")
                 self._insert(Pair(item.start, item.end, tuple(parts_of(item.name)), made))
@@ -288,7 +274,7 @@ class Statements(Names):
             return last if last in MAKERS else ""
         old = self.resolve(Name(call.start, call.end, ".".join(owner)))
         row = notation(old.name) if isinstance(old, Group) else None
-        made = old.name if row and row.kind in (BOX, CIRCLE) else ""
+        made = old.name if row and row.kind in (Kind.BOX, Kind.CIRCLE) else ""
         return made or (call.name if isinstance(old, Name) and len(owner) == 1 and notation(call.name) else "")
 
     def _are_things(self, point: Group) -> bool:
@@ -354,7 +340,10 @@ class Statements(Names):
             return
         if owner and not isinstance(pair.value, Num):
             return
-        if isinstance(pair.value, Group) and getattr(notation(pair.value.name), "kind", POINT) not in (POINT, RING):
+        if isinstance(pair.value, Group) and getattr(notation(pair.value.name), "kind", Kind.POINT) not in (
+            Kind.POINT,
+            Kind.RING,
+        ):
             return  # r = new Rectangle(0, 0, 4, 4)
         run = self._open.get(owner)
         if run is not None and meaning in {key(k) for k in run.fields}:
@@ -407,7 +396,7 @@ def _point_of(call: Group) -> Group | None:
     (inner,) = call.items if len(call.items) == 1 else (None,)
     if isinstance(inner, Group):
         row = notation(inner.name) if inner.name else None
-        if inner.name and not (row and row.kind == POINT):
+        if inner.name and not (row and row.kind == Kind.POINT):
             return None
         return inner if len(inner.items) in (2, 3) and holds_numbers(inner) else None
     pair = len(call.items) == 2 and all(not isinstance(v, (Group, Pair)) for v in call.items)

@@ -11,7 +11,7 @@ from .account import MOVERS, Account, Part, root, within
 from .boxes import Read
 from .harmless import CHANGING_CALLS, CHANGING_NUMBERS, OTHER_NUMBERS, words
 from .names import Names, Obj, short
-from .notations import POINT, RING, SHAPE_STEMS, key, notation
+from .notations import SHAPE_STEMS, Kind, key, notation
 from .parser import Tree
 from .tokens import LENGTHS, NAME, NUMBER, Token
 from .tree import Bad, Group, Name, Num, Pair
@@ -150,7 +150,7 @@ def _walk(tree: Tree, value: Any, name: str) -> Iterator[Left]:
                 yield Left(token.start, token.end, name, None)
     elif isinstance(value, Group):
         row = notation(value.name) if value.name else None
-        inside = value.name if value.name and not (row and row.kind == POINT) else name
+        inside = value.name if value.name and not (row and row.kind == Kind.POINT) else name
         for inner in value.items:
             yield from _walk(tree, inner, inside)
         for method, arguments in value.methods:
@@ -163,7 +163,7 @@ def _is_harmless(left: Left) -> bool:
     path = left.key.split(".")
     aside = not {"bounds", "properties"}.isdisjoint(path) and key(path[-1]) not in ("center", "half", "size")
     row = notation(left.key)
-    no_radius = left.value == 0 and row is not None and row.kind == RING  # b2MakePolygon(&hull, 0.0f)
+    no_radius = left.value == 0 and row is not None and row.kind == Kind.RING  # b2MakePolygon(&hull, 0.0f)
     drawn = row and said & {"draw", "graphics", "cv2"} and not last & CHANGING_NUMBERS  # a width, a color
     if "moment" in said or left.key == "pymunk.Body" or aside or no_radius or drawn:
         return True
