@@ -194,7 +194,7 @@ class _Pieces:
         return rings
 
     def _cut(self, ring: Ring, u: int, v: int) -> tuple[Ring, Ring]:
-        """Cut a ring from vertex u to vertex v; return both pieces, without an end that became collinear."""
+        """Cut a ring between two vertices and return both pieces, without an end of the cut that became collinear."""
         i, j = sorted((ring.index(u), ring.index(v)))
         for end in (u, v):
             if self.home.get(end) is ring:  # it may be reflex still in the piece beyond an earlier cut

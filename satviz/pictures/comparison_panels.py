@@ -53,7 +53,8 @@ MAX_NOTED_AXES = 60  # axes tested, up to which there is space for words above t
 DOT_COUNT = 12  # dots that stand for many shapes
 MAX_AXES = 3  # axes that have space side by side
 ARROW_LENGTH = 74.0  # points
-FLOATS_CORNER_PT, FLOAT_STEP_PT = (16.0, 48.0), 26.0  # where the line of float64 numbers begins; between two of them
+# corner where the line of float64 numbers begins; distance of two numbers on it
+FLOATS_CORNER_PT, FLOAT_STEP_PT = (16.0, 48.0), 26.0
 MOVE = Vec(*map(float, FLIGHT))  # how far A flies in one frame
 
 

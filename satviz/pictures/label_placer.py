@@ -392,7 +392,7 @@ class LabelPlacer:
         return cost
 
     def _best_spot(self, request: LabelRequest) -> tuple[Spot, float]:
-        """Return the cheapest spot for a label, and its cost."""
+        """Return (cheapest spot, its cost) for a label."""
         w, h = text_size(request.text, request.weight)
         anchor = self._in_points(request.anchor)
         best, found = float("inf"), anchor

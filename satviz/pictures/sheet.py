@@ -92,7 +92,7 @@ def _legend(trace: Trace) -> list[tuple[str, str, float]]:
 
 
 def covered_range(test: AxisTest) -> tuple[float, float]:
-    """Return the least and the largest coordinate that the test's two ranges reach."""
+    """Return (least, largest) coordinate of the test's two ranges."""
     a, b = test.a.interval, test.b.interval
     return min(a.lo, b.lo), max(a.hi, b.hi)
 

@@ -59,7 +59,7 @@ def sweep(
 
 
 def _scale_and_center(shapes: tuple[Shape, Shape]) -> tuple[float, Vec]:
-    """Return the points in a scene unit, and the middle of the shapes, around which the axis turns."""
+    """Return (points in a scene unit, middle of the shapes, around which the axis turns)."""
     x0, y0, x1, y1 = bounding_box(shapes)
     return SHAPES_PT / (hypot(x1 - x0, y1 - y0) / 2), Vec((x0 + x1) / 2, (y0 + y1) / 2)
 

@@ -72,7 +72,8 @@ CHOICE_WORDS = {
     "around-corner": "turned around its corner",
     "around-origin": "turned around the origin (0, 0)",
     "relative": "corners relative to the position",
-    "absolute": "corners absolute already",
+    "absolute": "corners absolute already, and turned",
+    "unturned": "corners absolute already, but not turned by the angle yet",
     "radius": "the radius",
     "diameter": "the diameter",
     "each-value": "each value of a name",
@@ -320,7 +321,7 @@ def paste(what: Any, as_: str | Sequence[str] = ()) -> Pasted:
     if made.open:
         return replace(made, findings=tuple(notes))
     pairs = _pairs(shapes)
-    found = [finding for each in shapes for finding in findings.of_shape(each)]
+    found = [finding for each in shapes for finding in findings.findings_of_shape(each)]
     for pair in pairs[:MAX_TRACES]:
         found += of_pair(pair, decimals=isinstance(what, str))
     found = findings.merged([*found, *notes])
@@ -348,7 +349,7 @@ def _sentence(text: str, chosen: tuple[str, ...]) -> str:
 
 
 def _checked(reads: list[Read], reader: Reader) -> list[Read]:
-    """Return the shapes that were read; InvalidScene where there is none, or too much."""
+    """Return the shapes that were read; InvalidScene for none, or for more than MAX_SHAPES or MAX_VERTICES."""
     if not reads:
         raise InvalidScene(reader.problems[0] if reader.problems else NOTHING)
     if len(reads) > MAX_SHAPES:

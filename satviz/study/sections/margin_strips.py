@@ -281,4 +281,4 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
 CHARTS = {"relative-margin": chart}
 
 
-TOUCH_AT = MARGIN_OCTAVES.start - 2.5  # where the field for exact touches stands, in octaves
+TOUCH_AT = MARGIN_OCTAVES.start - 2.5  # position of the field for exact touches, in octaves
