@@ -270,7 +270,7 @@ class LabelPlacer:
                     number += 1
 
     def _leader_end(self, request: LabelRequest, at: Vec) -> Vec | None:
-        """Return the point where a line from the anchor meets the label's box; None if the label is so near that it has none."""
+        """Return the point where a line from the anchor meets the label's box; None if the label is near its anchor."""
         w, h = (self.layout.units(c / 2 + 1) for c in text_size(request.text, request.weight))
         a = request.anchor
         part = clip_segment(a.x, a.y, at.x, at.y, at.x - w, at.y - h, at.x + w, at.y + h)
