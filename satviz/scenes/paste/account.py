@@ -225,7 +225,7 @@ class Account:
         return next((k for k in range(i - 1, -1, -1) if self.tokens[k].kind != LINE), -1)
 
     def span(self, i: int) -> tuple[int, int]:
-        """Return where the bracket that a token opens or closes begins and ends."""
+        """Return (start, end), as places in the text, of the bracket that a token opens or closes."""
         begin, end = (i, self.close.get(i, i)) if self.at(i).kind == OPEN else (self.open.get(i, i), i)
         return self.at(begin).start, self.at(end).end or len(self.text)
 
@@ -495,7 +495,7 @@ class Account:
         return bool(last.lower() in INSIDE or words(last) & INSIDE or words(self.aliases.get(name, "")) & INSIDE)
 
     def line(self, token: Token) -> tuple[int, int]:
-        """Return where the line of a token begins and ends."""
+        """Return (start, end), as places in the text, of the line of a token."""
         end = self.text.find("\n", token.end)
         return self.text.rfind("\n", 0, token.start) + 1, end if end >= 0 else len(self.text)
 

@@ -267,7 +267,7 @@ def notation(name: str) -> Notation | None:
 
 
 def key(name: str | int) -> str:
-    """Return what a key means, or "" for an unknown one."""
+    """Return the meaning of a key, or "" for an unknown one."""
     if isinstance(name, int):
         return ""
     plain = name.lower().replace("_", "").replace("-", "").replace(" ", "")

@@ -21,7 +21,7 @@ from .cleaned import cleaned
 from .findings import KINDS, Finding, PastedShape, listed
 from .notations import Ask, Form
 from .objects import as_text
-from .pair_findings import AnsweredPair, clear, of_pair
+from .pair_findings import AnsweredPair, clear, findings_of_pair
 from .parser import parse
 from .reading import Reader
 from .tree import Group
@@ -108,7 +108,7 @@ class PasteQuestion(NamedTuple):
 
 @dataclass(frozen=True, slots=True, repr=False)
 class Pasted:
-    """Shapes out of a text, and what is to be said of them.
+    """Shapes out of a text, and the findings about them.
 
     `readings`: every shape as it was read, also those that are refused; `questions`: where two readings are possible;
     `pairs`: the pairs that are answered, the nearest first; `findings`: the diagnosis, the main one first; `without`:
@@ -171,7 +171,7 @@ class Pasted:
         return self.traces[0].sentence
 
     def others(self, number: int = 0) -> tuple[others.View, ...]:
-        """Return what other definitions say of a pair, by its number in `pairs`."""
+        """Return the answers of other definitions about a pair, by its number in `pairs`."""
         pair = self.pairs[number]
         return tuple(others.views(pair.trace.a, pair.trace.b, pair.lies, pair.gap))
 
@@ -342,7 +342,7 @@ def _answered(asked: Pasted, *, decimals: bool, sure: bool) -> Pasted:
     pairs = _pairs(asked.readings)
     found = [finding for each in asked.readings for finding in findings.findings_of_shape(each)]
     for pair in pairs[:MAX_TRACES]:
-        found += of_pair(pair, decimals=decimals)
+        found += findings_of_pair(pair, decimals=decimals)
     found = findings.merged([*found, *asked.findings])
     if pairs and sure and not any(KINDS.index(finding.kind) < KINDS.index("clear") for finding in found):
         found.append(clear(pairs[0]))
@@ -399,7 +399,7 @@ def _named(reads: Sequence[Read], text: str) -> list[PastedShape]:
 
 
 def _questions(reader: Reader, root: Group, text: str, chosen: tuple[str, ...]) -> Iterator[PasteQuestion]:
-    """Yield what must be asked: each possible reading with the relation that it gives."""
+    """Yield the questions to the user: each possible reading with the relation that it gives."""
     keeps = reader.keeps or Ask.BOX_FORM in reader.asked
     for what, choices in reader.asked.items():
         if any(choice in chosen for choice in choices):

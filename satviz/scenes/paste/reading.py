@@ -157,7 +157,7 @@ class Reader(Calls):
         return bool(_ASSIGNED.fullmatch(self.text, begin, value.start)) and not _SECTION.search(self.text, value.end)
 
     def _begin(self, value: Any) -> int:
-        """Return where a value, or the first field of an object, begins."""
+        """Return the place in the text where a value, or the first field of an object, begins."""
         if isinstance(value, Obj) and value.fields:
             return min(map(self._begin, (*value.fields.values(), *value.rest)))
         begin: int = value.start
@@ -431,7 +431,7 @@ def _bounds(shape: Read) -> tuple[Pt, ...]:
 
 
 def _holes(rings: Sequence[Read]) -> Iterator[int]:
-    """Yield where outlines begin that lie within the bounds of the first one: [[...], [...]]."""
+    """Yield the start, in the text, of each outline that lies within the bounds of the first one: [[...], [...]]."""
     if len(rings) > 1 and (bounds := _bounds(rings[0])):
         (x0, y0), _, (x1, y1), _ = bounds
         for ring in rings[1:]:
