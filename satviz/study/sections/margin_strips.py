@@ -229,8 +229,8 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     )
     lines = (
         "Strong: half of the answers are wrong, no better than a coin. Faint: none of this sample is wrong. "
-        "▲ the worst that a sample or a search found; at the right edge the sample ends. | proven right beyond, while no product leaves the range "
-        "of float64.",
+        "▲ the worst that a sample or a search found; at the right edge the sample ends. | proven right beyond, while "
+        "no product leaves the range of float64.",
     )
     tall = 22.0 * (len(strips) + 1)
 
