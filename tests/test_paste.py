@@ -643,6 +643,11 @@ def test_a_text_that_is_cut_off_gives_a_finding():
     assert any("never closed" in str(f) for f in sv.paste(f"{SQUARE} [(0,0),(1,0),(0,1)").findings)
 
 
+def test_shapes_of_three_dimensions_are_told_nothing_clear():
+    text = "a = Polygon(P(0, 0, {}), P(4, 0, 1), P(0, 4, 1))\nb = Polygon(P(9, 9, 1), P(8, 9, 1), P(9, 8, 1))"
+    assert found(sv.paste(text.format(1)))[0] == "clear" and "clear" not in found(sv.paste(text.format(5)))
+
+
 # -- a fuzz of the reader
 
 ALPHABET = "()[]{},;:=.-+*/ \n'\"`0123456789eExXfnaN_#<>!&|\\\u2212\u0663\u00b2"

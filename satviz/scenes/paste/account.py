@@ -162,7 +162,8 @@ class Account:
         named = [self.tokens[i] for i in line if self.tokens[i].kind in (NAME, FIELD, TEXT)]
         numbers = sum(self.tokens[i].kind == NUMBER and self._is_listed(i) for i in line)
         changes = any(
-            words(token.text) & ANY_CHANGE or (token.text != "by" and owner_of(last_of(token.text))[1])
+            words(token.text) & ANY_CHANGE
+            or (token.text != "by" and owner_of(last_of(token.text))[1] not in ("", "points"))
             for token in named
         )
         makes = numbers and any(SHAPE_WORDS.search(token.text) and not is_test(token.text) for token in named)
@@ -174,6 +175,8 @@ class Account:
     def _is_listed(self, i: int) -> bool:
         """Return whether a number stands in a list or a call, and not among words."""
         among = (NAME, LINE, TEXT, OTHER)
+        if self.at(i - 1).kind == NAME and self.at(i + 1).text in (",", ":") and self.at(i + 2).kind in (NAME, LINE):
+            return False  # it should return 1, really
         return any(each.kind not in among or each.text == "|" for each in (self.at(i - 1), self.at(i + 1)))
 
     def _says(self, line: range) -> bool:
@@ -339,6 +342,8 @@ class Account:
             return True
         if self.session and before.kind == after.kind == LINE and not self.holds(self.at(i).start, self.at(i).end):
             return True
+        if before.text == "=" and self.at(i - 2).kind == CLOSE and self.is_tested(i - 2):
+            return True  # overlaps(a, b) = 1.35
         if not self.at(i).text.isdigit():
             return False
         if before.kind == LINE:

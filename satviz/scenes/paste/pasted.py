@@ -324,7 +324,8 @@ def paste(what: Any, as_: str | Sequence[str] = ()) -> Pasted:
     for pair in pairs[:MAX_TRACES]:
         found += of_pair(pair, decimals=isinstance(what, str))
     found = findings.merged([*found, *notes])
-    if pairs and not missed and not any(KINDS.index(finding.kind) < KINDS.index("clear") for finding in found):
+    flat = len(reader.thirds) < 2  # else the shapes are of three dimensions
+    if pairs and flat and not missed and not any(KINDS.index(finding.kind) < KINDS.index("clear") for finding in found):
         found.append(clear(pairs[0]))
     found.sort(key=lambda finding: KINDS.index(finding.kind))
     return replace(made, pairs=tuple(pairs), findings=tuple(found))

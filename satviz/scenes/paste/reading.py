@@ -12,7 +12,7 @@ from .axis_lists import joined, lengths, pairs_of_lists
 from .boxes import CHOICES, Read, circle, moved, transformed
 from .calls import Calls
 from .cleaned import TYPE
-from .harmless import HARMLESS, OTHER_NUMBERS, words
+from .harmless import HARMLESS, OTHER_NUMBERS, TESTS, words
 from .names import Obj, Unreadable, is_block, short
 from .notations import (
     ANY_BOX,
@@ -301,9 +301,10 @@ class Reader(Calls):
         """
         for name, arguments in group.methods:
             plain = name.lower()
-            if not (found or plain in HARMLESS):
+            passed = plain in HARMLESS or TESTS.search(plain)
+            if not (found or passed):
                 continue
-            if plain in HARMLESS and any(isinstance(v, Group) for v in arguments.items):
+            if passed and any(isinstance(v, Group) for v in arguments.items):
                 found = [*found, *self._each(arguments.items, "")]  # a.intersects(b)
                 continue
             if plain == "affine":  # the transforms of SVG
@@ -320,7 +321,7 @@ class Reader(Calls):
                 found = [self._turned(s, arguments.items[0], TURNS[plain], p) for s, p in zip(found, at, strict=True)]
                 continue
             numbers = [v for v in arguments.items if self._is_number(v)]
-            if plain not in HARMLESS and not words(plain) & OTHER_NUMBERS and numbers:
+            if not passed and not words(plain) & OTHER_NUMBERS and numbers:
                 if self.resolve(numbers[0]).turn is None:
                     self.number(numbers[0])  # says why it is none
                 raise Unreadable(f".{name}(...) is not evaluated: write the result")
@@ -343,6 +344,15 @@ class Reader(Calls):
             if is_block(group):
                 return [s for item in group.items for s in self.shapes(item, _label(item) or label)]
             return self._object(self.as_object(group), label)
+        circles = (
+            re.search("circle|balls|dis[ck]s", label, re.IGNORECASE) and not group.name
+        )  # circles = [(x, y, r), ...]
+        if (
+            circles
+            and group.items
+            and all(isinstance(v, Group) and len(v.items) == 3 == len(self.numbers(v.items) or ()) for v in group.items)
+        ):
+            return [s for v in group.items for s in self._circle(replace(v, name="c2circle"), "")]
         if "circle" in group.name.lower() and (circles := self._centers_and_radii(group.items, label)):
             return circles
         outline = self.ring(group)
