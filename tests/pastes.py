@@ -3628,14 +3628,14 @@ cv2.circle(img, (60, 20), 10, (0, 0, 255), -1)""",
         """const a = [[[0,0],[10,0],[10,10],[0,10],[0,0]], [[2,2],[8,2],[8,8],[2,8],[2,2]]];
 const b = [[[4,4],[6,4],[6,6],[4,6],[4,4]]];""",
         ((0, 0, 10, 10), (4, 4, 6, 6)),
-        says="a hole of the one before",
+        says="a hole of the first",
     ),
     Paste(
         "rings of Esri JSON",
         """{"rings":[[[0,0],[0,10],[10,10],[10,0],[0,0]],[[2,2],[8,2],[8,8],[2,8],[2,2]]]}
 {"rings":[[[4,4],[4,6],[6,6],[6,4],[4,4]]]}""",
         ((0, 0, 10, 10), (4, 4, 6, 6)),
-        says="a hole of the one before",
+        says="a hole of the first",
     ),
     Paste(
         "Phaser 2 gives a circle its diameter",
@@ -3650,8 +3650,8 @@ var b = new Phaser.Geom.Circle(160, 100, 50);""",
                 "collide_aabb::collide",
                 "Vec3::new(160.0, 275.0, 0.0), Vec2::new(80.0, 50.0), Vec3::new(232.0, 294.0, 0.0)",
             ),
-            ("aabbOverlap", "vec2(0,0), vec2(4,4), vec2(4,1), vec2(6,3)"),
-            ("trianglesOverlap", "vec2(0,0), vec2(4,0), vec2(0,4), vec2(3,3), vec2(6,3), vec2(3,6)"),
+            ("Geometry2D.segment_intersects_segment", "Vector2(0, 0), Vector2(4, 4), Vector2(0, 4), Vector2(4, 0)"),
+            ("hit = collide", "Vec2(5, 5), Vec2(10, 10), Vec2(20, 5), Vec2(10, 10)"),
         )
     ),
     Paste(
@@ -3664,8 +3664,72 @@ var b = new Phaser.Geom.Circle(160, 100, 50);""",
         "words before pairs of numbers",
         """player: pos (0, 0) vel (5, 0) size (10, 10)
 wall: pos (10, 0) vel (0, 0) size (10, 10)""",
-        (),
-        says="a word stands before each pair",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+    ),
+    Paste(
+        "words before pairs of numbers, with a center",
+        """ball: center (0, 0) velocity (5, 0) size (10, 10)
+wall: center (10, 0) velocity (0, 0) size (10, 10)""",
+        ((-5, -5, 5, 5), (5, -5, 15, 5)),
+    ),
+    Paste(
+        "centers and sizes in a test of boxes",
+        "collide_aabb::collide(Vec3::new(160.0, 275.0, 0.0), Vec2::new(80.0, 50.0), Vec3::new(232.0, 294.0, 0.0), "
+        "Vec2::new(20.0, 20.0))",
+        ((120, 250, 200, 300), (222, 284, 242, 304)),
+        as_="center-size",
+        says="third coordinate",
+        asks=True,
+    ),
+    Paste(
+        "opposite corners in a test of boxes",
+        "aabbOverlap(vec2(0,0), vec2(4,4), vec2(4,1), vec2(6,3))",
+        ((0, 0, 4, 4), (4, 1, 6, 3)),
+        as_="corner-corner",
+        asks=True,
+    ),
+    Paste(
+        "six corners in a test of triangles",
+        "trianglesOverlap(vec2(0,0), vec2(4,0), vec2(0,4), vec2(3,3), vec2(6,3), vec2(3,6))",
+        ((0, 0, 4, 4), (3, 3, 6, 6)),
+    ),
+    Paste(
+        "two holes in a call of turf",
+        """var a = turf.polygon([[[0,0],[20,0],[20,10],[0,10],[0,0]], [[2,2],[8,2],[8,8]],
+  [[12,2],[18,2],[18,8]]]);
+var b = turf.polygon([[[4,4],[6,4],[6,6],[4,6],[4,4]]]);""",
+        ((0, 0, 20, 10), (4, 4, 6, 6)),
+        says="[[12,2],[18,2],[18,8]]: a shape of its own, or a hole of the first",
+    ),
+    Paste(
+        "one outline within another in a list of shapes",
+        "polygons = [[(0,0),(10,0),(10,10),(0,10)],[(2,2),(8,2),(8,8)]]",
+        ((0, 0, 10, 10), (2, 2, 8, 8)),
+    ),
+    Paste(
+        "one outline within another in a call with two",
+        "intersects([[0,0],[10,0],[10,10],[0,10]], [[2,2],[8,2],[8,8]])",
+        ((0, 0, 10, 10), (2, 2, 8, 8)),
+    ),
+    Paste(
+        "corners that are absolute and turned, and a position that is not their center",
+        """{"position": [10, 0], "angle": 90, "points": [[10, 0], [12, 0], [12, 1], [10, 1]]}
+circle((11, 3), 1)""",
+        ((10, 0, 12, 1), (10, 2, 12, 4)),
+        as_="absolute, degrees",
+        asks=True,
+    ),
+    Paste(
+        "corners that are absolute and still to be turned",
+        """{"position": [10, 0], "angle": 90, "points": [[10, 0], [12, 0], [12, 1], [10, 1]]}
+circle((11, 3), 1)""",
+        ((9, 0, 10, 2), (10, 2, 12, 4)),
+        as_="unturned, degrees",
+        asks=True,
+    ),
+    *(
+        Paste(f"flat lists of {name}", f"{name} = [0, 0, 4, 4, 2, 2, 6, 6]", (), says="in one list")
+        for name in ("boxes", "aabbs", "rectangles")
     ),
     # -- transforms of SVG
     Paste(

@@ -102,7 +102,7 @@ CHANGING_NUMBERS = listed(
 # Words in a key, or in the name of a call, whose numbers are none of a shape.
 OTHER_NUMBERS = listed(
     """
-    velocity speed axes force torque gravity mass inertia density friction restitution color colour fill stroke
+    velocity vel speed axes force torque gravity mass inertia density friction restitution color colour fill stroke
     alpha opacity window canvas screen viewport viewbox svg area count length index id label layer category mask group
     time timestamp step size_t sleep stiffness damping damp slop constraint render print printf println log assert
     prev previous impulse motion tolerance epsilon eps expected distance camera image version line error warn info
