@@ -32,7 +32,7 @@ from satviz.advice.models import evaluate, prepare
 from satviz.advice.pairs import paired
 from satviz.advice.relative_margin import relative_margin, signed_relative_margin
 from satviz.advice.scope import ANYWHERE, HERE, MOVED, MULTIPLES, Scope, power_of_two_bound
-from satviz.advice.shapesfile import load
+from satviz.advice.shapesfile import load_shapes
 from satviz.cli import main
 from satviz.engine.axis_count import NUMBER_WORDS, axes_hint, count_axes
 from satviz.engine.convex_parts import parts
@@ -926,7 +926,7 @@ def test_no_file_of_random_bytes_makes_satviz_fail(tmp_path):
     for raw in files:
         bad.write_bytes(raw)
         try:
-            seen[len(load(bad)[0])] += 1
+            seen[len(load_shapes(bad)[0])] += 1
         except sv.InvalidScene as error:
             seen["refused"] += 1
             assert str(bad) in str(error) and "\n" not in str(error), raw

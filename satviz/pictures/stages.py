@@ -9,6 +9,7 @@ from typing import NamedTuple, SupportsIndex
 
 from ..engine import describe
 from ..engine.axes import ANY, CENTROIDS, FROM_EDGES, GIVEN, WORLD
+from ..engine.geometry import InvalidScene
 from ..engine.trace import Trace
 from ..scenes.resolve import EXPECT_RUN, SceneLike, resolve
 
@@ -54,6 +55,18 @@ def steps(what: SceneLike) -> list[Step]:
     else:
         found += [Step(stage, t) for t in range(len(trace.tests)) for stage in _stages_of_test(trace, t)]
     return [*found, Step(Stage.VERDICT)]
+
+
+def step_range(trace: Trace, given: tuple[int, int] | None) -> tuple[int, int]:
+    """Return the numbers of the first and the last step, from 0, of the given two; None means all steps.
+
+    A negative number counts from the end.  InvalidScene for a step that the run does not have.
+    """
+    count = len(steps(trace))
+    first, last = (step % count if step < 0 else step for step in given or (0, -1))
+    if last >= count:
+        raise InvalidScene(f"the run has no step {last}: its steps are 0 to {count - 1}")
+    return first, last
 
 
 def _stages_of_test(trace: Trace, test: int) -> Sequence[Stage]:
