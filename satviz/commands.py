@@ -169,12 +169,12 @@ def _drawable_refused(args: argparse.Namespace, found: "Resolved") -> _Drawable:
 
 def _drawable_run(args: argparse.Namespace, found: "Resolved") -> _Drawable:
     """Return a run's drawings, as --sheet, --steps and --caption ask for; Refused if it cannot be drawn."""
-    from .pictures import picture, steps
+    from .pictures import picture
     from .pictures.caption import add_captions
     from .pictures.difference_steps import difference_steps
     from .pictures.moves import animation, turning
     from .pictures.sheet import sheet
-    from .pictures.stages import step_range
+    from .pictures.stages import step_range, steps_of
     from .pictures.turning_axis import sweep
     from .render.page import page
 
@@ -184,7 +184,7 @@ def _drawable_run(args: argparse.Namespace, found: "Resolved") -> _Drawable:
     except ValueError as error:
         raise Refused(str(error)) from None
     first, last = step_range(trace, args.step)
-    count = len(steps(trace))
+    count = len(steps_of(trace))
     captioned: Callable[[Sequence[Picture]], Sequence[Picture]] = add_captions if args.caption else list
 
     def still(step: int) -> "Sequence[Picture]":
@@ -195,11 +195,15 @@ def _drawable_run(args: argparse.Namespace, found: "Resolved") -> _Drawable:
         alone = args.step is not None and first == last
         return captioned([picture(trace, step, title=scene.title, by_itself=alone)])
 
+    every: Sequence[Picture] = ()
+    if args.sweep or args.difference:
+        every = (sweep if args.sweep else difference_steps)(trace, title=scene.title)
+
     def frames() -> "Animation":
         """Return the animation of the run, of the axis that turns or of how B - A comes about; sentences are below."""
         if args.sweep:
-            return turning(add_captions(sweep(trace)), speed=args.speed or 1.0)
-        drawn = difference_steps(trace) if args.difference else [picture(trace, s) for s in range(first, last + 1)]
+            return turning(add_captions(every), speed=args.speed or 1.0)
+        drawn = every or [picture(trace, s) for s in range(first, last + 1)]
         return animation(add_captions(drawn, brief=True), speed=args.speed or 1.0)
 
     whole_page = partial(
@@ -207,9 +211,8 @@ def _drawable_run(args: argparse.Namespace, found: "Resolved") -> _Drawable:
         speed=args.speed or 1.0,
     )  # fmt: skip
 
-    if args.sweep or args.difference:
+    if every:
         name = f"{scene.name}-{'sweep' if args.sweep else 'difference'}"
-        every = (sweep if args.sweep else difference_steps)(trace, title=scene.title)
         digits = len(str(len(every) - 1))
         own = [(f"{name}-{n:0{digits}}", partial(captioned, [drawn])) for n, drawn in enumerate(every)]
         return _Drawable(name, own, frames, whole_page)

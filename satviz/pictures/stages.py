@@ -46,7 +46,11 @@ class Step(NamedTuple):
 
 def steps(what: SceneLike) -> list[Step]:
     """Return every step of a trace (or of a scene's trace) in drawing order, from the bare scene to the verdict."""
-    trace = resolve(what, expected=EXPECT_RUN).trace
+    return steps_of(resolve(what, expected=EXPECT_RUN).trace)
+
+
+def steps_of(trace: Trace) -> list[Step]:
+    """Return every step of a trace in drawing order."""
     found = [Step(Stage.SCENE)]
     if trace.pairs:
         found.append(Step(Stage.PARTS))
@@ -62,7 +66,7 @@ def step_range(trace: Trace, given: tuple[int, int] | None) -> tuple[int, int]:
 
     A negative number counts from the end.  InvalidScene for a step that the run does not have.
     """
-    count = len(steps(trace))
+    count = len(steps_of(trace))
     first, last = (step % count if step < 0 else step for step in given or (0, -1))
     if last >= count:
         raise InvalidScene(f"the run has no step {last}: its steps are 0 to {count - 1}")
@@ -76,7 +80,7 @@ def _stages_of_test(trace: Trace, test: int) -> Sequence[Stage]:
 
 def resolve_step(trace: Trace, step: int | Step) -> Step:
     """Return the Step meant by a number in `steps(trace)` or by a Step; IndexError if there is none."""
-    every = steps(trace)
+    every = steps_of(trace)
     if not isinstance(step, Step):
         if not isinstance(step, SupportsIndex):
             raise TypeError(f"step is {step!r}: pass a number or a Step")
