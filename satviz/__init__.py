@@ -10,7 +10,7 @@ from .engine.geometry import Interval, InvalidScene, InvalidShape, Relation, Vec
 from .engine.relate import relate
 from .engine.shapes import Circle, Polygon
 
-if TYPE_CHECKING:  # what `__getattr__` loads at first use, for type checkers
+if TYPE_CHECKING:  # type checkers see here the names that `__getattr__` loads at first use
     from . import batch, testing
     from .advice.advising import Recommendation, advise
     from .checking.checked import Checked

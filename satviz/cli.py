@@ -15,7 +15,7 @@ from .checking.pairs import KINDS as PAIR_KINDS
 from .commands import Failed, Refused
 from .engine.geometry import InvalidScene
 from .render.formats import FORMATS, STILL_FORMATS
-from .scenes.embedding import PARTS
+from .scenes.embedding import VIEW_PARTS
 from .scenes.link import GOALS
 from .scenes.minimal_test import LANGUAGES
 from .scenes.paste.boxes import ALL_CHOICES
@@ -194,7 +194,7 @@ def _parser() -> argparse.ArgumentParser:
     draw.add_argument("--predict", action="store_true", help="ask the reader for each result (page, link, frame)")
     draw.add_argument("--goal", choices=GOALS, help="set this challenge (link, frame)")
     draw.add_argument("--play", action="store_true", help="step through the run (frame)")
-    draw.add_argument("--show", action="append", choices=PARTS, help="show this too (frame); may be repeated")
+    draw.add_argument("--show", action="append", choices=VIEW_PARTS, help="show this too (frame); may be repeated")
     draw.add_argument(
         "--speed",
         type=_speed,

@@ -69,7 +69,7 @@ def _print(text: str) -> None:
     try:
         print(text, flush=True)
     except OSError as error:
-        with suppress(OSError, ValueError):  # what is left in the stream must not fail once more at exit
+        with suppress(OSError, ValueError):  # the text left in the stream must not fail once more at exit
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         raise OSError(error.errno, error.strerror, "standard output") from None
 

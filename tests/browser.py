@@ -19,7 +19,9 @@ from pathlib import Path
 import pytest
 
 REQUIRED = os.environ.get("SATVIZ_BROWSER") == "required"
-CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+# The shell is Chromium without windows, and opens a page with a quarter of the work.
+NAMES = "chromium-headless-shell", "chromium", "chromium-browser", "google-chrome"
+CHROMIUM = next(filter(None, map(shutil.which, NAMES)), None)
 
 
 def missing(what):
@@ -117,6 +119,19 @@ def site_with_python(folder):
     if lacks:
         missing(lacks[0])
     for path, data in found:
+        write(folder / path, data)
+    return folder
+
+
+SITE_URL = "https://example.org/a/satviz/"
+
+
+def still_site(folder):
+    """Write the site without Python, which knows its address, into the folder and return the folder."""
+    from satviz.safe_write import write
+    from satviz.site.build import site
+
+    for path, data in site(live=False, url=SITE_URL)[0]:
         write(folder / path, data)
     return folder
 

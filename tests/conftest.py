@@ -6,7 +6,7 @@ import re
 from fcntl import LOCK_EX, flock
 
 import pytest
-from browser import axe, chromium, site_with_python
+from browser import axe, chromium, site_with_python, still_site
 
 gc.disable()  # while tests are collected: their objects live as long as the run
 
@@ -35,10 +35,11 @@ def pytest_xdist_auto_num_workers(config):
 
 # The files that take longest, in the order in which processes take them: those that end a run are short.  batch_few
 # compiles most of numba's kernels.  What needs the same ones comes later: two processes would both compile them.
-ORDER = ("browser_page", "browser_site", "browser", "embedding_recipes", "grading", "package", "study_sections")
-ORDER += ("batch_few", "check", "comparison", "trace", "widgets", "pictures", "site", "batch_exact", "batch_narrow")
-ORDER += ("browser_paste", "convex_parts", "study_run", "study", "while_dragging", "never_wrong", "cli", "relate")
-ORDER += ("readme", "handout", "failing", "page", "render", "advice", "batch_broad", "notebooks")
+ORDER = ("browser_site", "browser_page", "browser", "notebooks", "embedding_recipes", "types", "grading", "package")
+ORDER += ("study_sections", "batch_few", "check", "comparison", "trace", "widgets", "pictures", "site", "batch_exact")
+ORDER += ("never_wrong", "readme", "advice", "batch_work", "batch_narrow", "paste_texts", "browser_paste")
+ORDER += ("convex_parts", "study_run", "study", "while_dragging", "cli", "relate", "handout", "failing", "page")
+ORDER += ("render", "batch_broad")
 
 
 def pytest_collection_modifyitems(items):
@@ -57,17 +58,29 @@ def axe_core():
     return axe()
 
 
-@pytest.fixture(scope="session")
-def built(tmp_path_factory):
-    """Return the folder of the site with Python, made by the process that needs it first; the others read it."""
+def made_once(tmp_path_factory, make):
+    """Return the folder that `make` fills; the process that needs it first makes it, and the others read it."""
     if "PYTEST_XDIST_WORKER" not in os.environ:
-        return site_with_python(tmp_path_factory.mktemp("site"))
-    folder = tmp_path_factory.getbasetemp().parent / "site"
+        return make(tmp_path_factory.mktemp(make.__name__))
+    folder = tmp_path_factory.getbasetemp().parent / make.__name__
     with folder.with_suffix(".lock").open("w") as lock:
         flock(lock, LOCK_EX)
         if not folder.exists():
-            site_with_python(folder.with_suffix(".part")).rename(folder)
+            make(folder.with_suffix(".part")).rename(folder)
     return folder
+
+
+@pytest.fixture(scope="session")
+def built(tmp_path_factory):
+    """Return the folder of the site with Python."""
+    return made_once(tmp_path_factory, site_with_python)
+
+
+@pytest.fixture(scope="session")
+def still_files(tmp_path_factory):
+    """Return the files of the site without Python at its address."""
+    folder = made_once(tmp_path_factory, still_site)
+    return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
 
 
 @pytest.fixture

@@ -318,7 +318,7 @@ def colliding_kinds(pairs: Pairs, engine: str) -> list[bool]:
 
 
 def colliding_padded(pairs: Pairs, engine: str) -> list[bool]:
-    """Return for each pair whether it collides in a batch of padded arrays, where nothing is behind the last corner."""
+    """Return for each pair whether it collides in a batch of padded arrays, with nothing after the last corner."""
     shapes = [s for pair in pairs for s in pair]
     counts = np.array([1 if isinstance(s, Circle) else len(s.vertices) for s in shapes])
     corners = np.full((len(shapes), counts.max(), 2), np.nan)

@@ -289,8 +289,7 @@ circle((0, 0), 1)""",
         "a matrix in an SVG rect",
         """<rect x="0" y="0" width="10" height="10" transform="matrix(2 0.3 -0.2 3 4 5)"/>
 <circle cx="5" cy="5" r="3"/>""",
-        ((2, 2, 8, 8),),
-        says="transform",
+        ((2, 5, 24, 38), (2, 2, 8, 8)),
     ),
     Paste(
         "originX of Fabric",
@@ -394,7 +393,7 @@ circle((9, 9), 1)""",
         as_="corner-size",
     ),
     Paste(
-        "text behind a bracket",
+        "text after a bracket",
         """[(0,0), (4,0), (4,4), (0,4)] is the first polygon (4 corners)
 [(5,0), (9,0), (9,4), (5,4)] is the second one, 1 away""",
         ((0, 0, 4, 4), (5, 0, 9, 4)),
@@ -913,9 +912,41 @@ love.graphics.circle("fill", 60, 5, 5)""",
     Paste(
         "bump.lua",
         """world:add(A, 0, 0, 64, 256)
-world:add(B, 64, 0, 32, 32)""",
-        (),
-        says="world",
+world:add("B", 64, 0, 32, 32)""",
+        ((0, 0, 64, 256), (64, 0, 96, 32)),
+    ),
+    Paste(
+        "bump.lua, moved",
+        """world:add(A, 0, 0, 64, 256)
+world:add(B, 64, 0, 32, 32)
+world:move(B, 0, 64)""",
+        ((0, 0, 64, 256), (64, 0, 96, 32)),
+        says="move",
+    ),
+    Paste(
+        "three.js, boxes of points",
+        """const pts = [new THREE.Vector2(0, 0), new THREE.Vector2(4, 1), new THREE.Vector2(2, 4)];
+const a = new THREE.Box2().setFromPoints(pts);
+const b = new THREE.Box2();
+b.setFromPoints([new THREE.Vector2(3, 0), new THREE.Vector2(7, 4)]);
+const c = new THREE.Box2().setFromCenterAndSize(new THREE.Vector2(3, 0), new THREE.Vector2(8, 4));
+const d = new THREE.Box2();
+d.set(new THREE.Vector2(3, 0), new THREE.Vector2(7, 4));""",
+        ((0, 0, 4, 4), (3, 0, 7, 4), (-1, -2, 7, 2), (3, 0, 7, 4)),
+    ),
+    Paste(
+        "turf.bboxPolygon",
+        """const bbox = [0, 0, 4, 4];
+const a = turf.bboxPolygon(bbox);
+const b = turf.bboxPolygon([3, 0, 7, 4]);""",
+        ((0, 0, 4, 4), (3, 0, 7, 4)),
+    ),
+    Paste(
+        "paper.js",
+        """var a = new paper.Path.Rectangle({ from: new Point(0, 0), to: new Point(4, 4), strokeColor: 'black' });
+var b = new Path.Rectangle({point: [3, 3], size: [4, 4]});
+var c = new Path.Circle(new Point(3, 3), 2);""",
+        ((0, 0, 4, 4), (3, 3, 7, 7), (1, 1, 5, 5)),
     ),
     Paste(
         "YAML",
@@ -1673,8 +1704,7 @@ rect(5, 5, 10, 10);""",
         "svg g",
         """<g transform="translate(100 0)"><rect x="0" y="0" width="10" height="10"/></g>
 <rect x="5" y="5" width="10" height="10"/>""",
-        ((0, 0, 10, 10), (5, 5, 15, 15)),
-        says="translate",
+        ((100, 0, 110, 10), (5, 5, 15, 15)),
     ),
     Paste(
         "matter setPosition",
@@ -3317,5 +3347,381 @@ b2Circle b = {{5, 0}, 1};""",
         "Polygon([(0, 0), (4, 0), (4, 4)], foo=(3, 4))",
         ((0, 0, 4, 4),),
         says="foo 3, 4",
+    ),
+    # -- logs, debuggers, changes
+    Paste(
+        "syslog",
+        """Nov 27 11:06:25 host game[1234]: circle((0, 0), 5)
+Nov  3 11:06:26 my.host physics: circle((3, 0), 5)""",
+        ((-5, -5, 5, 5), (-2, -5, 8, 5)),
+    ),
+    Paste(
+        "syslog of RFC 5424",
+        """<34>1 2003-10-11T22:14:15.003Z machine app 123 ID47 - circle((0, 0), 5)
+<34>1 2003-10-11T22:14:15.004Z machine app 123 ID47 - circle((3, 0), 5)""",
+        ((-5, -5, 5, 5), (-2, -5, 8, 5)),
+    ),
+    Paste(
+        "glog",
+        """I0512 10:11:12.123456 1234 main.cc:33] QRect(0, 0, 4, 4)
+W0512 10:11:12.123456 1234 main.cc:34] QRect(3, 0, 4, 4)""",
+        ((0, 0, 4, 4), (3, 0, 7, 4)),
+    ),
+    Paste(
+        "a log with seconds since 1970",
+        """[1715500000.123] QRect(0, 0, 4, 4)
+[1715500000.456] QRect(3, 0, 4, 4)""",
+        ((0, 0, 4, 4), (3, 0, 7, 4)),
+    ),
+    Paste(
+        "a watch window of Visual Studio",
+        """-\t\ta\t{ size=3 }\tstd::vector<sf::Vector2<float>,std::allocator<sf::Vector2<float>>>
+\t\t[capacity]\t3\tunsigned __int64
+\t\t[allocator]\tallocator\tstd::_Compressed_pair<...>
++\t\t[0]\t{x=0.00000000 y=0.00000000 }\tsf::Vector2<float>
++\t\t[1]\t{x=4.00000000 y=0.00000000 }\tsf::Vector2<float>
++\t\t[2]\t{x=0.00000000 y=3.00000000 }\tsf::Vector2<float>
+-\t\tb\t{ size=3 }\tstd::vector<Vec2>
+\t\t[0]\t{x=1.00000000 y=1.00000000 }\tVec2
+\t\t[1]\t{x=5.00000000 y=1.00000000 }\tVec2
+\t\t[2]\t{x=1.00000000 y=4.00000000 }\tVec2""",
+        ((0, 0, 4, 3), (1, 1, 5, 4)),
+    ),
+    Paste(
+        "a watch window with structs and an array",
+        """a\t{x=0.0 y=0.0 r=5.0}\tCircle
+verts\t0x00f3fa4c {{x=0.0 y=0.0}, {x=4.0 y=0.0}, {x=0.0 y=3.0}}\tVec2[3]""",
+        ((-5, -5, 5, 5), (0, 0, 4, 3)),
+    ),
+    Paste(
+        "words after a struct", "{x=0 y=0 r=5}\tmoved 4\n{x=3 y=0 r=5}", ((-5, -5, 5, 5), (-2, -5, 8, 5)), says="moved"
+    ),
+    Paste(
+        "gdb",
+        """$1 = std::vector of length 3, capacity 4 = {{x = 0, y = 0}, {x = 4, y = 0}, {x = 0, y = 3}}
+(gdb) p box
+$2 = {min = {x = 1, y = 1}, max = {x = 5, y = 4}}""",
+        ((0, 0, 4, 3), (1, 1, 5, 4)),
+    ),
+    Paste(
+        "lldb",
+        """(std::vector<Vec2>) a = size=3 {
+  [0] = (x = 0, y = 0)
+  [1] = (x = 4, y = 0)
+  [2] = (x = 0, y = 3)
+}
+(CGRect) $R1 = (origin = (x = 3, y = 0), size = (width = 4, height = 4))""",
+        ((0, 0, 4, 3), (3, 0, 7, 4)),
+    ),
+    Paste(
+        "diff of a CSV file",
+        """--- a/shapes.csv
++++ b/shapes.csv
+@@ -1,8 +1,8 @@
+ shape,x,y
+ a,0,0
+ a,4,0
+-a,0,2
++a,0,3
+ b,1,1
+ b,5,1
+ b,1,4""",
+        ((0, 0, 4, 3), (1, 1, 5, 4)),
+    ),
+    Paste(
+        "diff of a CSV file with sizes",
+        """@@ -1,3 +1,3 @@
+ x,y,r
+-0,0,4
++1,1,4
+ 3,0,4""",
+        ((-3, -3, 5, 5), (-1, -4, 7, 4)),
+    ),
+    # -- what is no shape, or may be none
+    Paste(
+        "GDScript, exported variables that instances set",
+        """class_name Hitbox
+extends Resource
+@export var rect = Rect2(0, 0, 4, 4)
+
+var a = Hitbox.new()
+a.rect = Rect2(1, 1, 4, 4)
+var b = Hitbox.new()
+b.rect = Rect2(3, 1, 4, 4)""",
+        ((1, 1, 5, 5), (3, 1, 7, 5)),
+    ),
+    Paste(
+        "GDScript, exported variables beside shapes",
+        """extends Area2D
+class_name Hitbox
+@export var x = 0
+@export var y = 0
+@export_range(0, 10) var width = 4
+@export var height = 3
+
+var a = Rect2(0, 0, 4, 4)
+var b = Rect2(3, 0, 4, 4)""",
+        ((0, 0, 4, 4), (3, 0, 7, 4)),
+        says="what a class begins with",
+    ),
+    Paste(
+        "GDScript of Godot 3, exported variables alone",
+        """extends KinematicBody2D
+export(int) var radius = 5
+export var center = Vector2(10, 10)""",
+        ((5, 5, 15, 15),),
+    ),
+    *(
+        Paste(
+            f"circles beside {line!r}",
+            f"circle((0, 0), 5)\ncircle((3, 0), 5)\n{line}",
+            ((-5, -5, 5, 5), (-2, -5, 8, 5)),
+            says="something else" if any(c in line for c in "[(") or line[0] == "1" else line[:3],
+        )
+        for line in (
+            "Edit: with (0, 0, 5, 5) it works",
+            "EDIT 2: [0, 0, 5, 5] too",
+            "Update: circle((9, 9), 5)",
+            "I tried box(0, 0, 5, 5)",
+            "phone: (0, 30, 123, 4567)",
+            "VERSION = [1, 2, 3, 4]",
+            "__version__ = (3, 12, 1, 0)",
+            "color = [1, 0, 0, 1]",
+            "12, 5, 2024, 10",
+        )
+    ),
+    Paste(
+        "a shape that may be none, taken in",
+        "circle((0, 0), 5)\ncircle((3, 0), 5)\nEdit: circle((9, 9), 5)",
+        ((-5, -5, 5, 5), (-2, -5, 8, 5), (4, 4, 14, 14)),
+        as_="take-in",
+    ),
+    Paste(
+        "shapes in a sentence that says that they work",
+        "[(0, 0), (4, 0), (0, 3)] works, [(1, 1), (5, 1), (1, 4)] not",
+        ((0, 0, 4, 3), (1, 1, 5, 4)),
+    ),
+    # -- files of engines
+    Paste(
+        "colliders of Unity",
+        """--- !u!61 &1234567
+BoxCollider2D:
+  m_Enabled: 1
+  m_Offset: {x: 1, y: 2}
+  serializedVersion: 2
+  m_Size: {x: 4, y: 4}
+  m_EdgeRadius: 0
+--- !u!58 &1234568
+CircleCollider2D:
+  m_Offset: {x: 7, y: 0}
+  m_Radius: 5
+--- !u!60 &1234569
+PolygonCollider2D:
+  m_Offset: {x: 1, y: 0}
+  m_Points:
+    m_Paths:
+    - - {x: 0, y: 0}
+      - {x: 4, y: 0}
+      - {x: 0, y: 3}
+EdgeCollider2D:
+  m_Points:
+  - {x: 1, y: 1}
+  - {x: 5, y: 1}
+  - {x: 1, y: 4}""",
+        ((-1, 0, 3, 4), (2, -5, 12, 5), (1, 0, 5, 3), (1, 1, 5, 4)),
+    ),
+    Paste(
+        "a collider of Unity with a transform",
+        """Transform:
+  m_LocalPosition: {x: 10, y: 0, z: 0}
+  m_LocalScale: {x: 2, y: 2, z: 1}
+BoxCollider2D:
+  m_Size: {x: 4, y: 4}
+CapsuleCollider2D:
+  m_Size: {x: 4, y: 8}""",
+        ((-2, -2, 2, 2),),
+        says="CapsuleCollider2D is not read",
+    ),
+    Paste(
+        "a scene of Godot with resources",
+        """[gd_scene load_steps=2 format=3 uid="uid://abc"]
+
+[sub_resource type="RectangleShape2D" id="1"]
+size = Vector2(4, 2)
+
+[sub_resource type="CircleShape2D" id="2_x"]
+radius = 5.0
+
+[node name="Player" type="Area2D" parent="."]
+position = Vector2(10, 20)
+
+[node name="A" type="CollisionShape2D" parent="Player"]
+position = Vector2(1, 1)
+shape = SubResource("1")
+
+[node name="B" type="CollisionShape2D" parent="."]
+position = Vector2(5, 1)
+rotation = 1.5
+shape = SubResource("2_x")
+
+[node name="C" type="CollisionPolygon2D" parent="."]
+position = Vector2(1, 1)
+polygon = PackedVector2Array(0, 0, 4, 0, 0, 3)""",
+        ((9, 20, 13, 22), (0, -4, 10, 6), (1, 1, 5, 4)),
+    ),
+    Paste(
+        "a scene of Godot 3 with extents and a scale",
+        """[sub_resource type="RectangleShape2D" id=1]
+extents = Vector2( 4, 4 )
+
+[node name="A" type="CollisionShape2D" parent="."]
+position = Vector2( 1, 1 )
+shape = SubResource( 1 )
+
+[node name="B" type="CollisionShape2D" parent="."]
+position = Vector2( 5, 1 )
+scale = Vector2( 2, 2 )
+shape = SubResource( 1 )""",
+        ((-3, -3, 5, 5), (1, -3, 9, 5)),
+        says="scale 2, 2",
+    ),
+    Paste(
+        "a scene of Godot with a capsule",
+        """[sub_resource type="CapsuleShape2D" id="1"]
+radius = 5.0
+height = 20.0
+
+[sub_resource type="CircleShape2D" id="2"]
+radius = 5.0""",
+        ((-5, -5, 5, 5),),
+        says="CapsuleShape2D is not read",
+    ),
+    Paste(
+        "blocks of YAML with other keys between the numbers",
+        """a:
+  x: 0
+  y: 0
+  visible: true
+  radius: 5
+b:
+  x: 9
+  enabled: true
+  y: 0
+  radius: 5""",
+        ((-5, -5, 5, 5), (4, -5, 14, 5)),
+    ),
+    # -- what an outsider found
+    Paste(
+        "OpenCV draws a box by two corners",
+        """cv2.rectangle(img, (10, 10), (50, 30), (0, 255, 0), 2)
+cv2.circle(img, (60, 20), 10, (0, 0, 255), -1)""",
+        ((10, 10, 50, 30), (50, 10, 70, 30)),
+    ),
+    Paste(
+        "Matter.js prints corners that are absolute and turned",
+        """{"position":{"x":100,"y":100},"angle":0.7853981633974483,"vertices":[{"x":100,"y":71.7157},{"x":128.2843,"y":100},{"x":100,"y":128.2843},{"x":71.7157,"y":100}]}
+{"position":{"x":150,"y":100},"angle":0,"vertices":[{"x":140,"y":90},{"x":160,"y":90},{"x":160,"y":110},{"x":140,"y":110}]}""",
+        ((71.7157, 71.7157, 128.2843, 128.2843), (140, 90, 160, 110)),
+    ),
+    Paste(
+        "a hole in GeoJSON order",
+        """const a = [[[0,0],[10,0],[10,10],[0,10],[0,0]], [[2,2],[8,2],[8,8],[2,8],[2,2]]];
+const b = [[[4,4],[6,4],[6,6],[4,6],[4,4]]];""",
+        ((0, 0, 10, 10), (4, 4, 6, 6)),
+        says="a hole of the one before",
+    ),
+    Paste(
+        "rings of Esri JSON",
+        """{"rings":[[[0,0],[0,10],[10,10],[10,0],[0,0]],[[2,2],[8,2],[8,8],[2,8],[2,2]]]}
+{"rings":[[[4,4],[4,6],[6,6],[6,4],[4,4]]]}""",
+        ((0, 0, 10, 10), (4, 4, 6, 6)),
+        says="a hole of the one before",
+    ),
+    Paste(
+        "Phaser 2 gives a circle its diameter",
+        """var a = new Phaser.Circle(100, 100, 50);
+var b = new Phaser.Geom.Circle(160, 100, 50);""",
+        ((75, 75, 125, 125), (110, 50, 210, 150)),
+    ),
+    *(
+        Paste(f"points of a test, {name}", f"{name}({points})", (), says="does not say what its points are")
+        for name, points in (
+            (
+                "collide_aabb::collide",
+                "Vec3::new(160.0, 275.0, 0.0), Vec2::new(80.0, 50.0), Vec3::new(232.0, 294.0, 0.0)",
+            ),
+            ("aabbOverlap", "vec2(0,0), vec2(4,4), vec2(4,1), vec2(6,3)"),
+            ("trianglesOverlap", "vec2(0,0), vec2(4,0), vec2(0,4), vec2(3,3), vec2(6,3), vec2(3,6)"),
+        )
+    ),
+    Paste(
+        "a rectangle with a position and no size",
+        "rectangle position (10, 10), circle position (50, 20), radius 4",
+        ((46, 16, 54, 24),),
+        says="10, 10",
+    ),
+    Paste(
+        "words before pairs of numbers",
+        """player: pos (0, 0) vel (5, 0) size (10, 10)
+wall: pos (10, 0) vel (0, 0) size (10, 10)""",
+        (),
+        says="a word stands before each pair",
+    ),
+    # -- transforms of SVG
+    Paste(
+        "SVG groups with transforms",
+        """<svg viewBox="0 0 100 100">
+ <g transform="translate(10 5) scale(2)">
+  <circle cx="0" cy="0" r="4"/>
+  <g transform="translate(1)" fill="red"><polygon points="0,0 4,0 0,3"/></g>
+  <g><rect width="1" height="2"/></g>
+ </g>
+ <rect x="12" y="0" width="4" height="4"/>
+</svg>""",
+        ((2, -3, 18, 13), (12, 5, 20, 11), (10, 5, 12, 9), (12, 0, 16, 4)),
+    ),
+    Paste(
+        "SVG elements with transforms",
+        """<rect width="4" height="4" transform="scale(2, .5)"/>
+<rect x="12" width="4" height="4" transform="matrix(1 0 0 1 5 5)"/>
+<rect width="4" height="2" transform="translate(3 4) rotate(90)"/>
+<rect x="12" width="4" height="4" transform="rotate(45, 14 2)"/>
+<circle cx="12" r="4" transform="matrix(3 4 -4 3 0 0)"/>""",
+        (
+            (0, 0, 8, 2),
+            (17, 5, 21, 9),
+            (1, 4, 3, 8),
+            (11.171572875, -0.828427125, 16.828427125, 4.828427125),
+            (16, 28, 56, 68),
+        ),
+    ),
+    *(
+        Paste(
+            f"SVG with {transform}",
+            f'<circle r="4" {transform}/>\n<circle cx="7" r="4"/>\n<rect width="1" height="1"/>',
+            ((3, -4, 11, 4), (0, 0, 1, 1)),
+            says=says,
+        )
+        for transform, says in (
+            ('transform="skewX(30)"', "'skewX(30)' is not applied"),
+            ('transform="scale(2, 1)"', "makes an ellipse of a circle"),
+            ('transform="scale(k)"', "'scale(k)' is not applied"),
+            ('transform="rotate(1 2)"', "'rotate(1 2)' is not applied"),
+            ('transform="rotate(5)" transform-origin="2 2"', "'2 2' is not applied"),
+        )
+    ),
+    *(
+        Paste(
+            f"an SVG group with {transform}",
+            f'<g {transform}><circle r="4"/></g>\n<circle cx="7" r="4"/>',
+            ((-4, -4, 4, 4), (3, -4, 11, 4)),
+            says=says,
+        )
+        for transform, says in (
+            ('transform="skewX(30)"', "skewX"),
+            ('transform="rotate(5)" transform-origin="2 2"', "rotate"),
+            ("transform={at}", "circle"),
+            ('style="transform: scale(2)"', "scale 2"),
+        )
     ),
 )

@@ -284,9 +284,7 @@ shape = SubResource("CircleShape2D_abc")
 
 [node name="Wall" type="CollisionPolygon2D" parent="."]
 polygon = PackedVector2Array(110, 40, 150, 40, 150, 80, 110, 80)""",
-        ((110, 40, 150, 80),),
-        as_="leave-out",
-        asks=True,
+        ((84, 34, 116, 66), (110, 40, 150, 80)),
     ),
     Paste(
         "unity bounds log",
@@ -1321,7 +1319,9 @@ Enemy global_position (150, 80) shape radius 14""",
     - - {x: 5, y: 0}
       - {x: 7, y: 0}
       - {x: 7, y: 2}""",
-        (),
+        ((0, 0, 2, 2),),
+        as_="leave-out",
+        asks=True,
     ),
     Paste(
         "unity log vec",
@@ -1881,7 +1881,7 @@ UE_LOG(LogTemp, Warning, TEXT("%d"), A.Intersect(B));""",
         asks=True,
     ),
     Paste(
-        "decimal commas behind names",
+        "decimal commas after names",
         """name;x;y;radius
 ball;1,5;2,5;0,5
 peg;2,5;2,5;0,75""",

@@ -90,7 +90,7 @@ def test_the_modules_of_a_package_are_listed_in_the_order_of_their_imports(packa
         assert set(inside) <= {*below, module}, module
 
 
-def test_pictures_know_no_pen_and_only_render_and_the_charts_know_artists():
+def test_pictures_import_no_pen_and_only_render_and_the_charts_import_artists():
     for path in files():
         text = path.read_text(encoding="utf-8")
         if layer_of(path) == "pictures":

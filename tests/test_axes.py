@@ -229,7 +229,7 @@ def test_nearest_vertex_has_no_axis_without_a_circle_or_without_a_polygon_or_wit
 
 
 @pytest.mark.parametrize("pair", PAIRS)
-def test_which_choices_are_complete(pair):
+def test_exactly_the_known_choices_of_axes_are_complete(pair):
     a, b = PAIRS[pair]
     complete = {name for name, choose in axes.NAMED.items() if choose(a, b).complete}
     assert (

@@ -203,7 +203,7 @@ def one_by_one(monkeypatch):
 
 
 @pytest.mark.parametrize("kind", [*SCENES, *(f"{kind}, of which none touches" for kind in SCENES if "circles" in kind)])
-def test_every_way_of_few_shapes_finds_the_pairs_and_leaves_only_touching_ones_to_exact_arithmetic(
+def test_every_code_path_of_few_shapes_finds_the_pairs_and_leaves_only_touching_ones_undecided(
     kind, exactly, one_by_one, monkeypatch
 ):
     shapes, hits, touching = scene(kind)
@@ -301,7 +301,7 @@ NEAR = (
 
 
 @pytest.mark.parametrize("make", NEAR)
-def test_every_way_of_few_shapes_is_right_within_the_last_bits_of_a_contact(make, monkeypatch):
+def test_every_code_path_of_few_shapes_is_right_within_the_last_bits_of_a_contact(make, monkeypatch):
     rng, found_any = RNG(len(make.__name__)), []
     for k in range(60):
         shapes = make(rng)

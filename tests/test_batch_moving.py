@@ -293,7 +293,7 @@ def test_moving_warns_where_the_processor_flushes_subnormal_numbers_to_zero(monk
                 batch.move(shapes, corners)
 
 
-def test_plain_coordinates_are_certified_at_once(made_by, monkeypatch):
+def test_moving_to_valid_coordinates_skips_the_slow_checks(made_by, monkeypatch):
     """Slower checks take several times as long for each frame."""
     monkeypatch.setattr(moving, "_checked", lambda *_: pytest.fail("not certified"))
     alike = "boxes", "one triangle", "five corners", "eight corners"

@@ -43,7 +43,7 @@ from satviz.study import truth as oracle
 
 @pytest.mark.parametrize("engine", ENGINES)
 @pytest.mark.parametrize("kinds", ["33", "44", "88", "34", "38", "57", "11", "13", "81", "19"])
-def test_batch_relations_are_the_scalar_ones(engine, kinds):
+def test_batch_relations_are_the_scalar_relations(engine, kinds):
     rng = RNG(int(kinds))
     a, b = (circles(rng, 300) if k == "1" else batch.Polygons(ngons(rng, 300, int(k))) for k in kinds)
     found = batch.relate(a, b, engine=engine)
@@ -199,7 +199,7 @@ def test_circles_that_touch_where_squares_are_rounded_touch(engine, x, y, apart)
 
 
 @pytest.mark.parametrize("engine", ENGINES)
-def test_one_against_many_and_pairs_by_index(engine):
+def test_one_shape_against_many_and_pairs_by_index_have_the_relations_of_single_pairs(engine):
     rng = RNG(3)
     many = batch.concat([batch.Polygons(ngons(rng, 40, 3)), circles(rng, 30), batch.Polygons(ngons(rng, 30, 6))])
     one = many[:1]

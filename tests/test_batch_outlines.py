@@ -122,7 +122,7 @@ def test_plain_outlines_of_either_winding_are_certified_at_once(v, blocks):
                 assert (made.as_complex is not None) == (blocks is None and 1 < n <= 64 and one_way)
 
 
-def test_outlines_are_looked_at_in_blocks_of_many_corners(monkeypatch):
+def test_outlines_are_checked_in_blocks_of_many_corners(monkeypatch):
     """Each block takes some dozens of calls, and its arrays stay in the cache."""
     sizes, real = [], outlines._turns_one_way
     monkeypatch.setattr(outlines, "_turns_one_way", lambda xy: sizes.append(xy[0].size) or real(xy))

@@ -252,7 +252,7 @@ def test_relations_of_concave_shapes_are_right_in_every_block(engine):
 
 @pytest.mark.parametrize("chunk", [0, -1])
 @pytest.mark.parametrize("executor", [None, Elsewhere()])
-def test_chunks_of_nothing_are_refused(chunk, executor):
+def test_a_chunk_size_below_1_is_refused(chunk, executor):
     a = batch.Circles([(0, 0), (1, 0)], 1)
     with pytest.raises(ValueError, match=f"chunk is {chunk}: it must be at least 1"):
         batch.relate(a, a, engine="numpy", executor=executor, chunk=chunk)
@@ -297,14 +297,14 @@ def test_threads_share_the_shapes_and_take_no_copies():
 
 
 @pytest.mark.parametrize("engine", ENGINES)
-def test_threads_give_the_same_in_order(engine):
+def test_threads_give_the_same_relations_in_the_same_order(engine):
     with ThreadPoolExecutor(2) as pool:
         run_with(pool, engine=engine)
         run_split_with(pool, engine=engine)
     run_split_with(None, engine=engine)
 
 
-def test_processes_give_the_same_in_order():
+def test_processes_give_the_same_relations_in_the_same_order():
     with ProcessPoolExecutor(2) as pool:
         run_with(pool, engine="numpy")
         run_split_with(pool, engine="numpy")
@@ -363,7 +363,7 @@ def test_many_touching_circles_take_little_memory():
 
 
 @pytest.mark.slow
-def test_a_dask_cluster_of_two_workers_gives_the_same_in_order(tmp_path):
+def test_a_dask_cluster_of_two_workers_gives_the_same_relations_in_the_same_order(tmp_path):
     distributed = pytest.importorskip("distributed", reason="the extra `cluster` is not installed")
     import dask
 

@@ -92,7 +92,7 @@ class OpenNotebook:
     def file(self, name, widget=0):
         """Return the name and the bytes of the file that a button saves."""
         self.widgets.nth(widget).locator(".sv-menu summary:has-text('save')").click()
-        with self.page.expect_download() as found:
+        with self.page.expect_download(timeout=120_000) as found:  # a GIF takes seconds on a quiet machine
             self.press(name, widget)
         return found.value.suggested_filename, found.value.path().read_bytes()
 

@@ -724,7 +724,7 @@ def test_the_theme_is_right_where_a_browser_answers_with_noise_for_a_canvas(brow
 
 
 @pytest.mark.parametrize("size", [1e-14, 1.0, 1e12])
-def test_a_handles_value_is_a_plain_number_at_any_scale(browser, errors, size):
+def test_the_announced_value_of_a_handle_is_a_plain_number_at_any_scale(browser, errors, size):
     corners = [(2 * size, 0.0), (-1 * size, 1.7320508075688776 * size), (-1 * size, -1.7320508075688774 * size)]
     shapes = sv.Polygon(corners), sv.Circle((3e-9 * size, 4 * size), size)
     with explored(browser, ExplorerModel(sv.Scene("any", *shapes)), errors) as page:

@@ -59,7 +59,7 @@ def desk(browser, width, request):
 
 @WIDTHS
 @pytest.mark.parametrize("thread", ["libgdx/libgdx#1635", "MonoGame/MonoGame#468", "Turfjs/turf#1333"])
-def test_a_report_is_explained(desk, width, thread):
+def test_a_pasted_report_is_explained_in_the_page(desk, width, thread):
     report = BY_THREAD[thread]
     desk.paste(report.text)
     verdict, findings = desk.text(".sv-verdict"), desk.text(".sv-findings")
@@ -93,7 +93,7 @@ def test_the_exported_files_hold_a_picture_of_the_pair(desk, width):
 
 
 @WIDTHS
-def test_a_question_is_asked_with_both_answers(desk, width):
+def test_an_ambiguous_paste_gives_a_question_with_both_answers(desk, width):
     desk.paste(BY_THREAD["nenjack/check2d#52"].text)
     buttons = desk.page.locator(".sv-question button").all_inner_texts()
     assert [b.rsplit(": ", 1)[1] for b in buttons] == ["apart", "overlapping"]
@@ -257,7 +257,7 @@ def test_the_paste_box_has_no_accessibility_fault(browser):
 
 
 @pytest.mark.parametrize("longest", [10, 1_000, 100_000])
-def test_no_explorer_is_wider_than_its_window_however_long_its_numbers(browser, longest):
+def test_an_explorer_with_long_numbers_is_not_wider_than_its_window(browser, longest):
     a = sv.Polygon([(-0.6 * longest, 1), (longest, 3), (7, 0.45 * longest + 0.25)])
     b = sv.Polygon(
         [(-0.25 * longest, -0.25 * longest), (0.2 * longest + 0.5, -0.15 * longest), (longest, 0.4 * longest)]

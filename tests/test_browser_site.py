@@ -510,8 +510,15 @@ def announced(page):
     return one_spaced(node.get("name", {}).get("value", "") for node in nodes if not node["ignored"])
 
 
-@pytest.mark.parametrize("more", [{}, PHONE], ids=["desktop", "phone"])
-@pytest.mark.parametrize("chapter", chapters(), ids=lambda chapter: chapter.path)
+# Chapters are read at a desk and on a telephone in turn, and only in a full run on both.
+READ = [
+    pytest.param(chapter, more, id=f"{chapter.path} {screen}", marks=[] if (i + k) % 2 == 0 else pytest.mark.full)
+    for i, chapter in enumerate(chapters())
+    for k, (screen, more) in enumerate({"desk": {}, "phone": PHONE}.items())
+]
+
+
+@pytest.mark.parametrize(("chapter", "more"), READ)
 def test_nothing_gives_a_question_away_until_it_is_answered(visit, chapter, more):
     """No reader and no screen reader gets the answer, or anything that comes after it."""
     page = visit("gallery.html", live=False, service_workers="block", **more)
@@ -680,8 +687,9 @@ def test_python_starts_without_the_stored_memory_if_that_does_not_load(built, vi
 
 @pytest.fixture
 def slim(monkeypatch):
-    """Let a site that is built now have neither chapters nor reference, which take long to make."""
+    """Let a site that is built now have no chapters, no reference and no previews, which take long to make."""
     monkeypatch.setattr(build, "chapters", list)
+    monkeypatch.setattr(build.hosting, "social_pictures", lambda chapters: ())
     monkeypatch.setattr(build, "reference", lambda in_site: ())
 
 
@@ -1267,21 +1275,22 @@ def test_code_is_written_and_run_with_mouse_touch_and_keyboard(visit, screen, by
 @pytest.mark.parametrize(
     "screen", [WIDE, PHONE, {"viewport": {"width": 900, "height": 700}}], ids=["wide", "phone", "tablet"]
 )
-@pytest.mark.parametrize("code", ["def collide(a, b):\n    return 1 > 0\n", "def collide(a, b:\n", "return"])
-def test_the_result_is_visible_after_run_without_scrolling(visit, screen, code):
+def test_the_result_is_visible_after_run_without_scrolling(visit, screen):
     """On a wide screen it stands beside the editor, which stays in sight; else the page scrolls to it."""
     page = visit("yours.html", live=False, **screen)
     page.wait_for_function("() => !document.querySelector('.run').disabled", timeout=LIVE)
-    run_code(page, code=code)
-    page.wait_for_function(
-        """() => {
-          const { top, bottom } = document.querySelector(".check-status").getBoundingClientRect();
-          return -1 < top && bottom < innerHeight + 1;
-        }"""
-    )
-    if screen is WIDE:
-        assert page.locator("textarea").first.evaluate("(editor) => editor.getBoundingClientRect().top") > 0
-        assert page.evaluate("scrollY") == 0
+    for code in "def collide(a, b):\n    return 1 > 0\n", "def collide(a, b:\n", "return":
+        page.evaluate("scrollTo(0, 0)")
+        run_code(page, code=code)
+        page.wait_for_function(
+            """() => {
+              const { top, bottom } = document.querySelector(".check-status").getBoundingClientRect();
+              return -1 < top && bottom < innerHeight + 1;
+            }"""
+        )
+        if screen is WIDE:
+            assert page.locator("textarea").first.evaluate("(editor) => editor.getBoundingClientRect().top") > 0
+            assert page.evaluate("scrollY") == 0
 
 
 def drag(page, by, start, end):

@@ -185,7 +185,7 @@ def raises_without_words(a, b):
         (lambda a: True, "error", "raises TypeError"),
     ],
 )
-def test_a_misbehaviour_is_reported_in_one_line(fn, finding, line):
+def test_each_fault_of_the_function_is_reported_in_one_line(fn, finding, line):
     found = sv.check(fn)
     assert not found.right and found.finding == finding and found.line.startswith(line), found.line
     assert "\n" not in found.line and "Traceback" not in str(found) and found.counterexample is not None
@@ -322,7 +322,7 @@ def test_the_report_says_what_a_tolerance_costs():
     assert not sv.check(far_apart_first, tolerance=1e-9).right
 
 
-def test_only_counter_clockwise_outlines_on_request():
+def test_with_clockwise_false_all_outlines_are_counter_clockwise():
     def needs_order(a, b):
         def area(p):
             return sum(x0 * y1 - x1 * y0 for (x0, y0), (x1, y1) in zip(p, [*p[1:], p[0]]))
@@ -349,6 +349,13 @@ def test_a_check_ends_in_time():
     assert found.right and "Stopped after 0.1 s" in str(found) and found.unasked
 
 
+def test_a_text_instead_of_a_function_is_refused_with_the_way_to_pass_one():
+    with pytest.raises(TypeError, match=r"fn is the text 'x\.py:f', not a function: import .*satviz check FILE:NAME"):
+        sv.check("x.py:f")
+    with pytest.raises(TypeError, match="fn is a list: pass a function of two shapes"):
+        sv.check([])
+
+
 @pytest.mark.parametrize(
     "more",
     [{"returns": "colour"}, {"kinds": "cubes"}, {"kinds": ()}, {"touching": "no"}, {"tolerance": -1}, {"form": "x"}],
@@ -359,7 +366,7 @@ def test_an_invalid_option_is_refused(more):
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_pairs_in_whole_numbers_have_every_relation_and_their_kind(kind):
+def test_generated_integer_pairs_cover_every_relation_of_their_kind(kind):
     pairs = whole_number_pairs((kind,), 1)
     relations = [sv.relate(p.a, p.b) for p in pairs]
     for relation in sv.Relation:
@@ -394,10 +401,10 @@ def test_every_hypothesis_names_a_failing_case():
 
 
 @pytest.mark.parametrize("i", one_in(60, range(len(HYPOTHESES))))
-def test_each_way_to_make_a_mistake_is_named_for_it(i):
+def test_every_variant_of_a_mistake_is_recognised(i):
     """A function that answers as one hypothesis does, and rightly where this one knows no answer."""
     hypothesis, case = HYPOTHESES[i], NAMED[HYPOTHESES[i].name]
-    in_moves = case.is_about_push or "digit" in hypothesis.words or "the smallest, too" in hypothesis.words
+    in_moves = case.is_about_push or "digit" in hypothesis.variant or "the smallest, too" in hypothesis.variant
     rules = Rules("mtv" if in_moves else "hit")  # those two are seen in hardly any verdict
     if not hypothesis.is_about(rules):
         pytest.skip("no answer for two shapes shows it")
@@ -407,7 +414,7 @@ def test_each_way_to_make_a_mistake_is_named_for_it(i):
         return predicted[0] if predicted else sv.record(a, b).mtv if in_moves else bool(sv.relate(a, b))
 
     kinds = {"boxes", "convex", kind_of(*case.shapes)} | (
-        {"circles", "circle and polygon"} if "circle" in hypothesis.words else set()
+        {"circles", "circle and polygon"} if "circle" in hypothesis.variant else set()
     )
     found = sv.check(fn, form="shapes", returns=rules.returns, kinds=sorted(kinds), seconds=30)
     assert found.finding == "wrong" and found.behaves_like[0].name in SAME.get(hypothesis.name, (hypothesis.name,))
@@ -425,18 +432,18 @@ def test_a_score_gives_credit_by_kind_of_scene():
     assert set(every.parts) == {"upright boxes", "convex", "circles", "concave", "touching"} and every.total == 1
 
 
-def test_the_truth_is_the_exact_engine():
+def test_the_right_answer_of_a_check_is_that_of_the_exact_engine():
     found = sv.check(normals_of_a)
     assert all(r.truth.relation is sv.relate(r.a, r.b) for r in found.results)
 
 
-def test_a_checked_is_a_plain_value():
+def test_the_data_of_a_report_hold_the_counterexample_as_a_scene_file():
     found = sv.check(bounding_boxes)
     assert isinstance(found, Checked) and found.data()["right"] is False
     assert sv.Scene.from_json(found.data()["scene"]) == found.counterexample
 
 
-def test_a_check_in_a_page_goes_on_by_messages():
+def test_a_check_in_a_page_exchanges_only_json_messages():
     """The trusted side sends pairs, and the side of the reader's code answers, both in JSON only."""
     import json
 
@@ -490,7 +497,7 @@ def test_code_without_a_function_is_refused_in_one_line(code, why):
 
 
 @pytest.mark.parametrize("forged", [None, 5, [], {"value": {"a": [1]}}, {"problem": "x\n" * 999, "line": ["y"]}])
-def test_a_forged_outcome_is_a_wrong_answer_and_no_fault(forged):
+def test_a_forged_outcome_of_a_worker_counts_as_a_wrong_answer(forged):
     from satviz.checking.answers import Rules
     from satviz.checking.reading import outcome_from
     from satviz.checking.results import judge

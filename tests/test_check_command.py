@@ -43,7 +43,7 @@ def test_a_function_is_named_and_a_right_one_gives_exit_code_0(tmp_path, capsys)
     assert capsys.readouterr().out.startswith("Right on all")
 
 
-def test_the_report_as_json_and_the_counterexample_as_files(tmp_path, capsys):
+def test_the_report_is_printed_as_json_and_the_counterexample_written_as_files(tmp_path, capsys):
     file = f"{OWN / 'wrong.py'}:bounding_boxes"
     assert main(["check", file, "--json", "--out", str(tmp_path / "out"), "--whole-numbers"]) == 1
     text = capsys.readouterr().out

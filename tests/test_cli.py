@@ -142,7 +142,7 @@ def test_scenes_lists_the_built_in_scenes(capsys):
     assert [line.split()[0] for line in capsys.readouterr().out.splitlines()] == [s.name for s in SCENES]
 
 
-def test_version(capsys):
+def test_the_version_is_printed(capsys):
     with pytest.raises(SystemExit) as stop:
         main(["--version"])
     assert stop.value.code == 0 and capsys.readouterr().out == f"satviz {sv.__version__}\n"
@@ -406,7 +406,7 @@ def test_a_file_in_the_place_of_the_folder_is_refused_before_the_work(args, caps
 
 
 @pytest.mark.parametrize("args", [["figures"], ["draw", "aabb"], ["study"]])
-def test_an_empty_name_is_no_folder(args, capsys, monkeypatch, tmp_path):
+def test_an_empty_name_of_a_folder_or_scene_is_refused(args, capsys, monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
     with pytest.raises(SystemExit) as stop:
         main([*args, "--out", ""])
@@ -427,7 +427,7 @@ def test_a_message_stays_short_whatever_is_named(capsys):
 @pytest.mark.parametrize(
     "error", [ValueError("two\nlines"), RuntimeError("odd"), AssertionError(), RecursionError("x")]
 )
-def test_a_fault_of_our_own_is_one_line_too_and_development_mode_shows_where(error, capsys, monkeypatch):
+def test_an_internal_error_is_one_line_and_development_mode_shows_where(error, capsys, monkeypatch):
     def worked(name):
         raise error
 

@@ -138,7 +138,7 @@ def test_an_axis_is_named_after_something_visible(case):
 
 
 @pytest.mark.parametrize("name, part", [("slipped-normal", "gap-name"), ("largest-overlap", "mtv-name")])
-def test_a_line_that_another_label_bars_ends_at_the_nearest_point_of_its_label(name, part):
+def test_a_line_that_another_label_blocks_ends_at_the_nearest_point_of_its_label(name, part):
     drawn = sv.picture(name, largest=(338, 680))
     (leader,) = (m for m in drawn.marks if m.part == f"actual-{part}-leader")
     boxes_hit = [text for text, box in boxes(drawn) if clip_segment(*leader.points[0], *leader.points[1], *box)]
@@ -179,7 +179,7 @@ def test_no_label_lies_on_another_or_off_the_canvas(case, step):
 
 
 @each_case
-def test_all_steps_are_as_large_with_names_of_their_own(case):
+def test_all_steps_have_one_size_and_each_has_a_name_of_its_own(case):
     trace = case.record()
     every = [sv.picture(trace, i) for i in range(len(sv.steps(trace)))]
     assert len({(drawn.size, drawn.limits) for drawn in every}) == 1

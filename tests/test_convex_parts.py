@@ -224,7 +224,7 @@ def test_the_parts_are_right_for_any_simple_polygon(points):
 
 
 @every_kind
-def test_the_first_vertex_and_the_winding_do_not_make_it_wrong(kind):
+def test_the_parts_are_right_from_any_first_vertex_and_in_either_winding(kind):
     for polygon in sample(kind)[:10]:
         ring = polygon.vertices
         for other in (ring[::-1], ring[3:] + ring[:3]):
@@ -239,7 +239,7 @@ def test_the_parts_scale_with_the_polygon(kind):
             assert parts(Polygon(scaled(polygon.vertices, power))) == tuple(there), repr(polygon)
 
 
-def test_an_outline_that_is_larger_by_any_factor_is_split_on_no_longer_integers():
+def test_a_larger_outline_is_split_with_the_same_integers():
     for factor in (2.0**900, 5):
         larger = Polygon([(x * factor, y * factor) for x, y in L])
         assert convex_parts._Pieces(larger).at == convex_parts._Pieces(Polygon([(x / 2, y / 2) for x, y in L])).at
@@ -402,7 +402,7 @@ def test_of_two_cuts_that_end_two_reflex_vertices_the_shorter_is_made():
 
 
 @pytest.mark.parametrize("kind", ["right angles", "small grid", "quarters", "star of integers"])
-def test_a_cut_for_each_reflex_vertex_is_the_rule(kind):
+def test_there_are_at_most_as_many_cuts_as_reflex_vertices(kind):
     cuts, reflex = 0, 0
     for polygon in sample(kind):
         cuts += len(parts(polygon)) - 1
@@ -595,7 +595,7 @@ def test_the_box_in_the_notch_of_the_L_is_apart():
         (4, 2, 5, 3, TOUCHING),  # corner to corner
     ],
 )
-def test_a_box_in_and_about_the_L(x0, y0, x1, y1, right):
+def test_relate_is_right_for_boxes_inside_and_around_the_L(x0, y0, x1, y1, right):
     box = Polygon([(x0, y0), (x1, y0), (x1, y1), (x0, y1)])
     assert relate(Polygon(L), box) is right
     assert relate(box, Polygon(L)) is right
@@ -716,7 +716,7 @@ def test_no_cut_ends_inside_a_diagonal_that_only_halves_so_that_it_can_be_taken_
 
 
 @pytest.mark.parametrize("kind", one_in(10, BIG))
-def test_hardly_more_parts_come_of_halving(kind, monkeypatch):
+def test_halving_first_gives_hardly_more_parts(kind, monkeypatch):
     """Halving adds no part where all its cuts are diagonals that no vertex needs, since they are undone."""
     halved = len(parts(Polygon(BIG[kind](600))))
     monkeypatch.setattr(convex_parts, "MAX_REFLEX_VERTICES", 600)

@@ -77,7 +77,7 @@ def test_a_frame_opens_with_the_options_that_were_passed():
 
 
 @pytest.mark.parametrize("name", [scene.name for scene in map(sv.scene, ("triangles", "circles", "far-centers"))])
-def test_a_challenge_that_is_not_named_fits_the_scene_and_is_not_met_yet(name):
+def test_the_default_challenge_fits_the_scene_and_is_not_met_yet(name):
     goal = opened(embed(name, site=SITE, challenge=""))["first"]["goal"]
     assert goal["goal"] == ("break" if sv.scene(name).record().shortcut else "touch") and not goal["met"]
 

@@ -84,7 +84,7 @@ def test_an_embedded_scene_can_be_dragged_in_a_plain_page(browser, site, tmp_pat
     is_dragged(browser, tmp_path, "page.html", grows=True)
 
 
-def test_a_moodle_label(browser, site, tmp_path):
+def test_a_frame_in_a_moodle_label_can_be_dragged(browser, site, tmp_path):
     """Moodle shows a label inside its own elements, and keeps only the frame."""
     frame = recipe("A plain page, or a Moodle label", "html", site)
     label = f'<div class="activity-item"><div class="no-overflow"><p>Drag.</p>{frame}</div></div>'
@@ -92,9 +92,13 @@ def test_a_moodle_label(browser, site, tmp_path):
     is_dragged(browser, tmp_path, "label.html", grows=False)
 
 
+@pytest.fixture(scope="module")
+def sphinx(tmp_path_factory):
+    return environment(tmp_path_factory.mktemp("sphinx"), "sphinx", "myst-parser")
+
+
 @pytest.mark.parametrize("kind", ["rst", "markdown"])
-def test_sphinx(browser, site, tmp_path, kind):
-    python = environment(tmp_path, "sphinx", "myst-parser")
+def test_a_frame_in_a_sphinx_page_can_be_dragged(browser, site, sphinx, tmp_path, kind):
     source = tmp_path / "source"
     source.mkdir()
     saved(source, site)
@@ -104,13 +108,13 @@ def test_sphinx(browser, site, tmp_path, kind):
         (source / "index.rst").write_text(f"A page\n======\n\n{recipe('Sphinx', 'rst')}", encoding="utf-8")
     else:
         (source / "index.md").write_text(f"# A page\n\n{recipe('Sphinx', 'markdown')}", encoding="utf-8")
-    code, said = run(python, "-m", "sphinx", "-W", "-q", source, tmp_path / "out", cwd=tmp_path)
+    code, said = run(sphinx, "-m", "sphinx", "-W", "-q", source, tmp_path / "out", cwd=tmp_path)
     assert code == 0, said
     is_dragged(browser, tmp_path / "out", "index.html", grows=True)
 
 
 @pytest.mark.parametrize("program", ["mystmd", "jupyter-book"])
-def test_myst_and_jupyter_book_2(browser, site, tmp_path, program):
+def test_a_frame_in_a_myst_or_jupyter_book_2_page_can_be_dragged(browser, site, tmp_path, program):
     """What they make of the page; the themes are not on npm, so the frame of the made page stands in a page of ours."""
     if program == "mystmd":
         command = [npm_package(tmp_path, "mystmd") / "myst"]
@@ -138,7 +142,7 @@ def nodes(node):
         yield from nodes(child)
 
 
-def test_pandoc_which_quarto_uses(browser, site, tmp_path):
+def test_a_frame_in_a_page_made_by_pandoc_as_in_quarto_can_be_dragged(browser, site, tmp_path):
     python = environment(tmp_path, "pypandoc_binary")
     (tmp_path / "page.md").write_text(f"# A page\n\n{recipe('Quarto', 'markdown', site)}", encoding="utf-8")
     convert = "import pypandoc; pypandoc.convert_file('page.md', 'html', outputfile='page.html', extra_args=['-s'])"
@@ -147,7 +151,7 @@ def test_pandoc_which_quarto_uses(browser, site, tmp_path):
     is_dragged(browser, tmp_path, "page.html", grows=False)
 
 
-def test_quarto(browser, site, tmp_path):
+def test_a_frame_in_a_quarto_page_can_be_dragged(browser, site, tmp_path):
     """Its package on PyPI fetches the program from GitHub when it is installed."""
     python = environment(tmp_path, "quarto-cli")
     quarto = python.parent / "quarto"
@@ -160,7 +164,7 @@ def test_quarto(browser, site, tmp_path):
     is_dragged(browser, tmp_path, "page.html", grows=False)
 
 
-def test_marimo(browser, tmp_path):
+def test_an_explorer_in_a_marimo_notebook_can_be_dragged(browser, tmp_path):
     python = environment(tmp_path, "marimo", "anywidget", "ipywidgets", ROOT)
     imports, widget = recipe("marimo", "py").rstrip().split("\n\n")
     cell = indent(f"{imports}\n{widget}\nreturn\n", "    ")

@@ -562,7 +562,7 @@ def test_neither_half_contains_the_box_and_the_mtvs_of_the_halves_cancel():
     assert case.record().push == (0, 0)
 
 
-def test_centers_that_far_apart_belong_to_a_hit():
+def test_centers_that_the_case_calls_far_apart_belong_to_overlapping_shapes():
     case = NAMED["far-centers"]
     first = case.record().tests[0]
     assert centroid(case.b).x - centroid(case.a).x == pytest.approx(9.5)

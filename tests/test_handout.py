@@ -83,7 +83,7 @@ def test_no_title_gives_away_that_the_axes_cannot_show_the_gap(name):
 
 
 @pytest.mark.parametrize("what", ["1", "3"])
-def test_no_title_in_a_chapters_handout_gives_this_away_either(what):
+def test_no_title_in_a_chapters_handout_gives_away_that_the_axes_cannot_show_the_gap(what):
     assert "cannot tell apart" not in sv.handout(what)
 
 

@@ -10,6 +10,7 @@ from xml.etree import ElementTree
 from zipfile import ZipFile
 
 import pytest
+from browser import SITE_URL as URL
 from PIL import Image
 
 from satviz.cli import main
@@ -18,17 +19,14 @@ from satviz.pictures.drag import all_marks_fit
 pytest.importorskip("markdown_it", reason="a site needs markdown-it-py: python -m pip install '.[site]'")
 
 from satviz.lessons import chapter_text as chapters
-from satviz.site import build, guides, hosting
+from satviz.site import guides, hosting
 from satviz.site import pages as pages_of_site
 from satviz.site.serving import server
 
-URL = "https://example.org/a/satviz/"
-
 
 @pytest.fixture(scope="module")
-def files():
-    found, _ = build.site(live=False, url=URL)
-    return dict(found)
+def files(still_files):
+    return still_files
 
 
 @pytest.fixture(scope="module")
@@ -131,7 +129,7 @@ def test_the_archive_is_a_package_whose_items_and_files_are_there(files):
 
 
 @pytest.mark.slow
-def test_zip_writes_one_archive_over_its_own_and_over_nothing_else(tmp_path, capsys, files, monkeypatch):
+def test_zip_overwrites_an_archive_that_it_made_and_nothing_else(tmp_path, capsys, files, monkeypatch):
     monkeypatch.setattr("satviz.site.build.site", lambda **_: (iter(files.items()), []))
     for _ in range(2):
         assert main(["site", str(tmp_path / "course"), "--still", "--zip"]) == 0

@@ -6,7 +6,6 @@ import subprocess
 import sys
 from importlib.util import find_spec
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from xml.etree import ElementTree
 
 import pytest
@@ -41,25 +40,26 @@ def prose(notebook):
     return "\n\n".join(cell.source for cell in notebook.cells if cell.cell_type == "markdown")
 
 
-def cells_that_differ(notebook, folder):
-    """Run a copy of the notebook; return nbval's messages about cells that failed or differ, by cell id."""
+def cells_that_differ(folder, notebooks):
+    """Run copies of the notebooks; return nbval's messages about cells that failed or differ, by name and cell id."""
     import nbformat
 
-    nbformat.write(notebook, folder / "copy.ipynb")
+    for name, notebook in notebooks.items():
+        nbformat.write(notebook, folder / name)
     (folder / "sanitize.cfg").write_text(SANITIZE)
     (folder / "pytest.ini").write_text("[pytest]\n")
     options = ["--nbval", "--nbval-current-env", "--nbval-sanitize-with=sanitize.cfg", "--nbval-cell-timeout=60"]
     command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *options, "--junitxml=report.xml"]
-    run = subprocess.run([*command, "copy.ipynb"], cwd=folder, capture_output=True, text=True, timeout=120)
-    cells = code_cells(notebook)
+    run = subprocess.run([*command, *notebooks], cwd=folder, capture_output=True, text=True, timeout=600)
+    cells = {(name, f"Cell {i}"): cell.id for name in notebooks for i, cell in enumerate(code_cells(notebooks[name]))}
     report = ElementTree.parse(folder / "report.xml")
-    cases = {case.get("name"): case for case in report.iter("testcase")}
-    assert sorted(cases) == sorted(f"Cell {i}" for i in range(len(cells))), run.stdout[-3000:]
-    said = {
-        cell.id: "\n".join(found.text for found in cases[f"Cell {i}"] if found.tag in ("failure", "error"))
-        for i, cell in enumerate(cells)
-    }
-    return {cell_id: text for cell_id, text in said.items() if text}
+    cases = {(case.get("classname"), case.get("name")): case for case in report.iter("testcase")}
+    assert cases.keys() == cells.keys(), run.stdout[-3000:]
+    differ = {name: {} for name in notebooks}
+    for (name, cell), case in cases.items():
+        if texts := [found.text for found in case if found.tag in ("failure", "error")]:
+            differ[name][cells[name, cell]] = "\n".join(texts)
+    return differ
 
 
 def with_numbers_changed(notebook):
@@ -78,20 +78,19 @@ def with_numbers_changed(notebook):
     return changed
 
 
-def test_there_are_chapters():
+def test_the_chapters_are_numbered_from_1_without_a_gap():
     assert [name[0] for name in CHAPTERS] == [str(i + 1) for i in range(len(CHAPTERS))] and len(CHAPTERS) >= 6
 
 
-def run(notebook):
-    """Return what `cells_that_differ` does, of a run in a folder of its own."""
-    with TemporaryDirectory() as folder:
-        return cells_that_differ(notebook, Path(folder))
+@pytest.fixture(scope="module")
+def differ(tmp_path_factory):
+    """Return what `cells_that_differ` does of all chapters: nbval takes long to start."""
+    return cells_that_differ(tmp_path_factory.mktemp("chapters"), {chapter: read(chapter) for chapter in CHAPTERS})
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS)
-def test_running_a_chapter_again_gives_its_stored_outputs(chapter):
-    differ = run(read(chapter))
-    assert differ == {}, "\n".join(differ.values())
+def test_running_a_chapter_again_gives_its_stored_outputs(differ, chapter):
+    assert differ[chapter] == {}, "\n".join(differ[chapter].values())
 
 
 # Two of them show that nbval compares what a cell shows; the next test says that no cell of the others is left out.
@@ -99,10 +98,10 @@ SOME = [chapter if i % 4 == 0 else pytest.param(chapter, marks=pytest.mark.full)
 
 
 @pytest.mark.parametrize("chapter", SOME)
-def test_a_changed_number_is_noticed_in_every_cell_that_shows_one(chapter):
+def test_a_changed_number_is_noticed_in_every_cell_that_shows_one(chapter, tmp_path):
     altered = read(chapter)
     changed = with_numbers_changed(altered)
-    assert len(changed) >= 5 and set(run(altered)) == changed
+    assert len(changed) >= 5 and cells_that_differ(tmp_path, {chapter: altered})[chapter].keys() == changed
 
 
 def test_every_output_but_measured_times_is_compared():
@@ -119,7 +118,7 @@ def test_every_output_but_measured_times_is_compared():
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS)
-def test_a_chapter_is_committed_executed_small_and_bare(chapter):
+def test_a_chapter_is_committed_with_its_outputs_below_its_size_limit_and_without_metadata(chapter):
     import nbformat
 
     notebook, text = read(chapter), (FOLDER / chapter).read_text(encoding="utf-8")
@@ -176,7 +175,7 @@ def test_in_an_exported_page_a_widget_is_its_picture(browser, tmp_path, route):
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS)
-def test_links_lead_somewhere(chapter):
+def test_links_of_a_chapter_lead_to_files_and_to_the_chapters_beside_it(chapter):
     notebook_words = re.sub(r"<!--.*?-->", "", prose(read(chapter)), flags=re.DOTALL)  # comments are for the site
     links = re.findall(r"\]\(([^)#]+)\)", notebook_words)
     assert links and not [link for link in links if "://" not in link and not (FOLDER / link).is_file()]
@@ -187,7 +186,7 @@ def test_links_lead_somewhere(chapter):
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS)
-def test_every_exercise_has_a_solution_that_comes_out_as_it_says(chapter):
+def test_each_solution_prints_the_value_that_it_states(chapter):
     """A solution's last words, `# value`, are what the expression before them gives."""
     notebook = read(chapter)
     exercises = re.split(r"^\*\*\d\.\*\* ", prose(notebook).split("## Exercises")[1], flags=re.MULTILINE)[1:]

@@ -52,7 +52,7 @@ def test_the_sdist_builds_the_same_wheel(wheels):
     assert "satviz/notebooks/2-sat.ipynb" in through and not [name for name in through if name.startswith("tests/")]
 
 
-def test_an_index_takes_what_is_built(wheels):
+def test_a_package_index_accepts_the_built_files(wheels):
     code, said = uv("tool", "run", "twine", "check", "--strict", *wheels[0].parent.glob("satviz*"), cwd=ROOT)
     assert code == 0, said
 

@@ -38,7 +38,7 @@ def test_a_page_of_two_triangles_is_small_and_the_same_each_time(triangles):
 
 
 @pytest.mark.parametrize("scene", SCENES, ids=lambda scene: scene.name)
-def test_a_page_loads_nothing_from_elsewhere(scene):
+def test_a_page_to_share_loads_nothing_from_another_server(scene):
     page = sv.page(scene.record(), title=scene.title)
     assert re.findall(r"https?://[^\s\"'<]+", page.replace("http://www.w3.org/", "")) == []
     assert "default-src 'none'" in page and 'src="' not in page and "@import" not in page

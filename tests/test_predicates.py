@@ -28,7 +28,7 @@ def no_integers(monkeypatch) -> None:
     monkeypatch.setattr(predicates, "to_integers", refuse)
 
 
-def test_the_sign_of_a_number():
+def test_the_sign_of_an_integer_is_minus_one_zero_or_one():
     assert [predicates.sign(n) for n in (-(10**30), -2, -1, 0, 1, 2, 10**30)] == [-1, -1, -1, 0, 1, 1, 1]
 
 

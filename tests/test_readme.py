@@ -74,7 +74,7 @@ SLOW = (
     ],
     ids=COMMANDS,
 )
-def test_every_command_runs(line, tmp_path, monkeypatch, capsys):
+def test_every_command_runs(line, tmp_path, monkeypatch, capsys, request):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "my-scene.json").write_text(SCENE_FILE, encoding="utf-8")
     (tmp_path / "mine.py").write_text(blocks("python", CHECK_GUIDE)[2], encoding="utf-8")
@@ -82,6 +82,14 @@ def test_every_command_runs(line, tmp_path, monkeypatch, capsys):
     (tmp_path / "mine.js").write_text(mine, encoding="utf-8")
     # a bench takes as long as all other commands together: test_study.py runs one, here are the rows that are stored
     monkeypatch.setattr(bench, "bench", lambda plan: bench_rows(*BENCH_CHARTS))
+    if line.startswith("satviz site"):  # so does a site, which is made once: test_site.py makes one by the command
+        files = request.getfixturevalue("still_files")
+
+        def site(*, live, url, pyodide):
+            assert not live and bool(url) == ("--url" in line)
+            return iter(files.items()), []
+
+        monkeypatch.setattr("satviz.site.build.site", site)
     program, *args = shlex.split(line)
     assert program == "satviz" and main(args) == 0
     assert capsys.readouterr().out

@@ -401,7 +401,7 @@ def stars(corners):
     ]
 
 
-def test_two_shapes_of_many_parts_are_advised_on_as_two_of_few_are(monkeypatch):
+def test_arrays_and_fractions_give_two_shapes_of_many_parts_the_same_recommendation(monkeypatch):
     for scene in (stars(12), [sv.scene("concave").a, sv.scene("concave").b]):
         found = []
         for most in (0, math.inf):
@@ -412,7 +412,7 @@ def test_two_shapes_of_many_parts_are_advised_on_as_two_of_few_are(monkeypatch):
         assert by_arrays.summary._replace(relative_margin=0) == by_fractions.summary._replace(relative_margin=0)
 
 
-def test_to_prove_again_is_refused_beyond_its_limit():
+def test_proving_a_recommendation_again_is_refused_beyond_its_limit():
     recommendation = sv.advise(*stars(12))
     tests = recommendation.given.tests
     assert recommendation.check(most=tests)
@@ -420,7 +420,7 @@ def test_to_prove_again_is_refused_beyond_its_limit():
         recommendation.check(most=tests - 1)
 
 
-def test_to_show_a_recommendation_measures_nothing(monkeypatch):
+def test_showing_a_recommendation_measures_no_times(monkeypatch):
     monkeypatch.setattr(costs, "costs", lambda *args, **kwargs: pytest.fail("measured"))
     for recommendation in (sv.advise("triangles"), sv.advise(boxes_at([(0, 0), (0.5, 0.5)]))):
         assert recommendation._repr_mimebundle_() == {"text/plain": str(recommendation)}

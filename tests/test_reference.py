@@ -35,18 +35,18 @@ def test_every_public_name_has_a_reference_page(pages):
     assert links["satviz.html"] >= {"satviz/batch.html", "satviz/engine/axes.html", "satviz/testing.html"}
 
 
-def test_no_example_is_lost(pages):
+def test_every_example_is_shown_in_the_reference(pages):
     shown = sum(page.count('<div class="example">') for name, page in pages.items() if name.endswith(".html"))
     assert shown == len(EXAMPLES)
 
 
 @pytest.mark.parametrize("name", EXAMPLES)
-def test_an_example_gives_something(name):
+def test_every_example_prints_a_result_without_an_address_in_memory(name):
     text, _ = run_example(EXAMPLES[name])
     assert text.strip() and " at 0x" not in text
 
 
-def test_the_pages_need_no_network(pages):
+def test_the_reference_loads_nothing_from_the_network(pages):
     for page in pages.values():
         assert not re.findall(r'(?:src|href)="(?:https?:)?//(?!pdoc\.dev")', page)
         assert not re.findall(r"url\(['\"]?(?:https?:)?//|@import", page)
@@ -60,7 +60,7 @@ def test_a_page_of_a_site_links_back_to_the_site_and_a_page_by_itself_does_not(p
 
 
 @pytest.mark.slow
-def test_the_command_writes_it_over_its_own_and_over_nothing_else(tmp_path, capsys):
+def test_the_command_overwrites_a_reference_that_it_made_and_nothing_else(tmp_path, capsys):
     out = tmp_path / "pages"
     for _ in range(2):
         assert main(["reference", "--out", str(out)]) == 0

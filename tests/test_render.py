@@ -78,7 +78,7 @@ def test_a_picture_drawn_over_another_looks_like_one_drawn_afresh():
         assert np.array_equal(again, pixels(fresh.figure)), i
 
 
-def test_the_pen_keeps_few_artists():
+def test_the_pen_reuses_its_artists_for_every_step():
     ax = axes_of()
     pen = Pen(ax)
     most = 0
@@ -273,7 +273,7 @@ def test_a_file_that_only_mentions_satviz_is_not_overwritten(tmp_path, end):
         write(path, b"")
 
 
-def test_a_folder_is_no_file_even_with_force(tmp_path):
+def test_a_folder_is_not_overwritten_even_with_force(tmp_path):
     (tmp_path / "a.svg").mkdir()
     with pytest.raises(FileExistsError, match="is a folder"):
         write(tmp_path / "a.svg", OURS, force=True)
@@ -399,13 +399,13 @@ def test_a_figure_that_was_drawn_on_can_be_copied_and_drawn_on_again():
         assert len(again.axes[0].collections) == 3
 
 
-def test_the_ax_must_be_axes():
+def test_ax_must_be_matplotlib_axes():
     with pytest.raises(TypeError, match="ax is a Figure: pass matplotlib Axes"):
         sv.draw(TRIANGLES, ax=Figure())
 
 
 @pytest.mark.parametrize("shape", [(2, 2), (2, 3), (4, 1), (1, 6)])
-def test_small_axes_get_a_sound_picture(shape):
+def test_a_picture_on_small_axes_has_sensible_limits(shape):
     ax = np.ravel(Figure().subplots(*shape))[0]
     sv.draw(TRIANGLES, 14, ax=ax)
     (x0, x1), (y0, y1) = ax.get_xlim(), ax.get_ylim()
@@ -432,5 +432,5 @@ def test_threads_draw_the_same_bytes_and_leave_the_settings_alone():
     assert matplotlib.rcParams.copy() == before
 
 
-def test_a_title_with_control_characters_gives_a_sound_svg():
+def test_a_title_with_control_characters_gives_a_valid_svg():
     ET.fromstring(encode(sv.picture(TRIANGLES, 0, title="a\x00b\ud800"), "svg").decode())

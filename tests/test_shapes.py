@@ -520,7 +520,7 @@ class Feature:
         return {"type": "Feature", "properties": {}, "geometry": ring}
 
 
-def test_a_shapely_polygon_is_accepted_and_comes_back():
+def test_a_shapely_polygon_is_accepted_and_converts_back():
     shape = Polygon(shapely.Polygon(DENTED))
     assert shape.vertices == (*DENTED, DENTED[0])
     assert shape.corners == Polygon(DENTED).corners
@@ -987,7 +987,7 @@ def test_a_circles_bounds_hold_it_and_hardly_more():
         ([(0, 0), (2, 0), (2, 1), (1, 2), (0, 1)], False),
     ],
 )
-def test_an_upright_box_is_known(ring, upright):
+def test_an_upright_box_is_recognised(ring, upright):
     for turned in rotations(ring):
         assert Polygon(turned).is_upright_box is upright
 
@@ -1016,7 +1016,7 @@ def test_the_centroid_is_the_center_of_area(ring, middle, e):
             assert centroid(shape) == pytest.approx(expected, rel=1e-12)
 
 
-def test_the_centroid_of_a_hair_or_of_all_of_float64_is_the_mean_of_the_corners():
+def test_the_centroid_of_a_very_thin_or_very_large_outline_is_the_mean_of_the_corners():
     hair = Polygon([(0, 0), (1, 0), (0.5, 1e-13)])
     assert centroid(hair) == pytest.approx((0.5, 1e-13 / 3))
     dart = Polygon([(-1.7e308, -1.7e308), (1.7e308, -1.7e308), (0, 1.7e308)])
@@ -1032,7 +1032,7 @@ def test_the_centroid_of_a_hair_or_of_all_of_float64_is_the_mean_of_the_corners(
     assert centroid(Circle((3, 4), 5)) == (3, 4)
 
 
-def test_the_centroid_of_a_hair_is_not_far_from_it():
+def test_the_centroid_of_a_very_thin_outline_is_not_far_from_it():
     rng = Random(11)
     for _ in range(300):
         x, y, dx, dy = (rng.uniform(-9, 9) for _ in range(4))
@@ -1046,7 +1046,7 @@ def test_the_centroid_of_a_hair_is_not_far_from_it():
         assert x0 - 1e-3 < cx < x1 + 1e-3 and y0 - 1e-3 < cy < y1 + 1e-3, shape
 
 
-def test_a_shape_is_computed_once():
+def test_the_integers_of_a_shape_are_computed_once():
     for shape in SHAPES.values():
         assert shape.integers is shape.integers
 

@@ -74,7 +74,7 @@ BAD_NUMBERS = [
     ("centers", with_one(WHOLE["centers"], (1, 0), np.inf), "centers: circle 1: center.x is inf"),
     ("radii", np.array([1, -1, 1]), "radii: circle 1: radius is -1"),
     ("radii", np.array([1, 1, np.nan]), "radii: circle 2: radius is nan"),
-    ("radii", np.ones(2), "radii has the shape (2,): expected (3,), a radius for each of centers"),
+    ("radii", np.ones(2), "radii has the shape (2,): expected (3,), one radius for each row of centers"),
     ("pairs", np.array([(0, 5)]), "pairs[0] is (0, 5): expected numbers below 5 and 5, and none below 0"),
     ("pairs", np.array([(-1, 0)]), "pairs[0] is (-1, 0): expected numbers below 5 and 5"),
 ]
@@ -119,7 +119,7 @@ def test_too_many_numbers_are_refused_before_they_are_unpacked(names, verb, says
 
 @pytest.mark.parametrize("name", WHOLE)
 def test_of_every_array_there_may_be_as_many_numbers_as_the_limit_says(name, tmp_path):
-    """A header that promises more needs nothing behind it to be refused."""
+    """A header that promises more needs no data after it to be refused."""
     assert {*WHOLE} == {name for together in shapesfile.LIMITED for name in together}
     path, array = tmp_path / "large.npz", WHOLE[name]
     rows = shapesfile.MAX_NUMBERS // array[0].size + 1

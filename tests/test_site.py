@@ -103,7 +103,7 @@ def test_a_symptom_links_to_every_mistake_that_causes_it(pages):
         assert re.findall(r'href="scene.html#([^"]+)"', part) == list(names)
 
 
-def test_nothing_comes_from_elsewhere(files):
+def test_the_pages_load_nothing_from_another_server(files):
     for path, data in files.items():
         if path.startswith("reference/") or path.endswith(".png"):
             continue  # test_reference.py
@@ -283,7 +283,7 @@ def asked_in(chapter):
 
 
 def test_a_notebook_folds_the_text_that_answers():
-    """Its output is not there until the cell is run.  Directly behind a fold stands one line at most."""
+    """Its output is not there until the cell is run.  Directly after a fold stands one line at most."""
     for chapter in chapters.chapters():
         asked = False
         for cell in chapter.cells:
@@ -429,7 +429,7 @@ def test_pages_have_short_coordinates_and_compressed_steps(pages):
     assert show["predict"] and len(show["shows"][0]["steps"]) > 15
 
 
-def test_the_command_writes_a_site_over_its_own_and_over_nothing_else(tmp_path, capsys, files, monkeypatch):
+def test_the_command_overwrites_a_site_that_it_made_and_nothing_else(tmp_path, capsys, files, monkeypatch):
     monkeypatch.setattr("satviz.site.build.site", lambda **_: (iter(files.items()), []))
     out = tmp_path / "site"
     for _ in range(2):
@@ -444,6 +444,8 @@ def test_the_command_writes_a_site_over_its_own_and_over_nothing_else(tmp_path, 
 def test_without_npm_the_site_is_made_and_one_line_says_so(monkeypatch, tmp_path):
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     monkeypatch.setattr(runtime, "which", lambda name: None)
+    monkeypatch.setattr(build, "chapters", list)  # which takes long and is the same
+    monkeypatch.setattr(build, "reference", lambda in_site: ())
     found, lacks = site()
     assert lacks == [
         "npm is not installed: install it, or give a folder that holds Pyodide. "
@@ -686,19 +688,23 @@ SITES = [
 ]
 
 
+@pytest.fixture(scope="module")
+def player():
+    pytest.importorskip("anywidget")
+    return sv.play("aabb")
+
+
 @pytest.mark.parametrize("site", SITES, ids=range(len(SITES)))
-def test_a_site_is_at_an_address_of_http_or_https(site, capsys, monkeypatch):
+def test_a_site_is_at_an_address_of_http_or_https(site, player, capsys, monkeypatch):
     """This holds in Python, on the command line, in the environment and on a widget."""
     with pytest.raises(InvalidScene, match=r"^site is .*: expected an address such as https://"):
         sv.link("triangles", site=site)
     assert main(["draw", "triangles", "--format", "link", f"--site={site}"]) == 2
     captured = capsys.readouterr()
     assert captured.out == "" and "site is" in captured.err and captured.err.count("\n") == 1
-    pytest.importorskip("anywidget")
-    widget = sv.play("aabb")
     with pytest.raises(InvalidScene, match=r"^site is"):
-        widget.site = site
-    assert widget.site == ""
+        player.site = site
+    assert player.site == ""
     monkeypatch.setenv("SATVIZ_SITE", site)
     with pytest.raises(InvalidScene, match=r"^SATVIZ_SITE is"):
         sv.play("aabb")
@@ -775,7 +781,7 @@ def test_axes_that_are_parallel_up_to_rounding_count_as_one():
         assert found.met and found.status == "Exactly one axis separates them.", (hundredths, found.status)
 
 
-def test_touching_is_exact():
+def test_the_touch_challenge_accepts_only_an_exact_touch():
     box = sv.Polygon([(0, 0), (1, 0), (1, 1), (0, 1)])
     assert stands("touch", box, sv.Circle((2, 0.5), 1)).met
     hair = stands("touch", box, sv.Circle((2.0000000000000004, 0.5), 1))

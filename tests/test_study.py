@@ -229,7 +229,7 @@ def sharp(time):
 
 def test_where_lines_cross_is_computed_from_the_rows():
     times = times_by_method(CROSSING)
-    assert fastest_by_size(times) == "Fastest: brute force at 10, sort and sweep 100 to 1,000, cKDTree at 10,000."
+    assert fastest_by_size(times) == "Fastest: brute force at 10; sort and sweep 100 to 1,000; cKDTree at 10,000."
     assert crossings(times, "satviz numba") == (
         "satviz numba: faster than brute force at 1,000, STRtree at all sizes; "
         "slower than sort and sweep at all sizes, cKDTree at 10,000."
@@ -249,6 +249,8 @@ def test_overlapping_intervals_are_called_neither_faster_nor_slower():
     assert fastest_by_size(times) == "At no size is one method clearly the fastest."
     later = times | {"STRtree": {10: next_to, 100: near, 1000: near}}
     assert fastest_by_size(later) == "Fastest: STRtree 100 to 1,000; at other sizes it is not clear."
+    parted = later | {"satviz numba": {10: apart}, "STRtree": {1: near, 10: apart, 100: near}}
+    assert fastest_by_size(parted) == "Fastest: STRtree at 1 and at 100; at other sizes it is not clear."
     assert crossings(times, "satviz numba") == (
         "satviz numba: faster than cKDTree at all sizes; not told apart from STRtree at all sizes."
     )
@@ -280,20 +282,20 @@ def test_the_chart_of_frames_says_where_lines_cross_what_differs_and_what_was_wr
     pairs = [TimingRow("arrays", "hits of 9 pairs", 0, m, "ns", t, t, t, t)
              for m, t in (("satviz numba", 30.0), (bench.PLAIN_SAT, 12.0))]  # fmt: skip
     said = frames_chart(CROSSING + uneven + pairs, "").reading
-    assert said.startswith("Boxes. Fastest: brute force at 10, sort and sweep 100 to 1,000, cKDTree at 10,000. satviz")
+    assert said.startswith("Boxes. Fastest: brute force at 10; sort and sweep 100 to 1,000; cKDTree at 10,000. satviz")
     assert "satviz numba 30 (2.5 times)" in said and "satviz numba, one 1e12 away 1.50" in said
     assert DIFFERENCES["cKDTree"] in said and DIFFERENCES["Box2D"] not in said
     assert "both engines together: 0 of 20 checked" in said and "all together: 8 of 28 checked" in said
 
 
-def test_bench_refuses_nonsense(capsys):
+def test_bench_refuses_invalid_options(capsys):
     with pytest.raises(SystemExit) as stop:
         main(["bench", "--pairs", "0"])
     assert stop.value.code == 2 and capsys.readouterr().err.count("\n") == 1
 
 
 @pytest.mark.parametrize("name", WORKLOADS)
-def test_workloads_are_seeded(name):
+def test_the_same_seed_gives_the_same_workload(name):
     one, two = (WORKLOADS[name](np.random.default_rng(3), 20) for _ in range(2))
     for mine, other in zip(one, two):
         assert all(np.array_equal(p, q) for p, q in zip(mine, other))

@@ -79,7 +79,7 @@ def count(log, value):
     return {"value": value}
 
 
-def test_a_finished_cell_is_not_done_again_unless_it_was_tampered_with_or_asked_otherwise(tmp_path):
+def test_a_finished_cell_runs_again_only_if_its_file_was_changed_or_its_settings_differ(tmp_path):
     log = tmp_path / "log"
     cells = [Cell("one", count, (str(log), 1)), Cell("two", count, (str(log), 2), timed=True)]
     first = {cell.name: result for cell, result in run_cells(cells, tmp_path / "cells", None)}
@@ -201,7 +201,7 @@ def test_a_study_leaves_somebody_elses_cell_alone(tmp_path):
     assert "made by satviz" in cell.read_text()
 
 
-def test_wilson_covers_the_rate_and_never_says_none_is_certain():
+def test_a_wilson_interval_covers_the_rate_and_has_no_width_of_zero():
     assert wilson_interval(0, 1000)[0] == 0 and 0.003 < wilson_interval(0, 1000)[1] < 0.005
     low, high = wilson_interval(30, 100)
     assert low < 0.3 < high and abs(low - 0.2189) < 1e-3 and abs(high - 0.3958) < 1e-3  # as in textbooks
@@ -254,7 +254,7 @@ def test_the_alternative_text_of_a_chart_in_the_guides_begins_with_its_title(ste
 
 
 @pytest.mark.parametrize("sentence", refresh_charts.measured_sentences())
-def test_the_guides_say_what_was_measured(sentence):
+def test_the_sentences_on_measurements_in_the_guides_are_those_of_the_rows(sentence):
     assert re.sub("[{}]", "", sentence) in GUIDES
 
 
@@ -394,7 +394,7 @@ def test_the_counts_in_the_guide_are_counted_again():
             assert (row[f"{work}_pairs"], row[f"{work}_wrong"]) == (count["pairs"], count["wrong"])
 
 
-def test_a_cluster_gives_the_same_numbers(tmp_path):
+def test_a_dask_cluster_and_one_process_give_the_same_results(tmp_path):
     distributed = pytest.importorskip("distributed", reason="a cluster needs python -m pip install '.[cluster]'")
     with (
         distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster,

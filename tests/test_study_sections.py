@@ -574,7 +574,7 @@ def test_turning_in_steps_has_more_error_than_a_counted_angle_and_a_summed_angle
 
 
 @pytest.mark.parametrize("angles, better, worse", [((1e-6, 1e-5), "sum", "steps"), ((50.0, 60.0), "steps", "angle")])
-def test_with_much_smaller_or_larger_steps_the_order_of_the_ways_is_another(monkeypatch, angles, better, worse):
+def test_which_rotation_method_has_the_least_error_depends_on_the_step_angle(monkeypatch, angles, better, worse):
     monkeypatch.setattr(pose_error, "STEP_ANGLES", angles)
     monkeypatch.setattr(pose_error, "DISTANCES", (1e3,))
     median = {(r["way"], r["steps"]): r["median"] for r in pose_error.measure(9, QUICK) if r["format"] == "float64"}
@@ -618,7 +618,7 @@ def test_two_boxes_share_the_ends_of_their_common_side():
     assert sorted(contact_points(low, high, (0.0, 1.0))) == [(3.0, 1.0), (4.0, 1.0)]
 
 
-def test_the_table_asks_for_no_more_than_a_scene_needs():
+def test_the_table_names_the_simplest_model_that_each_scene_needs():
     kinds = [row["kind"] for row in result("decision")]
     assert kinds == ["AABB", "AABB", "circles", "float32", "float64", "exact", "exact"]
 
@@ -640,7 +640,7 @@ def test_flat_shapes_have_another_order_of_axes(monkeypatch):
     assert stored[axis_order.LAST_FIRST] > stored[axis_order.ALONG_CENTERS]
 
 
-def test_the_last_axis_comes_first_and_none_is_lost():
+def test_the_axis_of_the_last_frame_is_tested_first_and_no_axis_is_lost():
     a, b = next(axis_order.passing_frames(QUICK.rng("order"), 2))
     axes = needed(a, b).axes
     for axis in axes:
@@ -708,7 +708,7 @@ def test_intervals_hold_the_true_value_as_often_as_they_say():
         assert covered(lambda wrong: wilson_interval(int(wrong), 600), rate, rng.binomial(600, rate, 2000)) > 0.93, rate
 
 
-def test_a_quick_or_torn_run_is_stamped():
+def test_a_quick_run_or_one_whose_times_differ_much_is_marked_as_rough():
     calm, torn = {"ns": 10.0, "ns_low": 9.5, "ns_high": 10.5}, {"ns": 10.0, "ns_low": 6.0, "ns_high": 14.0}
     assert timings.timing_warning([calm] * 4, QUICK) == "rough: a quick run"
     others = [{key: value * k for key, value in calm.items()} for k in (2, 3)]
@@ -808,7 +808,7 @@ def test_no_label_of_a_chart_covers_another_or_leaves_it(theme):
             assert over <= 1, (chart.stem, one.get_text(), other.get_text())
 
 
-def test_a_headline_is_as_high_as_its_lines():
+def test_a_longer_title_makes_a_higher_chart():
     short, long = (Chart("stem", title, (), 0.0, print, [], "").size[1] for title in ("one two", "one two " * 20))
     assert long > short
 

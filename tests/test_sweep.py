@@ -110,6 +110,6 @@ def test_a_speed_is_a_number_within_limits(speed, capsys):
     assert "is not a speed" in capsys.readouterr().err
 
 
-def test_a_speed_is_for_an_animation(capsys):
+def test_speed_is_refused_without_an_animation(capsys):
     assert main(["draw", "triangles", "--speed", "2"]) == 2
     assert "--speed is for an animation or a page" in capsys.readouterr().err

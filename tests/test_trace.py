@@ -1011,7 +1011,7 @@ def test_the_pairs_of_parts_end_at_the_first_that_overlaps():
     assert sv.record(box(1, 1, 3, 3), L).choice == axes.Choice((), complete=True)
 
 
-def test_a_trace_is_a_value():
+def test_equal_traces_have_equal_hashes_and_cannot_be_changed():
     one, two = sv.record(A, B), sv.record(A, B)
     assert one == two and hash(one) == hash(two)
     with pytest.raises(AttributeError):

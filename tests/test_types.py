@@ -141,7 +141,7 @@ def said(request, folder):
     return found
 
 
-def test_right_programs_pass(said):
+def test_correct_programs_pass_the_type_checkers(said):
     assert not said["right.py"]
 
 

@@ -86,7 +86,7 @@ def anywhere(seed):
 
 
 @pytest.mark.parametrize("poses_asked", [80, pytest.param(200, marks=pytest.mark.slow)])
-def test_on_one_screen_one_thing_has_one_number(poses_asked):
+def test_texts_shown_together_name_one_axis_and_print_a_length_with_the_same_digits(poses_asked):
     """The axis is the same in table, picture and number line; a length has the same digits everywhere."""
     spoken_of = 0
     for seed in range(poses_asked):
@@ -115,7 +115,7 @@ def test_on_one_screen_one_thing_has_one_number(poses_asked):
 
 
 @pytest.mark.parametrize("poses_asked", [80, pytest.param(400, marks=pytest.mark.slow)])
-def test_a_sentence_says_that_so_it_is_only_where_the_heading_does(poses_asked):
+def test_a_sentence_calls_the_claim_right_only_where_the_heading_does(poses_asked):
     wrong_numbers = 0
     for seed in range(poses_asked):
         state = anywhere(seed)

@@ -26,7 +26,17 @@ from . import report
 from .candidates import AABB, K_DOP, Model, SplitPolygon, convex_parts, count_axes, shared_directions
 from .certified_bounds import bounding_circle, certify, exact_relation
 from .limits import MAX_TESTS_CHECKED, TESTS_BY_FRACTIONS, TESTS_TIMED
-from .records import GivenPairs, IndexPair, InputSummary, ModelResult, anywhere, best, candidates_of, for_hits, kind_of
+from .records import (
+    GivenPairs,
+    IndexPair,
+    InputSummary,
+    ModelResult,
+    best,
+    candidates_of,
+    for_hits,
+    kind_of,
+    model_for_any_position,
+)
 from .relative_margin import signed_relative_margin
 from .scope import HERE, Scope, common_unit_of, moved_bound, scope_of
 
@@ -71,7 +81,7 @@ class Recommendation:
     @property
     def anywhere(self) -> Model:
         """Return the simplest model that is right at any position: AABB for upright boxes, else the exact filter."""
-        return anywhere(self.summary, self.results)
+        return model_for_any_position(self.summary, self.results)
 
     @property
     def for_hits(self) -> ModelResult:

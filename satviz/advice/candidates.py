@@ -93,14 +93,14 @@ class Model(NamedTuple):
 
 
 def candidates(
-    axes: int, directions: tuple[Vec, ...], only_circles: bool, alone: Collection[str] | None = None
+    axes: int, directions: tuple[Vec, ...], only_circles: bool, kinds_without_boxes: Collection[str] | None = None
 ) -> tuple[Model, ...]:
     """Return the candidate models, from the fewest axes to the most, then from the lowest precision to exact.
 
     `axes`: how many SAT tests for the largest pair; `directions`: the distinct ones of all edge normals, () for no
-    k-DOP; `only_circles`: whether all shapes are circles.  `alone`: None if the pairs are given.  For all pairs of a
-    batch the bounding boxes are compared first, and each model follows them.  The kinds of models in `alone` are also
-    candidates without the boxes before them.
+    k-DOP; `only_circles`: whether all shapes are circles.
+    `kinds_without_boxes`: None for given pairs, which need no test of bounding boxes first.  For all pairs of a batch
+    each model comes after such a test (`after_boxes`); models of these kinds are candidates without the test too.
     """
     found = [] if only_circles else [Model(BOUNDING_CIRCLES, 1)]
     found.append(Model(AABB, 2))
@@ -108,9 +108,9 @@ def candidates(
     if not upright and 2 <= len(directions) < axes:
         found.append(Model(K_DOP, len(directions), directions))
     found += [Model(kind, axes) for kind in (*FORMATS, EXACT_FILTER)]
-    if alone is not None:
-        behind = [m._replace(axes=m.axes + 2, after_boxes=True) for m in found if m.kind != AABB]
-        found = [m for m in found if m.kind == AABB or m.kind in alone] + behind
+    if kinds_without_boxes is not None:
+        after_boxes = [m._replace(axes=m.axes + 2, after_boxes=True) for m in found if m.kind != AABB]
+        found = [m for m in found if m.kind == AABB or m.kind in kinds_without_boxes] + after_boxes
     return tuple(sorted(found, key=lambda model: model.axes))
 
 

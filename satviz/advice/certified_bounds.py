@@ -23,7 +23,7 @@ from ..engine.relate import relate, relate_integers
 from ..engine.shapes import Shape
 from . import rounding
 from .candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, AnyShape, Model, convex_parts
-from .relative_margin import edge_clearances, edge_distances
+from .relative_margin import exact_edge_clearances, exact_edge_distances
 from .rounding import FLOAT64, FORMATS, ExactArithmetic, FloatFormat, is_representable
 
 # Error bounds in roundings, each rounded up from its derivation:
@@ -46,7 +46,7 @@ SQUARE_ROUNDINGS = 12
 # 4u R.  That is 38u R.
 RANGE_ROUNDINGS = 72
 
-WIDENING = 1 + 2.0**-40  # of a bounding circle's rounded radius, so that the circle holds every corner
+WIDENING = 1 + 2.0**-40  # a bounding circle's rounded radius is multiplied by it, so that the circle holds every corner
 
 Disc = tuple[float, float, float]  # x, y, radius
 
@@ -230,7 +230,7 @@ def _certify_polygons(a: Shape, b: Shape, form: FloatFormat) -> Relation | None:
     moved = _coordinate_error(coordinates, numbers, form)
     overlapping = True
     for ring, other, core in (p, q, a.core), (q, p, b.core):
-        edges = zip(edge_clearances(ring, other), cyclic_pairs(core), strict=True)
+        edges = zip(exact_edge_clearances(ring, other), cyclic_pairs(core), strict=True)
         for (clearance, span), ((fx, fy), (gx, gy)) in edges:
             error_bound = SAT_ROUNDINGS * (span + 2 * moved) * (max_coordinate + moved) / (1 << form.bits)
             error_bound += 4 * moved * (span + widest) + 8 * moved * moved
@@ -258,7 +258,7 @@ def _certify_circle_polygon(circle: Shape, polygon: Shape, form: FloatFormat) ->
         return None
     widest = max(max(abs(x - center[0]), abs(y - center[1])) for x, y in ring)
     inside, outside, distances = True, False, []
-    for (dx, dy), orientation, (s, q) in edge_distances(center, ring):
+    for (dx, dy), orientation, (s, q) in exact_edge_distances(center, ring):
         length = abs(dx) + abs(dy)
         error_bound = TURN_ROUNDINGS * (widest + 2 * moved) * (length + 4 * moved) / (1 << form.bits)
         error_bound += 2 * moved * length + 4 * moved * widest + 8 * moved**2

@@ -111,13 +111,13 @@ def _scaled(g: CornerColumns, power: NDArray[np.intp]) -> CornerColumns:
 
 def _polygon_gap(a: CornerColumns, b: CornerColumns) -> Array:
     """Return for each pair of polygons the largest clearance / span of any edge of either."""
-    return np.maximum(_most_clearance(a, b), _most_clearance(b, a))
+    return np.maximum(_largest_relative_clearance(a, b), _largest_relative_clearance(b, a))
 
 
-def _most_clearance(own: CornerColumns, other: CornerColumns) -> Array:
-    """Return for each pair the largest clearance / span of an edge of `own`, two numbers of `edge_clearances`.
+def _largest_relative_clearance(own: CornerColumns, other: CornerColumns) -> Array:
+    """Return for each pair max(clearance / span) over the edges of `own`; `edge_clearances` yields both numbers.
 
-    The span of an edge is its larger component.  NaN if one is below MIN_LENGTH.
+    The span of an edge is its larger component.  NaN if a span is below MIN_LENGTH.
     """
     best = np.full(own.x.shape[1], -np.inf)
     for clearance, span in edge_clearances(own, other):

@@ -43,7 +43,7 @@ class PartPairs(NamedTuple):
         """
         if self.a.owner is None and self.b.owner is None:
             return of_parts
-        order = np.array([0, 1, 3, 2], np.int8)  # of the relations and, last, UNDECIDED
+        order = np.array([0, 1, 3, 2], np.int8)  # ranks of APART, TOUCHING, OVERLAPPING (highest) and UNDECIDED
         most = np.zeros(len(self.ia), np.int8)
         np.maximum.at(most, self.of, order[of_parts])
         return np.array([0, 1, UNDECIDED, 2], np.int8)[most]

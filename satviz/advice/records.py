@@ -39,13 +39,13 @@ class BroadPhaseResult(NamedTuple):
     """Hold what a test of bounding boxes finds apart before any model runs, for all pairs of one batch.
 
     `pairs`: how many are apart by their boxes; `near`: how many of these a model without the boxes might not certify;
-    `alone`: the kinds of models that are candidates without the boxes too; `only_circles`: whether all shapes of the
-    batch are circles.
+    `kinds_without_boxes`: the kinds of models that are candidates without the boxes too; `only_circles`: whether all
+    shapes of the batch are circles.
     """
 
     pairs: int
     near: int
-    alone: frozenset[str]
+    kinds_without_boxes: frozenset[str]
     only_circles: bool
 
 
@@ -132,9 +132,11 @@ def for_hits(results: Sequence[ModelResult]) -> ModelResult:
     return next(j for j in results if j.proven_for_hits)
 
 
-def anywhere(summary: InputSummary, results: Sequence[ModelResult]) -> Model:
-    """Return the simplest model of these results that is right wherever the shapes lie: AABB if all are upright boxes,
-    else the exact filter."""
+def model_for_any_position(summary: InputSummary, results: Sequence[ModelResult]) -> Model:
+    """Return the simplest model of these results that is right wherever the shapes are.
+
+    That is AABB if all shapes are upright boxes, else the exact filter; both are always among the candidates.
+    """
     kind = AABB if set(summary.kinds) == {UPRIGHT_BOXES} else EXACT_FILTER
     return next(j.model for j in results if j.model.kind == kind)
 
@@ -145,7 +147,7 @@ def candidates_of(
     """Return the candidate models; axes: the most that SAT tests for a given pair, kinds: of its shapes."""
     if given.broad_phase is None:
         return candidates(axes, directions, set(kinds) == {CIRCLES})
-    found = candidates(axes, directions, given.broad_phase.only_circles, given.broad_phase.alone)
+    found = candidates(axes, directions, given.broad_phase.only_circles, given.broad_phase.kinds_without_boxes)
     if given.pairs:
         return found
     return tuple(m for m in found if not m.after_boxes or m.kind == EXACT_FILTER)  # nothing is left after the boxes

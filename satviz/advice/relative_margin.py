@@ -51,7 +51,7 @@ def _convex_margin(a: Shape, b: Shape) -> float:
     p, q, radii, _ = to_common_unit(a, b)
     if not radii:
         max_coordinate = max(abs(c) for ring in (p, q) for v in ring for c in v)
-        clearances = (*edge_clearances(p, q), *edge_clearances(q, p))
+        clearances = (*exact_edge_clearances(p, q), *exact_edge_clearances(q, p))
         best = max(Fraction(clearance, span) for clearance, span in clearances) / max_coordinate
         return float(best * 2**53) or (best > 0) * 5e-324 - (best < 0) * 5e-324
     k = max(a.integers[0], b.integers[0])
@@ -68,14 +68,14 @@ def _max_coordinate(shape: Shape, k: int) -> int:
     return max(abs(c) for v in ring for c in v) + radius << k - own
 
 
-def edge_clearances(ring: Sequence[IntPoint], points: Sequence[IntPoint]) -> Iterator[tuple[int, int]]:
+def exact_edge_clearances(ring: Sequence[IntPoint], points: Sequence[IntPoint]) -> Iterator[tuple[int, int]]:
     """Yield (least orientation determinant of the points, larger side) of each edge; the first begins at ring[0]."""
     for (px, py), (qx, qy) in cyclic_pairs(ring):
         nx, ny = qy - py, px - qx
         yield min(nx * x + ny * y for x, y in points) - nx * px - ny * py, max(abs(nx), abs(ny))
 
 
-def edge_distances(
+def exact_edge_distances(
     center: IntPoint, ring: Sequence[IntPoint]
 ) -> Iterator[tuple[tuple[int, int], int, tuple[int, int]]]:
     """Yield (direction, orientation, (s, q)) for each edge of a ring.
@@ -98,7 +98,7 @@ def _gap_from_center(center: IntPoint, r: int, ring: Sequence[IntPoint], shift: 
     Outside, the nearest edge decides; inside, minus the depth of the center is less the radius.
     """
     inner, outer = [], []
-    for (dx, dy), orientation, (s, q) in edge_distances(center, ring):
+    for (dx, dy), orientation, (s, q) in exact_edge_distances(center, ring):
         if orientation > 0:
             inner.append(root_difference(-orientation, r, dx * dx + dy * dy, shift))
         else:

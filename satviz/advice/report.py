@@ -10,7 +10,16 @@ from typing import TYPE_CHECKING
 
 from .candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, Model
 from .limits import SECONDS_TIMED
-from .records import CONCAVE_POLYGONS, SINGULAR, UPRIGHT_BOXES, InputSummary, ModelResult, anywhere, best, for_hits
+from .records import (
+    CONCAVE_POLYGONS,
+    SINGULAR,
+    UPRIGHT_BOXES,
+    InputSummary,
+    ModelResult,
+    best,
+    for_hits,
+    model_for_any_position,
+)
 from .relative_margin import IN_FLOAT32
 from .rounding import FLOAT32, FLOAT64, FORMATS
 from .scope import ANYWHERE, MOVED, MULTIPLES, Scope
@@ -40,7 +49,9 @@ def text(summary: InputSummary, results: "Sequence[ModelResult]", scope: Scope) 
     rest = results[place + 1 :]
     lines += [f"{'more ' if j.proven else 'other'}    {_adds(j, summary, results)}" for j in rest]
     if scope.kind != ANYWHERE:
-        lines.append(f"anywhere {named(anywhere(summary, results))} is right in every position, if the shapes move")
+        lines.append(
+            f"anywhere {named(model_for_any_position(summary, results))} is right in every position, if the shapes move"
+        )
     if hits is not least:
         lines.append(f"hits     {named(hits.model)} is enough to tell hits from misses, where touching is a hit")
     return "\n".join(lines)

@@ -36,7 +36,7 @@ KINDS = {
     "coords": Kind("fiu", (2,), "(M, 2) real numbers, the vertices of all polygons"),
     "offsets": Kind("iu", (), "(N + 1,) integers, where each polygon starts in coords and the last one ends"),
     "centers": Kind("fiu", (2,), "(K, 2) real numbers, the centers of all circles"),
-    "radii": Kind("fiu", (), "(K,) real numbers, a radius for each of centers"),
+    "radii": Kind("fiu", (), "(K,) real numbers, one radius for each row of centers"),
     "pairs": Kind("iu", (2,), "(P, 2) integers, the numbers of the two shapes of each pair"),
 }
 PACKED = zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED  # by numpy.savez and numpy.savez_compressed
@@ -119,7 +119,9 @@ def _check(path: Path, headers: dict[str, tuple[tuple[int, ...], np.dtype[Any]]]
             )
     if "centers" in headers and headers["radii"][0] != headers["centers"][0][:1]:
         (many,), (count, *_) = headers["radii"][0], headers["centers"][0]
-        raise InvalidScene(f"{path}: radii has the shape ({many},): expected ({count},), a radius for each of centers")
+        raise InvalidScene(
+            f"{path}: radii has the shape ({many},): expected ({count},), one radius for each row of centers"
+        )
 
 
 def _array(held: zipfile.ZipFile, member: zipfile.ZipInfo) -> NDArray[Any]:
@@ -163,4 +165,4 @@ def _in_the_file(message: str) -> str:
         return f"coords: {message}"
     if message.startswith("circle"):
         return f"{'radii' if ': radius' in message else 'centers'}: {message}"
-    return message.replace("number of vertices", "number of rows of coords")  # of offsets, named in the message
+    return message.replace("number of vertices", "number of rows of coords")  # the message names the array offsets too

@@ -327,7 +327,7 @@ class Shapes:
         where = list(where) if isinstance(where, tuple) else where
         chosen = np.atleast_1d(np.arange(len(self))[where])
         if chosen.ndim != 1:
-            raise IndexError(f"the indices have the shape {chosen.shape}: expected one row of them")
+            raise IndexError(f"the indices have the shape {chosen.shape}: expected an array with one dimension")
         if (run := self._only_run()) is not None:
             return Shapes(runs=[run.columns(chosen)])
         owner = None

@@ -19,7 +19,8 @@ from .broad_rule import MAX_CANDIDATES_PER_BOX, NAMES
 from .engines import Engine, engine_of
 
 MAX_UNSPLIT_RATIO = 4.0
-WIDE, FINE = 2.0**-1000, 2.0**-48  # of the farthest coordinate: cells whose numbers cannot overflow, nor run together
+# least cell sizes as factors of the farthest coordinate: cell numbers cannot overflow, nor run together
+WIDE, FINE = 2.0**-1000, 2.0**-48
 SAMPLE_BOXES = 1024  # boxes that tell how large all are and how densely they lie
 OUTLIER_SIZE = 64.0  # times the median size, above which a box is taken out
 OUTLIER_SPREAD = 64.0  # times the middle half of all boxes, beyond which a box is taken out

@@ -18,7 +18,7 @@ from .constructors import number_polygons
 from .engines import engine_of
 from .narrow_phase import check_options, hits
 
-STRIP_SHAPES = 1 << 19  # shapes a strip of a streamed file should hold
+STRIP_SHAPES = 1 << 19  # number of shapes that one strip of a streamed file should hold
 
 
 def colliding_pairs(
@@ -50,7 +50,7 @@ def colliding_pairs(
         if shapes.owner is not None:
             owners = shapes.owner[pairs]
             pairs = pairs[owners[:, 0] != owners[:, 1]]
-        if not parts.are_upright_boxes:  # of which those that meet by their boxes meet
+        if not parts.are_upright_boxes:  # upright boxes meet exactly where their bounding boxes meet
             pairs = pairs[hits(parts, parts, pairs, engine=engine, executor=executor, progress=progress, chunk=chunk)]
         found.append(pairs)
     pairs = sort_pairs(found)

@@ -116,7 +116,7 @@ def _checked(state: MotionState, corners: Any) -> Shapes:
         if corners.shape[0] != len(state.start) - 1 or corners.shape[2] != 2:
             raise InvalidShape(f"corners has the shape {corners.shape}: expected {_form(state)}")
         if corners.shape[1] != state.corners and not state.radius.any():
-            return _same_topology(state, number_polygons(corners, None, None))
+            return _check_corner_counts(state, number_polygons(corners, None, None))
         corners = corners.reshape(-1, 2)
 
     name = corner_name(state.start, state.radius)
@@ -144,7 +144,7 @@ def _array_of_outlines(state: MotionState, corners: Any) -> Any:
     return points.reshape(len(many), many[0], 2) if (many == many[0]).all() else corners
 
 
-def _same_topology(state: MotionState, made: Shapes) -> Shapes:
+def _check_corner_counts(state: MotionState, made: Shapes) -> Shapes:
     """Return `made`; InvalidShape unless each polygon in it has as many distinct corners as before the move."""
     own = np.diff(state.start)
     if (other := np.flatnonzero(made.count != own)).size:

@@ -25,7 +25,7 @@ EXPECTED = {
 TOUCHING_AS = "hit", "miss", "either"
 MAX_TEXT, MAX_PARTS, MAX_NUMBER = 1000, 20, 1e300  # letters, parts and size of an answer that is evaluated
 MAX_SHOWN = 200  # letters of an answer that cannot be read
-NUMBER_TOLERANCE = 1e-9  # of the scene's size: lengths are rounded, so they are compared to nine digits
+NUMBER_TOLERANCE = 1e-9  # as a factor of the scene's size: lengths are rounded, so they are compared to nine digits
 WORDS = {str(relation): relation for relation in Relation}
 
 Answer = Any  # a bool, a Relation, a float, a Vec, None, or (bool, Vec or None), by the kind

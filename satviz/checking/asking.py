@@ -41,8 +41,8 @@ class CalledHere:
 
     def __init__(self, fn: Callable[[Any, Any], Any], form: Form) -> None:
         self.fn, self.form = fn, form
-        self.file: str | None = None  # in which errors count lines
-        with suppress(Exception):  # of the function's own __getattr__
+        self.file: str | None = None  # the file whose line numbers are named in error lines
+        with suppress(Exception):  # the function's own __getattr__ may raise
             self.file = getattr(fn, "file", None) or fn.__code__.co_filename
 
     def ask(self, a: Shape, b: Shape) -> Outcome:
@@ -90,7 +90,7 @@ def _are_equal(one: Any, other: Any) -> bool:
 def error_line(error: BaseException, file: str | None) -> str:
     """Return one line on an exception: its type, its message, and the last line of `file` in its traceback."""
     words = ""
-    with suppress(BaseException):  # of its own __str__
+    with suppress(BaseException):  # the exception's own __str__ may raise
         words = short_repr(str(error))[1:-1]
     lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == file]
     place = f" in line {lines[-1]}" if lines else ""
@@ -114,7 +114,8 @@ class CalledInProcess:
         self.pipe, theirs = context.Pipe()
         self.process = context.Process(target=_answer_calls, args=(theirs, self.fn, self.form), daemon=True)
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore", DeprecationWarning)  # of a copy beside threads: the copy only computes
+            # Python warns of a fork beside threads: this one only computes
+            warnings.simplefilter("ignore", DeprecationWarning)
             self.process.start()
         theirs.close()
 

@@ -17,7 +17,7 @@ from ..scenes.shape_tools import translated
 from .answers import DEPTH, HIT_AND_MTV, MTV, Rules, in_words, true_in_words
 from .forms import pasteable
 from .mistakes import Likeness, symptom_of
-from .pairs import BOXES, CIRCLES, CONCAVE, CONVEX, KINDS, REPEATED, ROUND, CheckPair
+from .pairs import BOXES, CIRCLE_AND_POLYGON, CIRCLES, CONCAVE, CONVEX, KINDS, REPEATED_VERTEX, CheckPair
 from .results import WRONG, Result
 
 RETURNS = {
@@ -27,8 +27,13 @@ RETURNS = {
     "mtv": "a move out of the overlap (MTV)",
     "hit and mtv": "a hit, and a move out of the overlap (MTV)",
 }
-PARTS = {"upright boxes": (BOXES,), "convex": (CONVEX, REPEATED), "circles": (CIRCLES, ROUND), "concave": (CONCAVE,)}
-PART_OF = {kind: part for part, kinds in PARTS.items() for kind in kinds}
+SCORE_GROUPS = {
+    "upright boxes": (BOXES,),
+    "convex": (CONVEX, REPEATED_VERTEX),
+    "circles": (CIRCLES, CIRCLE_AND_POLYGON),
+    "concave": (CONCAVE,),
+}
+SCORE_GROUP_OF = {kind: part for part, kinds in SCORE_GROUPS.items() for kind in kinds}
 TOUCHING_PART, MTV_PART = "touching", "MTV"
 
 
@@ -195,9 +200,9 @@ class Checked:
         Only kinds that were asked about are parts.  `weights`: how much each part counts, 1 where it is not named.
         """
         judged = [(self._part_of(result), result.right) for result in self.results]
-        judged += [(PART_OF[pair.kind], False) for pair in self.unasked]
+        judged += [(SCORE_GROUP_OF[pair.kind], False) for pair in self.unasked]
         parts: dict[str, tuple[int, int]] = {}
-        for part in (*PARTS, TOUCHING_PART, MTV_PART):
+        for part in (*SCORE_GROUPS, TOUCHING_PART, MTV_PART):
             answers = [right for name, right in judged if name == part]
             if answers:
                 parts[part] = sum(answers), len(answers)
@@ -209,7 +214,7 @@ class Checked:
             return TOUCHING_PART
         if result.truth.relation is Relation.OVERLAPPING and self.rules.returns in (DEPTH, MTV, HIT_AND_MTV):
             return MTV_PART
-        return PART_OF[result.pair.kind]
+        return SCORE_GROUP_OF[result.pair.kind]
 
 
 def _sentence(words: str) -> str:

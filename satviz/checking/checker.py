@@ -3,6 +3,7 @@
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from ..engine.polygon_validation import short_repr
 from .asking import Asker, CalledHere, CalledInProcess, ask_all, form_named
 from .checked import Checked
 from .forms import Form
@@ -37,8 +38,16 @@ def check(
     `seconds`: the time after which no new pairs are asked.  `call_seconds`: run `fn` in a process of its own, and end
     it where a call takes longer than this; without it an endless loop never ends.
 
-    What is true is decided by the exact engine.  ValueError for an option that is not one of those above.
+    What is true is decided by the exact engine.  TypeError if `fn` is no function; ValueError for an option that is not
+    one of those above.
     """
+    if isinstance(fn, str):
+        raise TypeError(
+            f"fn is the text {short_repr(fn)}, not a function: import the function and pass it, or run "
+            "satviz check FILE:NAME"
+        )
+    if not callable(fn):
+        raise TypeError(f"fn is a {type(fn).__name__}: pass a function of two shapes")
     asker: Asker = (
         CalledHere(fn, form_named(form))
         if call_seconds is None

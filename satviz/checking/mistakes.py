@@ -25,7 +25,7 @@ from .answers import (
 )
 from .other_methods import VARIANTS as VARIANTS_OF_OTHERS
 from .other_methods import by_shortcut
-from .pairs import BOXES, CIRCLES, CONVEX, KNOWN_SCENES, ROUND, kind_of
+from .pairs import BOXES, CIRCLE_AND_POLYGON, CIRCLES, CONVEX, KNOWN_SCENES, kind_of
 from .results import Result
 from .written import VARIANTS, Predict
 
@@ -79,8 +79,8 @@ class Likeness(NamedTuple):
     """The likeness of a function's answers to those of a known mistake.
 
     `agrees`: on how many of the `pairs` both give the same answer, or both a right one; `wrong_alike`: on how many
-    of those that either is wrong about (`either_wrong`) both give the same wrong answer; `words`: in which way the
-    mistake is made, where that is not the way of its failing case.
+    of those that either is wrong about (`either_wrong`) both give the same wrong answer; `variant`: how the
+    mistake is made, if not as in its failing case.
     """
 
     name: str
@@ -88,7 +88,7 @@ class Likeness(NamedTuple):
     pairs: int
     wrong_alike: int
     either_wrong: int
-    words: str = ""
+    variant: str = ""
 
     @property
     def is_close(self) -> bool:
@@ -102,19 +102,22 @@ class Likeness(NamedTuple):
 
     @property
     def in_words(self) -> str:
-        """Return the name, the claim, and in which way it is made."""
-        return f"{self.name}: “{self.claim}”{self.words and f' ({self.words})'}"
+        """Return the mistake's name and claim, and in brackets its variant if there is one."""
+        return f"{self.name}: “{self.claim}”{self.variant and f' ({self.variant})'}"
 
     def __str__(self) -> str:
         return f"{self.name} on {self.agrees} of {self.pairs} pairs"
 
 
 class Hypothesis(NamedTuple):
-    """A known mistake by the name of its failing case, and what a function with this mistake answers."""
+    """A known mistake by the name of its failing case, and the answers of a function with this mistake.
+
+    `variant`: as in Likeness.
+    """
 
     name: str
     predict: Predict
-    words: str = ""
+    variant: str = ""
 
     def is_about(self, rules: Rules) -> bool:
         """Return whether the mistake can be seen in answers of this kind."""
@@ -163,9 +166,9 @@ def likenesses(results: Sequence[Result], rules: Rules) -> list[Likeness]:
     compared += others[::step][: MAX_COMPARED - len(compared)]
     found: dict[str, Likeness] = {}
     asked = [rules, rules._replace(touching="miss")][: 1 + _misses_touching(readable, rules)]
-    with_circles = any(result.pair.kind in (CIRCLES, ROUND) for result in readable)
+    with_circles = any(result.pair.kind in (CIRCLES, CIRCLE_AND_POLYGON) for result in readable)
     for hypothesis, each in product(HYPOTHESES, asked):
-        is_of_circles = not hypothesis.words and _own_kind(hypothesis.name) in (CIRCLES, ROUND)
+        is_of_circles = not hypothesis.variant and _own_kind(hypothesis.name) in (CIRCLES, CIRCLE_AND_POLYGON)
         if not hypothesis.is_about(rules) or (is_of_circles and not with_circles):
             continue
         likeness = _likeness(hypothesis, compared, rules, each)
@@ -217,8 +220,8 @@ def _likeness(hypothesis: Hypothesis, results: Sequence[Result], rules: Rules, a
         if i >= 11 and missed > 9 * alike:
             return None  # too few of the wrong answers, which come first, are explained
     if not alike or (asked != rules and not not_touching):
-        return None  # what is wrong about touching shapes alone is the mistake touch-as-apart
-    return Likeness(hypothesis.name, agrees, len(results), alike, either, hypothesis.words)
+        return None  # wrong answers about touching shapes alone are the mistake touch-as-apart
+    return Likeness(hypothesis.name, agrees, len(results), alike, either, hypothesis.variant)
 
 
 def _alike(one: Answer, other: Answer, kind: str, margin: float, one_is_right: bool) -> bool:

@@ -22,13 +22,13 @@ KINDS = {
     "circle and polygon": "a circle and a convex polygon",
     "repeated": "a vertex that is listed twice",
 }
-BOXES, CONVEX, CONCAVE, CIRCLES, ROUND, REPEATED = KINDS
+BOXES, CONVEX, CONCAVE, CIRCLES, CIRCLE_AND_POLYGON, REPEATED_VERTEX = KINDS
 KNOWN_SCENES, PAST_ONE_EDGE = "scenes of known mistakes", "just past one edge"
 DEFAULT_KINDS = BOXES, CONVEX
-SIZES = (3, 4, 6, 8, 12, 20, 60, 400)  # of the grids that later pairs lie on, in whole numbers
-PAIRS_PER_SIZE = 24  # where there are many ways to lie beside each other; of the other kinds a third
+SIZES = (3, 4, 6, 8, 12, 20, 60, 400)  # sizes of the grids of whole numbers on which the pairs lie, smallest first
+PAIRS_PER_SIZE = 24  # pairs of the kinds with many relative positions; the other kinds have a third as many
 MAX_CORNERS = 8
-ONE_EDGE_SIZE = 60  # of shapes that lie past an edge, so near that hardly any other edge shows the gap
+ONE_EDGE_SIZE = 60  # size of shapes that lie just past one edge: hardly any other edge shows the gap
 
 Maker = Callable[[Random, int], Shape]
 
@@ -43,18 +43,21 @@ class CheckPair(NamedTuple):
 
 
 def kind_of(a: Shape, b: Shape) -> str:
-    """Return the kind of a pair of shapes: one of the constants BOXES, CONVEX, CONCAVE, CIRCLES, ROUND, REPEATED."""
+    """Return the kind of a pair of shapes, a key of KINDS.
+
+    A concave outline decides before a circle, and a vertex that is listed twice before upright boxes.
+    """
     circles = [isinstance(shape, Circle) for shape in (a, b)]
     if all(circles):
         return CIRCLES
     if not (a.is_convex and b.is_convex):
         return CONCAVE
     if any(circles):
-        return ROUND
+        return CIRCLE_AND_POLYGON
     if any(
         len(shape.vertices) > len(shape.core) and len(set(shape.vertices)) < len(shape.vertices) for shape in (a, b)
     ):
-        return REPEATED
+        return REPEATED_VERTEX
     return BOXES if a.is_upright_box and b.is_upright_box else CONVEX
 
 
@@ -118,11 +121,11 @@ def _seeded(kinds: Sequence[str], random: Random, size: int, group: str) -> Iter
         makers = MAKERS[kind]
         if random.random() >= 0.7 and kind == CONCAVE:
             makers = _concave, _concave
-        if kind == REPEATED and size < 6:
+        if kind == REPEATED_VERTEX and size < 6:
             makers = _repeated, _box
-        for i in range(PAIRS_PER_SIZE if kind in (CONVEX, ROUND, CONCAVE) else PAIRS_PER_SIZE // 3):
+        for i in range(PAIRS_PER_SIZE if kind in (CONVEX, CIRCLE_AND_POLYGON, CONCAVE) else PAIRS_PER_SIZE // 3):
             a, b = (make(random, size) for make in makers)
-            if i % 2 and kind in (CIRCLES, ROUND):
+            if i % 2 and kind in (CIRCLES, CIRCLE_AND_POLYGON):
                 a, b = b, a
             b = _placed(a, b, random, size, i % 4)
             yield CheckPair(a, b, kind_of(a, b), group)
@@ -262,8 +265,8 @@ MAKERS: dict[str, tuple[Maker, Maker]] = {
     CONVEX: (_convex, _convex),
     CONCAVE: (_concave, _convex),
     CIRCLES: (_circle, _circle),
-    ROUND: (_circle, _convex),
-    REPEATED: (_repeated, _convex),
+    CIRCLE_AND_POLYGON: (_circle, _convex),
+    REPEATED_VERTEX: (_repeated, _convex),
 }
 
 

@@ -20,9 +20,9 @@ from .answers import plain
 from .asking import ENDED, ERROR, NO_ANSWER, Outcome, end_group
 from .forms import as_dict, plain_points
 
-MAX_LINE = 10_000  # letters of an answer
-MAX_WAITING = 1000  # lines that are read before they are asked for
-START_SECONDS = 10.0  # that the first answer may take longer than the others, since a program must start
+MAX_LINE = 10_000  # letters of an answer, at most
+MAX_WAITING = 1000  # lines that may wait to be asked for
+START_SECONDS = 10.0  # additional time for the first answer, since the program must start
 
 
 def line_for(a: Shape, b: Shape) -> str:
@@ -134,7 +134,7 @@ class FunctionOfFile:
         if self.fn is None:
             nowhere = os.open(os.devnull, os.O_WRONLY)
             for stream in 1, 2:
-                os.dup2(nowhere, stream)  # what the report is written to must have nothing else in it
+                os.dup2(nowhere, stream)  # the streams of the report must hold nothing else
             self.fn = runpy.run_path(self.file)[self.name]
         return self.fn(a, b)
 

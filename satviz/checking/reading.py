@@ -51,7 +51,7 @@ class ReaderPython:
     def _define(self, code: str) -> dict[str, Any]:
         """Run the code and keep its `collide`, or its only function of two arguments; return {"why": fault or ""}."""
         names: dict[str, Any] = {"__name__": "reader"}
-        if "\0" in code:  # which error Python raises for it depends on its version
+        if "\0" in code:  # Python's versions raise different errors for it
             return {"why": "This is not Python: the code has a null character."}
         try:
             exec(compile(code, FILE, "exec"), names)

@@ -205,8 +205,11 @@ def one_extreme_each(step: int, ring: Ring, n: Vec) -> Interval:
     return ends([pick(ring[::step], key=itemgetter(k)) for pick in (min, max) for k in (0, 1)], n)
 
 
-def one_end_each(sign: int, ring: Ring, n: Vec) -> Interval:
-    """Return a range where a landing place that is a new minimum is not tried as the maximum; `sign` -1: vice versa."""
+def range_by_elif(sign: int, ring: Ring, n: Vec) -> Interval:
+    """Return the range that the faulty loop `if t < lo ... elif t > hi ...` finds.
+
+    A coordinate that becomes the minimum is never compared with the maximum.  `sign` -1 exchanges the two ends.
+    """
     lo, hi = inf, -inf
     for p in ring:
         at = sign * (n.x * p.x + n.y * p.y)
@@ -292,7 +295,7 @@ def distances(ring: Ring) -> list[float]:
     return [dist(mean(ring), vertex) for vertex in ring]
 
 
-LARGE_RADII: tuple[tuple[Middle, Radius], ...] = (  # of circles that hold the whole shape
+LARGE_RADII: tuple[tuple[Middle, Radius], ...] = (  # (center, radius) of circles that hold the whole shape
     (mean, lambda ring: max(distances(ring))),
     (middle_of_box, lambda ring: hypot(*sides(ring)) / 2),
 )
@@ -377,7 +380,7 @@ def _measured() -> Iterator[Variant]:
         yield "extremes-once", Written(ends=partial(one_extreme_each, step)), ""
         yield (
             "extremes-once",
-            Written(ends=partial(one_end_each, step)),
+            Written(ends=partial(range_by_elif, step)),
             "here with an else between the two comparisons",
         )
     yield "extremes-once", Written(ends=lambda ring, n: ends(ring[:-1], n)), "here without the last vertex"

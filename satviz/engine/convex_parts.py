@@ -17,7 +17,8 @@ from .predicates import IntPoint, orient_det
 from .shapes import Polygon, Shape, require_shape
 
 MAX_PARTNERS = 8  # later reflex vertices that a reflex vertex is paired with, so that a big outline skips most pairs
-MAX_REFLEX_VERTICES = 100  # of one piece; cutting it takes time proportional to the square of their number
+# reflex vertices of one piece; cutting it takes time proportional to the square of their number
+MAX_REFLEX_VERTICES = 100
 
 Ring = list[int]  # the vertex numbers of a piece: counter-clockwise, without collinear vertices
 Edge = tuple[int, int]
@@ -68,7 +69,7 @@ class _Pieces:
         self.numbers = {p: v for v, p in enumerate(self.points)}
         k, at, _ = shape.integers
         common = gcd(*(c for p in at for c in p))
-        self.unit = Fraction(common, 1 << k)  # of the integers in self.at, which have no common factor
+        self.unit = Fraction(common, 1 << k)  # the length of 1 in self.at, whose integers have no common factor
         self.at = [(x // common, y // common) for x, y in at]
         self.convex: list[Ring] = []
         # the diagonals of `halve` in both directions; no other cut ends inside one, so that `merge` can remove it
@@ -196,7 +197,7 @@ class _Pieces:
         """Cut a ring from vertex u to vertex v; return both pieces, without an end that became collinear."""
         i, j = sorted((ring.index(u), ring.index(v)))
         for end in (u, v):
-            if self.home.get(end) is ring:  # it may be reflex still in the piece behind an earlier cut
+            if self.home.get(end) is ring:  # it may be reflex still in the piece beyond an earlier cut
                 del self.home[end]
         found = []
         for piece in (ring[i : j + 1], ring[j:] + ring[: i + 1]):

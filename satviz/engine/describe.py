@@ -100,7 +100,7 @@ def gap_in_words(gap: float, numbers: Digits) -> str:
     return f"gap {numbers.signed(gap)}" if gap > 0 else f"overlap {numbers.gap(gap)}"
 
 
-NumberFormat = Callable[..., Digits]  # of a trace and some of its tests, as `digits`
+NumberFormat = Callable[..., Digits]  # called with a trace and some of its tests, as `digits`
 
 
 def outcome(t: AxisTest, numbers: Digits) -> str:

@@ -23,7 +23,9 @@ from .shapes import Shape
 NUDGES = (0.0, *(2.0**-e for e in range(52, 1, -2)))  # lengths by which a rounded move is made longer, near size 1
 ROUNDING = 2.0**-40  # error of a region's border near size 1: some roundings of 2**-53, with much to spare
 NARROW = 2.0**-10  # length of the sum of two unit normals, nearly opposite, that border a slot
-TILT = 2.0**-26  # of a way along a slot: a circle's border bends away by t**2 / 2 along t, a rounding is 2**-53
+# the slope by which a direction along a slot is tilted: a circle's border bends away by t**2 / 2 over a length t, which
+# is one rounding, 2**-53, at t = 2**-26
+TILT = 2.0**-26
 BORDER_TOLERANCE = 1e-9  # near size 1, by how much a crossing may miss the ends of a border
 MAX_CORNERS = 4000  # corners over all pairs of convex parts: seconds at worst, most often far less
 

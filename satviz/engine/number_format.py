@@ -88,7 +88,7 @@ class Digits(NamedTuple):
         return _needed_decimals(abs(gap) / 10.0**self.power, 1 if self.padded else 3) <= self.decimals
 
     def _from_origin(self, text: str) -> str:
-        """Return the text with the origin before it, if there is one, and the unit behind it: "(2000 + 2.5)e9"."""
+        """Return the text with the origin before it, if there is one, and the unit after it: "(2000 + 2.5)e9"."""
         if not self.origin:
             return f"{text}{self.unit}"
         whole = f"{self.origin} + {text}".replace("-", MINUS)

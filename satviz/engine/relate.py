@@ -53,7 +53,7 @@ def relate(a: Shape, b: Shape) -> Relation:
     Takes Polygon (convex or concave) and Circle in any mix; TypeError for anything else.
     """
     try:
-        a_slabs, b_slabs = a.slabs, b.slabs  # which shapes of other libraries do not have
+        a_slabs, b_slabs = a.slabs, b.slabs  # shapes of other libraries have no slabs
     except AttributeError:
         require_shape(a, "a"), require_shape(b, "b")
         raise

@@ -13,7 +13,7 @@ from .shapes import Shape, require_shape
 # 2**-30 M = 2**23 u M are computed with integers, so a float gap has not only the right sign but five right digits.
 CLOSE_GAP_FACTOR = 2.0**-30
 SAFE_RANGE = 1e-100, 1e100  # coordinates and lengths in this range: no product overflows or vanishes
-new = tuple.__new__  # what a NamedTuple's own constructor ends in; the loop's records are half its cost
+new = tuple.__new__  # a NamedTuple's own constructor calls this; making the records is half of the loop's cost
 
 
 class Projection(NamedTuple):

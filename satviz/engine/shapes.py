@@ -38,7 +38,7 @@ class _Shape:
     max_coordinate: float  # the largest absolute coordinate of any point of the shape
     max_edge_component: float  # the largest absolute x or y component of an edge; a circle's radius
     slabs: tuple[Slab, ...] | None  # one per edge direction, see _slabs; None for circles and concave polygons
-    _cache: dict[str, Any]  # what is computed at first use: integers, axes, convex parts
+    _cache: dict[str, Any]  # values computed at first use: integers, axes, convex parts
 
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError(f"a {type(self).__name__} cannot be changed: make a new one")
@@ -197,7 +197,7 @@ def require_shape(shape: Any, name: str) -> Shape:
     """Return the shape itself; TypeError unless it is a Polygon or a Circle; `name`: the argument's name."""
     if isinstance(shape, (Polygon, Circle)):
         return shape
-    raise TypeError(f"{name} is a {type(shape).__name__}: make it a satviz.Polygon or satviz.Circle first")
+    raise TypeError(f"argument {name} is a {type(shape).__name__}: make it a satviz.Polygon or satviz.Circle first")
 
 
 def centroid(shape: Shape) -> Vec:

@@ -190,7 +190,8 @@ class Trace:
             return PartLines(self.a, self.b, tuple(lines))
         if self.choice.complete:
             return shared_point(self.a, self.b)
-        return record(self.a, self.b).certificate  # that choice is complete, so it ends in a case above
+        # the default choice of axes is complete, so this call ends in a case above
+        return record(self.a, self.b).certificate
 
     @property
     def skipped(self) -> tuple[Skip, ...]:
@@ -243,7 +244,10 @@ class Trace:
 
     @staticmethod
     def from_json(text: str) -> "Trace":
-        """Return the trace that `to_json` wrote; InvalidScene if a field is missing, unknown or false."""
+        """Return the trace that `to_json` wrote.
+
+        InvalidScene if a field is missing or unknown, or contradicts the shapes.
+        """
         trace: Trace = hooks.call("trace_from_json", text)
         return trace
 

@@ -12,7 +12,7 @@ NEIGHBOUR_LINK = re.compile(r"(Back|Next): \[")  # a notebook's links to its nei
 PAGE_WORDS = re.compile(r"[\s\S]*<!-- page:\s*([\s\S]*?)\s*-->[\s\S]*")
 CHOICES = "<!-- choices:"  # begins the comment with the choices of a question
 CHOICE = re.compile(r"([+-]) (.+?) \| (.+)")  # a line of it: whether it is right, the choice, what is said about it
-# a question: bold words that end in a question mark, or in a colon with a question behind them
+# a question: bold words that end in a question mark, or in a colon that a question follows
 QUESTION = re.compile(r"\*\*[^*]*(\?\*\*|:\*\*.*\?)", re.DOTALL)
 SUMMARY = "<summary>The answer</summary>"
 FOLD = f"<details>{SUMMARY}"  # a notebook hides the answer to a question with this tag
@@ -58,7 +58,9 @@ def choices_of(comment: str) -> list[tuple[str, str, str]]:
     found = [CHOICE.fullmatch(line.strip()) for line in lines]
     signs = [match[1] for match in found if match]
     if len(signs) < len(lines) or len(signs) < 2 or signs.count("+") != 1:
-        raise ValueError(f"expected lines such as '- choice | reason', the right one with +: {comment}")
+        raise ValueError(
+            f"expected lines such as '- choice | reason', two or more, exactly one of them with +: {comment}"
+        )
     return [(match[1], match[2], match[3]) for match in found if match]
 
 

@@ -34,8 +34,8 @@ WORKSHEETS = {  # the scenes that are computed by hand in the handout of a chapt
     "6": ("one-shapes-normals",),
 }
 COLLIDE, SOLUTIONS = "Do they collide?", ": solutions"  # the title of a scene without one; the end of a title
-MAX_CORNERS = 12  # of a shape whose corners are listed
-FIGURES = 6  # of a coordinate near the origin, at most
+MAX_CORNERS = 12  # corners of a shape that are listed; for a larger shape 'and 5 more' follows
+FIGURES = 6  # digits of a coordinate near the origin, at most
 COLOURS = ("A", "B", "gap", "ink", "move"), ("overlap", "guide", "wrong")  # black, and grey
 
 

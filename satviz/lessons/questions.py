@@ -10,7 +10,7 @@ from .themed import themed_svg
 
 LINK = re.compile(r"\[([^\]]*)\]\([^)]*\)")  # paper has no links
 EXERCISE_FOLD = "<details><summary>Solution</summary>"
-# what helps with a program that the reader changes, which paper cannot ask for
+# hints for programs that the reader edits; a handout leaves them out
 OTHER_FOLD = re.compile(rf"<details>(?!{SUMMARY})[\s\S]*?</details>")
 EXERCISES = "## Exercises\n\n"  # the heading, which the first exercise follows in its cell
 TOOLS = "sv.explore(", "slide("  # a question before these is answered by moving something, which paper cannot

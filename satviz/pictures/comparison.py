@@ -39,7 +39,7 @@ MAX_PANEL = 340.0, 300.0
 BETWEEN, HEAD, RIM = 20.0, 24.0, 16.0  # between the panels, for each one's heading, around the words above
 BOTH_PANELS_WIDTH_PT = 2 * MAX_PANEL[0] + BETWEEN
 MIN_PANEL = 170.0  # a smaller panel has no space for its words
-AXES_RIM = 0.2  # of the shapes' size: space on all sides for the axes of the steps
+AXES_RIM = 0.2  # space on all sides for the axes of the steps, as a factor of the shapes' size
 TALL = 1.5  # a canvas that is this many times as tall as wide has the panels one above the other
 
 
@@ -185,7 +185,10 @@ def _actual_panel(trace: Trace, largest: tuple[float, float]) -> Picture:
 
 
 def draw_answer(sketch: Sketch, trace: Trace, part: str, word: str, number: str) -> None:
-    """Write the verdict `word` as the label `part`, and `number`; a gap has a bar instead of it."""
+    """Write the verdict `word`, if there is one, as the label `part`.
+
+    Write `number` too if the failing case is about a quantity other than a gap, which its bar shows.
+    """
     if word:
         sketch.note(part, word, "ink", weight="title", first=0)
     case = case_of(trace.shortcut)
@@ -276,9 +279,9 @@ def _lies_on(p: Vec, edge: tuple[Vec, Vec]) -> bool:
     return min(to_q, to_r) > 0 and to_q + to_r <= length * (1 + 1e-12)
 
 
-def _with_corner_names(words: str, rings: Sequence[Sequence[Vec]]) -> str:
-    """Return an error line that names crossing edges by their corners and points to the rings drawn around them."""
-    for name, ring in zip("ab", rings, strict=False):
+def _with_corner_names(words: str, outlines: Sequence[Sequence[Vec]]) -> str:
+    """Return an error line that names crossing edges by their corners, with "(rings)" for the circles around them."""
+    for name, ring in zip("ab", outlines, strict=False):
         for _, i, j in _crossings(ring):
             one, other = (f"{name}{k + 1}{name}{(k + 1) % len(ring) + 1}" for k in (i, j))
             words = re.sub(rf"edges {i} and {j} cross near \([^)]*\)", f"edges {one} and {other} cross (rings)", words)

@@ -32,11 +32,11 @@ from .default_panels import (
     Panel,
     PanelSketch,
     claimed_tests,
+    contents_of_claimed_tests,
     draw_claimed_tests,
     draw_proof,
     draw_push,
     mtv_name,
-    needs_claimed_tests,
     needs_proof,
     true_run,
     true_test,
@@ -652,7 +652,7 @@ def needs_pieces(trace: Trace) -> PanelContents:
     return PanelContents([*shapes, box(x0, y1, x1, y1 + (y1 - y0) / 4.5)])
 
 
-TESTS, PROOF = Panel(needs_claimed_tests, draw_claimed_tests), Panel(needs_proof, draw_proof)
+TESTS, PROOF = Panel(contents_of_claimed_tests, draw_claimed_tests), Panel(needs_proof, draw_proof)
 PUSH, MTV = Panel(needs_push, draw_push_alone), Panel(needs_push, draw_moved_by_mtv)
 PIECES = Panel(needs_pieces, draw_pieces_panel)
 PANELS: dict[str, Panel] = {
@@ -671,13 +671,13 @@ PANELS: dict[str, Panel] = {
     "one side": with_note(TESTS, questions_asked),
     "as written": with_note(TESTS, lambda trace: facing_ends(trace, "as written")),
     "as stored": with_note(PROOF, lambda trace: facing_ends(true_run(trace), "in float64")),
-    "rounded normal": Panel(needs_claimed_tests, draw_rounded_normal),
+    "rounded normal": Panel(contents_of_claimed_tests, draw_rounded_normal),
     "unit normal": with_note(TESTS, length_rounded),
     "right normal": with_note(PROOF, lambda trace: "the normal of (dx, dy) is (dy, \u2212dx)", "ink"),
     "radii": with_note(TESTS, radii_compared),
     "halves": with_note(TESTS, halves_rounded),
     "far centers": with_note(TESTS, centers_compared),
-    "line as axis": Panel(needs_claimed_tests, draw_line_as_axis),
+    "line as axis": Panel(contents_of_claimed_tests, draw_line_as_axis),
     "push from center": Panel(needs_push, draw_push_from_center),
     "push while A stays": with_note(PUSH, lambda trace: f"{trace.names.a} does not move", "A"),
     "push along normal": with_normal_of_push(PUSH, lambda trace: trace.push),

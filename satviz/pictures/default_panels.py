@@ -78,7 +78,7 @@ class Panel(NamedTuple):
     draw: Callable[[Trace, Layout], Sketch]
 
 
-def needs_claimed_tests(trace: Trace) -> PanelContents:
+def contents_of_claimed_tests(trace: Trace) -> PanelContents:
     """Return both shapes, B where the shortcut pushes it, and the tests that its answer comes from."""
     push = trace.push if is_about_push(trace) else None
     return PanelContents(

@@ -29,10 +29,10 @@ from .sketch import Sketch
 
 TURN_DEGREES = 60, 120, 180
 MAX_STOPS = 12  # points of B's border at which the turned A is drawn
-RIM_CORNERS = 48  # of a circle that is drawn as a polygon
+RIM_CORNERS = 48  # corners of the polygon that is drawn for a circle
 MAX_FAR_SIZES = 2.0  # shapes further from the origin than so many of their sizes are moved next to it
 ORIGIN = Vec(0.0, 0.0)
-MAX_NAMED_CORNERS = 8  # of a difference whose corners get names such as "b1 - a2"
+MAX_NAMED_CORNERS = 8  # a difference with at most so many corners gets names such as "b1 - a2"
 
 
 class _Scene(NamedTuple):

@@ -19,10 +19,11 @@ from .sketch import Sketch
 
 LARGEST_PT = 540.0, 390.0
 MIN_WIDTH_PT = 300.0
-SHAPES_PART = 0.6, 0.48  # of the canvas's width and height: the shapes at first; the rest is for moves and axes
+# shares of the canvas's width and height that the shapes fill at first; the rest is space for moves and axes
+SHAPES_PART = 0.6, 0.48
 KNOB_RADIUS_PT = 7.0
 LEAST_SEEN_PT = 0.1  # a length that a reader cannot see
-KNOB_RIM_PT = 16.0  # between the knob's center and the rim of the canvas
+KNOB_RIM_PT = 16.0  # distance between the knob's center and the rim of the canvas
 
 
 class ShownTest(NamedTuple):

@@ -13,7 +13,7 @@ from .sketch import Sketch
 from .stages import Stage, first_dropped_role
 
 MAX_PART_LINES = 4  # separating lines between convex parts, in one picture
-MAX_TITLED_PARTS = 3  # of a shape in more convex parts the names are drawn in small letters
+MAX_TITLED_PARTS = 3  # if a shape has more convex parts, their names are drawn in small letters
 
 
 def draw_test(sketch: Sketch, stage: Stage, i: int, place: AxisPlace | None) -> None:

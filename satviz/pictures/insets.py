@@ -19,11 +19,11 @@ MIN_NEEDLE_PT = 1.5  # and the short edge of an outline thinner than this
 BOX_PT, GAP_BOX_PT = 96.0, 48.0  # an inset's side; how high that of a gap is
 STRIP_PT = 124.0  # the width of the strip of insets beside the scene
 ROW_PT = 128.0  # the height of an inset with its caption
-HEAD_PT = 40.0  # above a scene, for a verdict
-EVEN_POINTS = 32  # on half of a circle
-DETAIL_PART = 0.5  # of the box's side: how large the detail is in it, at most
-MIN_FLOAT_STEP_PT, FLOAT_TICK_PT = 8.0, 8.0  # between two neighbouring floats that are drawn; half of a tick
-BRACKET_PT = 4.0, 11.0  # a gap's bracket: from the axis to its ends, and to its back
+HEAD_PT = 40.0  # height of the space above a scene, for a verdict
+EVEN_POINTS = 32  # points on half of a circle
+DETAIL_PART = 0.5  # largest size of the detail, as a share of the box's side
+MIN_FLOAT_STEP_PT, FLOAT_TICK_PT = 8.0, 8.0  # least distance of two floats that are drawn; half of a tick
+BRACKET_PT = 4.0, 11.0  # distances from the axis to the ends of a gap's bracket, and to its back
 
 Role = tuple[str, str, Shape]  # "A" or "B", the shape's name, the shape
 
@@ -157,7 +157,7 @@ def inset_marks(layout: Layout, shapes: Sequence[Role], test: AxisTest | None) -
     for number, inset in enumerate(layout.insets, 1):
         outlines = [(role, name, [*visible_edges(inset, shape)]) for role, name, shape in shapes]
         if inset.test != test or not (inset.test or any(edges for *_, edges in outlines)):
-            continue  # of another test, or of a part that this step leaves aside
+            continue  # this inset shows another test, or a part that this step leaves aside
         x0, y0, x1, y1 = inset.box
         corners = Vec(x0, y0), Vec(x1, y0), Vec(x1, y1), Vec(x0, y1)
         marks.append(Mark("inset", "outline", "guide", corners, number=number, weight="faint"))
@@ -205,7 +205,7 @@ def a_is_left(test: AxisTest) -> bool:
 
 def _float_ticks(layout: Layout, inset: Inset, test: AxisTest) -> tuple[Vec, ...]:
     """Return ticks on the axis of a gap's inset where float64 has a number; () where they are too dense to be seen."""
-    end = min(test.a.interval.hi, test.b.interval.hi)  # of the range on the left
+    end = min(test.a.interval.hi, test.b.interval.hi)  # the end of the left range, where the gap or overlap begins
     step = ulp(end) * inset.times
     if step < layout.units(MIN_FLOAT_STEP_PT):
         return ()

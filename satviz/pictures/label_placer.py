@@ -22,29 +22,29 @@ Segment = tuple[Vec, Vec]
 LabelKey = tuple[str, str, str, int | None]  # part, owner, axis, number
 Spot = tuple[float, float]
 
-RIM_PT = 4.0  # kept free between a label and the rim of the canvas
-DISTANCES_PT = (3.0, 7.0, 12.0, 18.0, 26.0, 36.0, 50.0, 70.0, 95.0, 125.0)  # from an anchor to the label's box
-MAX_NEAR_DISTANCES = 2  # how many of them a label that must stay near may take
+RIM_PT = 4.0  # space kept free between a label and the rim of the canvas
+# distances that are tried, from an anchor to the label's box
+DISTANCES_PT = (3.0, 7.0, 12.0, 18.0, 26.0, 36.0, 50.0, 70.0, 95.0, 125.0)
+MAX_NEAR_DISTANCES = 2  # a label that must stay near its anchor takes one of the first so many of these
 DIRECTIONS = tuple(Vec(cos(k * pi / 8), sin(k * pi / 8)) for k in range(16))
-GRID_STEPS = 12  # across the canvas, and up it, for a label that may stand anywhere
-MIN_LEADER_PT = 22.0  # a label further from its anchor than this gets a line to it
+GRID_STEPS = 12  # steps across the canvas, and up it, of the spots for a label that may stand anywhere
+MIN_LEADER_PT = 22.0  # a label further than this from its anchor gets a line to it
 # costs; distances in points are added to them
-COVER_COST = 1e4  # of covering a label or a dot
-OUTSIDE_COST = 1e5  # of leaving the canvas
-STROKE_COST, FAINT_COST, GUIDE_COST, KEPT_FREE_COST = 300, 60, 40, 100  # of covering a line
+COVER_COST = 1e4  # cost of covering a label or a dot
+OUTSIDE_COST = 1e5  # cost of leaving the canvas
+STROKE_COST, FAINT_COST, GUIDE_COST, KEPT_FREE_COST = 300, 60, 40, 100  # costs of covering a line of each kind
 MAX_OPTIONAL_COST = 300  # an optional label whose best spot costs so much or more is left out
-OTHER_SIDE_COST = 200  # of standing beyond the separating line
-WALL_COST = 150  # of standing beyond the label's own wall
-ANYWHERE_COST = 60  # of a spot that has nothing to do with the anchor
+OTHER_SIDE_COST = 200  # cost of a place beyond the separating line
+WALL_COST = 150  # cost of a place beyond the label's own wall
+ANYWHERE_COST = 60  # cost of a spot on the grid, which is not beside an anchor
 # while a shape is dragged
-MAX_MOVE_PT = (
-    16.5  # of a label from one pose to the next, unless its target moves more: 24 px where the picture is largest
-)
+# how far a label may move from one pose to the next, unless its target moves more: 24 px where the picture is largest
+MAX_MOVE_PT = 16.5
 LEAP_PT = 24.0  # a label whose target moves more may stand elsewhere
-GLIDES_PT = 4.0, 8.0, 12.0  # by which a label may move off its target in one pose
+GLIDES_PT = 4.0, 8.0, 12.0  # distances by which a label may move relative to its target in one pose
 MOVE_COST = 6.0  # a label stays where it was unless another spot is cheaper by more
-MISSING_POSES = 12  # for which a label without a clear spot nearby is left out, before it may stand elsewhere
-TOUCH_COST, NEAR_PT = 10.0, 3.0  # for each point that a label is nearer to its anchor than it should be
+MISSING_POSES = 12  # poses for which a label without a clear spot nearby is left out, before it may stand elsewhere
+TOUCH_COST, NEAR_PT = 10.0, 3.0  # TOUCH_COST for each point by which a label is nearer than NEAR_PT to its anchor
 
 
 class LabelRequest(NamedTuple):
@@ -67,11 +67,11 @@ class LabelRequest(NamedTuple):
     optional: bool = False  # left out rather than drawn over something
     near: bool = False  # near its anchor, or left out
     far: bool = False  # may stand anywhere on the canvas
-    led: bool = False  # has a line to its anchor even then, if it is far from it
+    led: bool = False  # a `far` label has a line to its anchor if it is far from it
     steady: bool = False  # stands at one spot in all steps
     wall: Segment | None = None  # the label belongs on its anchor's side of this line
     pieces: tuple[tuple[str, str], ...] = ()  # the text, which may have lines, in pieces with their roles: (text, role)
-    target: Vec | None = None  # what the label follows in a drag, where its anchor may change; else its anchor
+    target: Vec | None = None  # the point that the label follows in a drag, if its anchor may change; None: the anchor
     longer: str = ""  # the text where there is still clear space once all labels stand; never in a drag
 
     @property

@@ -12,20 +12,21 @@ from .float_geometry import Box, bounding_box, common_box, point_along
 from .letters import text_size
 
 MAX_OFFSET_SIZES = 2.0**41  # further from the origin than so many of its sizes, float64 rounds an outline away
-MAX_LINE_LETTERS = 30  # of the label of a range in one line
-MAX_WIDTH_PT, MAX_HEIGHT_PT = 500.0, 400.0  # of the canvas
+MAX_LINE_LETTERS = 30  # letters of a range's label up to which it has one line
+MAX_WIDTH_PT, MAX_HEIGHT_PT = 500.0, 400.0  # largest size of the canvas
 MIN_WIDTH_PT, MIN_HEIGHT_PT = 420.0, 190.0
-PAD_PT = 36.0  # kept free on all sides
-NARROW_PAD_PT = 12.0  # kept free to the left and right on a narrow canvas
+PAD_PT = 36.0  # space kept free on all sides
+NARROW_PAD_PT = 12.0  # space kept free to the left and right on a narrow canvas
 # how much smaller than half of the canvas the shapes may become before the canvas is made larger, which is then shown
 # smaller; on a telephone small shapes are better than small letters
 MAX_SHRINK, MAX_NARROW_SHRINK = 2.5, 10.0
 MIN_NARROW_PT = 250.0  # the shorter side of a telephone's canvas, at least
-LEAST_PART = 0.3  # of a narrow canvas's width: where the shapes would be smaller, ranges need no space for numbers
+# least share of a narrow canvas's width for the shapes: if it would be less, ranges get no space for numbers
+LEAST_PART = 0.3
 HEAD_PT = 16.0  # a line of words above the scene
 NARROW_PT = 400.0  # a canvas narrower than this is for a telephone
 NARROW_SIZE_PT = 340.0, 380.0  # a canvas that such a page shows without making its letters smaller
-NAME_WIDTH_PT = 24.0  # of a label that is a name alone
+NAME_WIDTH_PT = 24.0  # width of a label that is only a name
 
 
 class Inset(NamedTuple):

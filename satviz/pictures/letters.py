@@ -6,7 +6,7 @@ from importlib.resources import files
 from .theme import style_of
 
 UNITS_PER_EM = 2048  # the widths in the tables are in 1/UNITS_PER_EM of the text size
-LINE_HEIGHT = 1.2  # of the text size
+LINE_HEIGHT = 1.2  # height of a line as a factor of the text size
 
 
 def text_width(line: str, *, bold: bool = False) -> float:

@@ -25,14 +25,14 @@ from .layout import NARROW_PT, Layout
 from .letters import text_size
 from .marks import Mark, Picture
 
-RIM_PT = 12.0  # to the left and right of words and numbers
+RIM_PT = 12.0  # space to the left and right of words and numbers
 LINE_PT, TICK_NAMES_PT, TICK_PT = 44.0, 22.0, 4.0  # heights of the line and of the numbers below; half of a tick
-TRACK_PT = 5.5  # from the line to a bar
-BRACKET_PT = 10.0, 15.0  # from the line to the ends and to the back of the gap's bracket
-ROW_PT = 16.0  # of words
+TRACK_PT = 5.5  # distance from the line to a bar
+BRACKET_PT = 10.0, 15.0  # distances from the line to the ends and to the back of the gap's bracket
+ROW_PT = 16.0  # height of a row of words
 MIN_TICK_DISTANCE_PT = 34.0
-TICK_GAP_PT = 12.0  # between the numbers of two ticks, at least
-MAX_DOUBLINGS = 4  # of the length that is shown, before the line is centered on the ranges instead
+TICK_GAP_PT = 12.0  # least space between the numbers of two ticks
+MAX_DOUBLINGS = 4  # how often the shown length may be doubled; after that the line is centered on the ranges
 
 
 def number_line(run: Trace, test: AxisTest, layout: Layout, digits: Digits, name: str) -> Picture:

@@ -13,11 +13,11 @@ from .sheet import MAX_ROWS, Row, all_rows, covered_range, text_from, truncate
 
 WIDTH_PT, ROW_PT, MARGIN_PT = 480.0, 68.0, 18.0
 NAME_PT, NUMBER_PT, TICK_PT = 31.0, 16.0, 5.0  # a name above its line, the numbers below it, half a tick
-TRACK_PT = 9.0  # from a line to A's bar above it and to B's bar above that
+TRACK_PT = 9.0  # distance from a line to A's bar above it, and from A's bar to B's bar
 HATCH_PT, HATCH_STEP_PT = 3.5, 4.0  # half the height of an overlap's bar; between two strokes in it
 MAX_TICKS = 16
-TICK_GAP_PT = 6.0  # between the numbers of two ticks, at least
-MIN_FIGURES = 6  # of a tick's number
+TICK_GAP_PT = 6.0  # least space between the numbers of two ticks
+MIN_FIGURES = 6  # digits of a tick's number, at least
 
 
 def number_lines(trace: Trace, *, filled: bool) -> Picture:

@@ -21,11 +21,11 @@ from .letters import wrap_text
 from .marks import Mark, MarkOptions, Picture
 
 CROWDED_SIZES = 6.0  # a shape smaller than so many of the smallest visible sizes has no marks at corners and edges
-MAX_NAMED_CORNERS = 6  # of an outline whose vertices have no labels
-HATCH_PT = 6.0  # between the lines of a hatched area
-NOTE_PT = 20.0  # from the top of the canvas to a note
-RIM_PT = 14.0  # between the ends of a line across the canvas and the canvas's rim
-HEADING_PT = 34.0  # from the top of the canvas, where the verdict stands: no line across the canvas runs through it
+MAX_NAMED_CORNERS = 6  # an outline without labels has the names of its corners if it has at most so many
+HATCH_PT = 6.0  # distance between the lines of a hatched area
+NOTE_PT = 20.0  # distance from the top of the canvas to a note
+RIM_PT = 14.0  # distance between the ends of a line across the canvas and the rim of the canvas
+HEADING_PT = 34.0  # height of the verdict's space at the top of the canvas: no line across the canvas runs through it
 
 
 class ShapeSketch:
@@ -156,7 +156,8 @@ class ShapeSketch:
         x0, y0, x1, y1 = self.layout.scene_limits
         rim = self.layout.units(RIM_PT)
         d = Vec(-normal.y, normal.x)
-        across = Vec(*(u if abs(u) > 1e-12 else 0.0 for u in d))  # what rounding left of 0 would divide to nonsense
+        # a component that should be 0 but is a rounding error: dividing by it would give nonsense
+        across = Vec(*(u if abs(u) > 1e-12 else 0.0 for u in d))
         start, end = clip_line(through, across, (x0 + rim, y0 + rim, x1 - rim, y1 - self.layout.units(HEADING_PT)))
         ends = point_along(through, d, start), point_along(through, d, end)
         self.add(part, "segment", role, *ends, number=number)

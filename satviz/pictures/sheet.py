@@ -18,13 +18,14 @@ from .marks import Mark, Picture
 MAX_ROWS = 12
 WIDTH_PT, MARGIN_PT = 340.0, 8.0  # a telephone shows a sheet of this width without making its letters smaller
 HEAD_PT, ROW_PT, LINE_PT = 44.0, 54.0, 14.0  # heights: of the head, of a row without its outcome, of a line of that
-NAME_PT = 18.0  # of the line with an axis's name, above the row's small picture and its bars
+NAME_PT = 18.0  # height of the line with an axis's name, above the row's small picture and its bars
 THUMBNAIL_PT = 62.0, 44.0  # a row's small picture
-BARS_LEFT_PT, BARS_RIGHT_PT = 84.0, WIDTH_PT - 2 * MARGIN_PT  # where the ranges begin and end
-WORDS_GAP_PT = 8.0  # between two pieces of an outcome
+BARS_LEFT_PT, BARS_RIGHT_PT = 84.0, WIDTH_PT - 2 * MARGIN_PT  # x coordinates where the ranges begin and end
+WORDS_GAP_PT = 8.0  # space between two pieces of an outcome
 MIN_BAR_PT = 3.0  # a shorter range or shape gets a dot
-TRACK_PT = 5.0  # from the line of a row to A's bar above it and B's bar below it
-INSET_PT, INSET_RIM_PT, INSET_TRACK_PT = (60.0, 18.0), 4.0, 5.0  # of a gap's inset: size, rim, from its middle to a bar
+TRACK_PT = 5.0  # distance from the line of a row to A's bar above it and to B's bar below it
+# a gap's inset: its size, its rim, the distance from its middle to a bar
+INSET_PT, INSET_RIM_PT, INSET_TRACK_PT = (60.0, 18.0), 4.0, 5.0
 MAX_ZERO_RANGES = 4.0  # further from 0 than so many times the widest range, each row has an origin of its own
 
 

@@ -66,7 +66,8 @@ class Sketch(ShapeSketch):
                 self.vertices(role, ids)
                 ends = [short_name(polygon, name, i) for i in ids]
                 text = f"edge = {describe.edge_vector(self.trace, ends, p, q)}".replace(" = (", "\n= (")
-                clear = midpoint(midpoint(p, q), q)  # of the normal, which stands in the middle
+                # a quarter along the edge, clear of the normal, which stands in the middle
+                clear = midpoint(midpoint(p, q), q)
                 self.label("edge-name", text, role, clear, prefer=self.arrow_direction(test.axis), first=1)
         elif kind in (CENTERS, VERTEX):
             p, q = self.joined_points(test)

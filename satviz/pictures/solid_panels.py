@@ -10,7 +10,14 @@ from ..engine.shapes import Polygon
 from ..engine.trace import Trace
 from ..scenes.failing.move_space import convex_hull
 from ..scenes.failing.threed import PAIR, AxisGap, SolidBox, Vec3, cross, dot, edge_gaps, face_gaps, seen_from_above
-from .default_panels import PROVES_NOTHING, Panel, draw_claimed_tests, draw_proof, needs_claimed_tests, needs_proof
+from .default_panels import (
+    PROVES_NOTHING,
+    Panel,
+    contents_of_claimed_tests,
+    draw_claimed_tests,
+    draw_proof,
+    needs_proof,
+)
 from .layout import Layout, PanelContents
 from .sketch import Sketch
 
@@ -24,7 +31,7 @@ def solid_panel(*, actual: bool) -> Panel:
 
     Other shapes than the plans of these boxes are drawn as flat shapes.
     """
-    flat = Panel(needs_proof, draw_proof) if actual else Panel(needs_claimed_tests, draw_claimed_tests)
+    flat = Panel(needs_proof, draw_proof) if actual else Panel(contents_of_claimed_tests, draw_claimed_tests)
 
     def draw(trace: Trace, layout: Layout) -> Sketch:
         """Draw both boxes in space, one axis with its gap, and the plan."""

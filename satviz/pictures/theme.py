@@ -59,10 +59,10 @@ class Style(NamedTuple):
 
     kind: str
     role: str
-    layer: int = 0  # of its line
-    width: float = 0.0  # of its line; 0 means no line
+    layer: int = 0  # the layer of its line
+    width: float = 0.0  # the width of its line; 0 means no line
     dash: tuple[float, ...] = ()  # dash and space, in line widths; () is a solid line
-    opacity: float = 1.0  # of its line
+    opacity: float = 1.0  # the opacity of its line
     fill: float = 0.0  # the opacity of its inside
     size: float = 0.0  # the width of a dot, or the text size of a label
     square: bool = False  # a square dot instead of a round one

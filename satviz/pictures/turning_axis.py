@@ -27,12 +27,12 @@ from .marks import Mark, Picture
 
 STEP_DEGREES = 3
 SIZE_PT = 500.0, 545.0
-STAGE_CENTER_PT = 205.0, 350.0  # of the circle in which the axis turns
+STAGE_CENTER_PT = 205.0, 350.0  # center of the circle in which the axis turns
 DIAL_CENTER_PT, DIAL_PT = Vec(440.0, 440.0), 42.0  # the dial's center and radius
 CURVE_LEFT_PT, CURVE_RIGHT_PT, CURVE_LOW_PT, CURVE_HIGH_PT = 24.0, 476.0, 40.0, 160.0
 AXIS_PT, TRACK_PT = 110.0, 5.5  # half of the axis's length; from the axis to a bar
 SHAPES_PT, CLEARANCE_PT = 92.0, 26.0  # the radius of the circle around the shapes; from it to the axis
-HEAD_PT = 528.0  # where the words stand above the scene
+HEAD_PT = 528.0  # height at which the words above the scene stand
 
 
 def sweep(

@@ -26,9 +26,9 @@ from .sketch import Sketch
 from .stages import Stage, Step, step_sentence
 from .step_picture import step_layouts
 
-LOW_PANEL_PT = NARROW_SIZE_PT[0], 270.0  # one of several pictures below each other
-QUARTER_TURN_PART = 0.45  # of an edge's length: the radius of the arc of a quarter turn
-STRIP_WIDTH_PT = NARROW_SIZE_PT[0] / 2  # one of several small multiples
+LOW_PANEL_PT = NARROW_SIZE_PT[0], 270.0  # size of one of several pictures below each other
+QUARTER_TURN_PART = 0.45  # radius of the arc of a quarter turn, as a factor of the edge's length
+STRIP_WIDTH_PT = NARROW_SIZE_PT[0] / 2  # width of one of several small multiples
 MAX_FAILED_AXES = 3
 
 

@@ -19,7 +19,7 @@ from .files import encode_figure, svg_without_header
 from .formats import DPI
 
 JsonRow = dict[str, Any]  # one row of numbers: plain JSON values by the name of their column
-WIDTH = 390.0  # points of a chart: as wide as a phone, where a letter then has its size in points
+WIDTH = 390.0  # width of a chart in points, that of a phone in CSS pixels: there a point is shown as one pixel
 TEXT_POINTS, TITLE_POINTS = 11.0, 13.5
 TITLE_LETTER, TEXT_LETTER = 8.6, 6.0  # points that a letter takes, by which lines are wrapped
 TITLE_LINE, TEXT_LINE = 17.0, 14.5  # points from line to line

@@ -15,8 +15,8 @@ from ..scenes.link import BREAK, PAGE, link
 from ..scenes.resolve import SceneLike, resolve
 from .files import encode
 
-WIDTH_PX = 760  # of the largest picture
-LINE_PX = 150  # for the sentence, the buttons and the link below the picture
+WIDTH_PX = 760  # width of the largest picture
+LINE_PX = 150  # height of the sentence, the buttons and the link below the picture
 TABLE_PX = 260
 # The frame says how high its content is.  Where a page allows no script, the height stays as it is written.
 SCRIPT = (

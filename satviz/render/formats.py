@@ -15,7 +15,7 @@ from ..safe_write import MADE_BY
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-DPI = 144  # of PNG and GIF: two pixels for each of the canvas's points (1/72 inch)
+DPI = 144  # resolution of PNG and GIF: two pixels for each of the canvas's points (1/72 inch)
 LAST_FRAME_MS = 2000  # added to the time that the last frame of an animation takes to read
 
 
@@ -23,10 +23,10 @@ class Words(NamedTuple):
     """The words inside the file of a picture."""
 
     title: str
-    sentence: str  # what the picture shows, for readers who cannot see it
+    sentence: str  # a description for readers who cannot see the picture
     stem: str  # the beginning of the ids in an SVG
     maker: str
-    ms: int = 0  # how long a picture of an animation is shown
+    ms: int = 0  # milliseconds for which a picture of an animation is shown
 
 
 Encoder = Callable[["Iterable[Figure]", Sequence[Words]], bytes]

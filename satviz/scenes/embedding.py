@@ -14,7 +14,7 @@ from .link import GOALS
 
 EMBED = "embed"
 THEMES = "light", "dark"
-PARTS = TOOLS, TABLE = "tools", "table"  # of an explorer or a player, beside the picture and its sentence
+VIEW_PARTS = TOOLS, TABLE = "tools", "table"  # parts of an explorer or a player, beside the picture and its sentence
 STEPS = re.compile(r"([0-9]{1,6})-([0-9]{1,6})")
 
 
@@ -24,7 +24,7 @@ class EmbedOptions(NamedTuple):
     `play` steps through the run; `predict` asks the reader for the result of each test before it is shown.
     `steps`: the first and the last step that are played, counted from 0; None plays all.
     `challenge` is one of GOALS, or "" for the one that fits the scene; None sets no challenge.
-    `theme` is one of THEMES, or None for that of the reader's system; `show`: those of PARTS that are shown as well.
+    `theme` is one of THEMES, or None for that of the reader's system; `show`: those of VIEW_PARTS that are shown too.
     """
 
     play: bool = False
@@ -73,7 +73,7 @@ def parse_query(text: str) -> EmbedOptions:
                 f"the link has {key}={short_repr(found[key])}: write {key} without a value, or leave it out"
             )
     theme = _one_of("theme", found["theme"], THEMES) if "theme" in found else None
-    show = tuple(_one_of("show", part, PARTS) for part in found.get("show", "").split(",") if part)
+    show = tuple(_one_of("show", part, VIEW_PARTS) for part in found.get("show", "").split(",") if part)
     goal = found.get("challenge")
     if goal:
         _one_of("challenge", goal, GOALS)

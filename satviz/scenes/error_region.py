@@ -10,7 +10,7 @@ from .shape_tools import vertex_mean
 
 TOO_SMALL = "the shapes are so small beside their moves that float64 cannot tell their corners apart"
 TOO_MANY_CORNERS = "the parts of these shapes have too many corners to work it out while you drag"
-MAX_PART_CORNERS = 300  # of A - B of all pairs of parts together: each polygon is cut up by all others
+MAX_PART_CORNERS = 300  # corners of A - B over all pairs of parts: each polygon is cut by all others
 
 
 def error_region(a: Shape, b: Shape, shortcut: Shortcut, window: Window) -> RegionOrReason:

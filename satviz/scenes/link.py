@@ -1,4 +1,4 @@
-"""Links to a scene on a site: the fragment behind the #, which is read as strictly as a scene file.
+"""Links to a scene on a site: the fragment after the #, which is read as strictly as a scene file.
 
 A fragment begins with the name of a built-in scene, or with a scene file in base64url.  The view options follow,
 `&key=value` each: far-centers&view=truth, eyJzYXR2aXoi...&free=30, triangles&step=5&predict=1.

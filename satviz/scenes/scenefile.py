@@ -17,8 +17,8 @@ from ..engine.trace import Trace, record
 from .failing import SHORTCUTS
 from .strictjson import parse, require_keys, require_type
 
-MAX_CHARS = 1 << 20  # of a scene file
-MAX_VERTICES = 1000  # of a polygon: a trace has n + m axes with n + m landings each
+MAX_CHARS = 1 << 20  # characters of a scene file
+MAX_VERTICES = 1000  # vertices of a polygon: a trace has n + m axes with n + m landings each
 NAME = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 MAX_NAME_LETTERS = 60
 CHOICES: dict[str, Chooser | Shortcut] = {**NAMED, **SHORTCUTS}

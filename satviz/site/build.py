@@ -17,7 +17,8 @@ from .reference import reference
 from .runtime import PythonMissing as PythonMissing
 from .runtime import runtime_files
 
-COMMENT_OR_INDENT = re.compile(r"/\*.*?\*/\n?|^ +", re.DOTALL | re.MULTILINE)  # of a style sheet: for its authors
+# the parts of a style sheet that only its authors need
+COMMENT_OR_INDENT = re.compile(r"/\*.*?\*/\n?|^ +", re.DOTALL | re.MULTILINE)
 ICON = (
     '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 32 32">'
     '<metadata xmlns:dc="http://purl.org/dc/elements/1.1/"><dc:title>{}</dc:title></metadata>'

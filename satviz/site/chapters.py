@@ -31,10 +31,10 @@ from ..widgets.explorer_model import ExplorerModel
 from . import parts
 
 GLOSSARY = "glossary.html"
-FRAMES = 13  # pictures of a slider
+FRAMES = 13  # number of pictures of a slider
 NARROWED: dict[
     str, dict[str, Any]
-] = {  # what draws a picture in a cell, and the arguments that draw it for a telephone
+] = {  # functions that draw a picture in a cell, with the arguments that draw it for a telephone
     "sv.picture": {"largest": NARROW_SIZE_PT},
     "sv.gap_curve": {"width": NARROW_SIZE_PT[0]},
 }
@@ -195,7 +195,7 @@ def programs(chapter: Chapter) -> dict[str, tuple[str, str]]:
         for node in ast.parse(source).body:
             code = ast.get_source_segment(source, node) or ""
             if isinstance(node, ast.FunctionDef):
-                known.pop(node.name, None)  # what is defined again comes after what it uses
+                known.pop(node.name, None)  # a function that is defined again moves after the names that it uses
                 known[node.name] = f"\n\n{code}\n"
             elif isinstance(node, ast.ImportFrom):
                 known |= {alias.name: f"from {node.module} import {alias.name}\n" for alias in node.names}

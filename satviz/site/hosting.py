@@ -18,7 +18,7 @@ NOT_FOUND = "404.html"  # GitHub Pages, GitLab Pages and Netlify send it, with t
 MANIFEST = "imsmanifest.xml"
 SCENE_OF_PAGE = {"gallery.html": "aabb-turned", "challenges.html": "far-centers", "yours.html": "no-nearest-vertex"}
 DEFAULT_SCENE = "triangles"
-CARD_PT = 600.0, 315.0  # of the picture that a social network shows: 1200 x 630 pixels
+CARD_PT = 600.0, 315.0  # size of the picture that a social network shows: 1200 x 630 pixels
 QUOTED = re.compile(r'"([a-z0-9-]+)"')
 RELATIVE = re.compile(r'\b(href|src)="(?!#|/|https?:)')
 SITEMAPS = "http://www.sitemaps.org/schemas/sitemap/0.9"
@@ -74,8 +74,11 @@ def social_pictures(chapters: Sequence[Chapter]) -> Iterator[tuple[str, bytes]]:
         yield card_path(name), encode(social_card(name), "png", stem=name)
 
 
-def from_anywhere(page: bytes, url: str) -> bytes:
-    """Return the page of a missing address with links that lead to the site from any depth, if its address is known."""
+def not_found_page_with_absolute_links(page: bytes, url: str) -> bytes:
+    """Return the page 404.html with absolute links, which work at any depth.
+
+    Where the site's address is unknown ("") they stay relative.
+    """
     root = urlsplit(url).path if url else ""
     return RELATIVE.sub(rf'\1="{root}', page.decode()).encode()
 

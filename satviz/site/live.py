@@ -61,7 +61,7 @@ def _open(place: str, content: dict[str, Any]) -> dict[str, Any]:
             "pinned": shown.row,
         }
         pose |= {"view": shown.view} if shown.view else {}
-        width = content.get("width")  # of a narrow place for the picture
+        width = content.get("width")  # present if the place for the picture is narrow
         if width is not None or shown._replace(goal=None) != DEFAULT_VIEW:
             first = model.state()
             reply = model.answer({"kind": "pose", "a": first["a"], "b": first["b"], "width": width, **pose})

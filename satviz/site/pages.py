@@ -235,7 +235,7 @@ def not_found_page(info: SiteInfo) -> bytes:
 """
     title, description = "There is no such page", "This address leads to no page of the site."
     page = html_page(info, hosting.NOT_FOUND, title, body, description=description)
-    return hosting.from_anywhere(page, info.url)
+    return hosting.not_found_page_with_absolute_links(page, info.url)
 
 
 def challenges_page(info: SiteInfo) -> bytes:
@@ -343,7 +343,7 @@ def _card(name: str) -> str:
         title, sentence = f"“{row.claim}”", row.how
     size = 'width="{:g}" height="{:g}"'.format(*drawn.size)
     said = drawn.sentence
-    if row and row.how != REFUSED:  # whose sentence says what is refused
+    if row and row.how != REFUSED:  # the sentence of a refused case says already what is refused
         said += " " + " ".join(drawn.mark("wrong").text.split())
     image = f'<img src="pictures/{name}.svg" {size} alt="{escape(said)}">'
     shown = f"{image}<b>{escape(title)}</b>"

@@ -16,7 +16,7 @@ from ..render.notebook import bundle
 from ..scenes.link import PAGE, fragment, fragment_of_trace
 from ..widgets.explorer_model import ExplorerModel
 
-PHONE_WIDTH_PT = 360  # of the place for a scene there
+PHONE_WIDTH_PT = 360  # width of the place for a scene on a telephone
 
 
 def svg_element(picture: Picture) -> str:

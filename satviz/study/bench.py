@@ -159,7 +159,10 @@ def _with_wrong_count(row: TimingRow, answers: Any, right: NDArray[np.int8], by:
 
 
 def _bench_pairs(plan: BenchPlan) -> Iterator[TimingRow]:
-    """Time every method on each workload of pairs, check first answers by two exact oracles, and time reading alone."""
+    """Time every method on each workload of pairs, and time one pass over the arrays, which is a lower bound.
+
+    The first `plan.checked` answers of each method are compared with the exact relations.
+    """
     with ThreadPoolExecutor(2) as pool:
         for work, make in WORKLOADS.items():
             a, b = make(np.random.default_rng(plan.seed), plan.pairs)

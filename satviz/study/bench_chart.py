@@ -77,7 +77,10 @@ def bench_chart(rows: Sequence[TimingRow], warning: str) -> Chart:
 
 
 def _fastest_and_slowest(method: str, ratios: Sequence[SpeedRatio]) -> str:
-    """Return a sentence with a method's smallest and largest ratio, the largest also to prepared shapely."""
+    """Return a sentence with a method's smallest and largest ratio of speed to shapely unprepared.
+
+    On the workload of the largest ratio, the sentence has the ratio to prepared shapely too.
+    """
     own = sorted((r for r in ratios if r.method == method), key=lambda r: r.times)
     least, most = own[0], own[-1]
     slowest, quickest = (" or ".join(least_of({r.work: r.spread(sign) for r in own})) for sign in (1, -1))

@@ -129,10 +129,16 @@ def fastest_by_size(times: Times) -> str:
     sizes = sorted({size for own in times.values() for size in own})
     at = [least_of({method: own[size] for method, own in times.items() if size in own}) for size in sizes]
     runs = [(methods, [sizes[k] for k in run]) for methods, run in groupby(range(len(sizes)), at.__getitem__)]
-    known = [f"{methods[0]} {_from_to(run)}" for methods, run in runs if len(methods) == 1]
+    known: dict[str, list[str]] = {}
+    for methods, run in runs:
+        if len(methods) == 1:
+            known.setdefault(methods[0], []).append(_from_to(run))
     if not known:
         return "At no size is one method clearly the fastest."
-    return f"Fastest: {', '.join(known)}{'' if len(known) == len(runs) else '; at other sizes it is not clear'}."
+    parts = [f"{method} {' and '.join(ranges)}" for method, ranges in known.items()]
+    if any(len(methods) > 1 for methods, _ in runs):
+        parts.append("at other sizes it is not clear")
+    return f"Fastest: {'; '.join(parts)}."
 
 
 def crossings(times: Times, engine: str) -> str:

@@ -110,17 +110,17 @@ def squared_gap(a: Polygon, b: Polygon) -> Fraction:
     """
     k, sides = _sides_of_difference(a, b)
     beyond = [Fraction(side * side, nx * nx + ny * ny) for side, (nx, ny) in sides if side < 0]
-    return (max(beyond) if beyond else _least_square(sides)) / Fraction(4**k)
+    return (max(beyond) if beyond else _least_squared_distance(sides)) / Fraction(4**k)
 
 
 def mtv_directions(a: Polygon, b: Polygon) -> list[Ints]:
     """Return the directions in which the shortest push of b ends the overlap of two convex polygons, of any length."""
     _, sides = _sides_of_difference(a, b)
-    least = _least_square(sides)
+    least = _least_squared_distance(sides)
     return [(nx, ny) for side, (nx, ny) in sides if Fraction(side * side, nx * nx + ny * ny) == least]
 
 
-def _least_square(sides: Iterable[tuple[int, Ints]]) -> Fraction:
+def _least_squared_distance(sides: Iterable[tuple[int, Ints]]) -> Fraction:
     """Return the squared distance of the origin from the nearest side; `sides`: as `_sides_of_difference` returns."""
     return min(Fraction(side * side, nx * nx + ny * ny) for side, (nx, ny) in sides)
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from ..optional_imports import extra_needed
 
-if TYPE_CHECKING:  # what `__getattr__` loads at first use, for type checkers
+if TYPE_CHECKING:  # type checkers see here the names that `__getattr__` loads at first use
     from .explorer import Explorer, explore
     from .player import Player, play
 

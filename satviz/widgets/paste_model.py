@@ -13,7 +13,7 @@ from ..scenes.paste.pasted import Pasted, paste
 from ..scenes.scenefile import Scene
 from ..scenes.strictjson import require_type
 
-MAX_DRAWN_CORNERS = 60  # of an outline that is refused
+MAX_DRAWN_CORNERS = 60  # corners of a refused outline that are drawn, at most
 
 
 def read_paste(content: dict[str, Any]) -> tuple[Scene | None, dict[str, Any]]:

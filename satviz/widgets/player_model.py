@@ -18,7 +18,7 @@ class PlayerModel:
     """
 
     turns = False
-    own: Sequence[Picture] = ()  # its pictures, if they are not the steps
+    own: Sequence[Picture] = ()  # the pictures that are shown instead of the steps
 
     def __init__(self, trace: Trace, *, turns: bool = False, difference: bool = False) -> None:
         self.trace = trace

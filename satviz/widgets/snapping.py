@@ -16,7 +16,7 @@ from ..engine.shapes import Circle, Polygon, Shape
 from ..scenes.shape_tools import translated
 
 MAX_TRIED = 400  # candidates whose relation is computed
-PARTS = 64  # of an edge, at whose ends a corner may land
+EDGE_FRACTIONS = 64  # equal pieces of an edge, at whose ends a corner may land
 LEVEL = (1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)
 # directions in which an integer distance has integer sides
 TRIPLES = (3, 4, 5), (5, 12, 13), (8, 15, 17), (7, 24, 25)
@@ -72,10 +72,10 @@ def _landings(shape: Shape, near: Vec) -> Iterator[Vec]:
         else:
             (px, py), (dx, dy) = map(Fraction, p), (Fraction(q.x) - Fraction(p.x), Fraction(q.y) - Fraction(p.y))
             foot = ((Fraction(near.x) - px) * dx + (Fraction(near.y) - py) * dy) / (dx * dx + dy * dy)
-            middle = round(foot * PARTS)
-            for k in range(middle - PARTS // 4, middle + PARTS // 4 + 1):
-                x, y = px + dx * k / PARTS, py + dy * k / PARTS
-                if 0 < k < PARTS and float(x) == x and float(y) == y:
+            middle = round(foot * EDGE_FRACTIONS)
+            for k in range(middle - EDGE_FRACTIONS // 4, middle + EDGE_FRACTIONS // 4 + 1):
+                x, y = px + dx * k / EDGE_FRACTIONS, py + dy * k / EDGE_FRACTIONS
+                if 0 < k < EDGE_FRACTIONS and float(x) == x and float(y) == y:
                     yield Vec(float(x), float(y))
 
 

@@ -28,7 +28,7 @@ from .jit_cache import compiled
 MAX_SHAPES = 1 << 14  # above it blocks of pairs bound the memory, and Python no longer matters
 WORD_BYTES = 8  # marks that are read at once
 MAX_BUCKET = 32  # values in one bucket up to which insertion sorts fast
-MIN_CELL = 2.0**-48  # of the farthest coordinate: smaller cells run together
+MIN_CELL = 2.0**-48  # least cell size as a factor of the farthest coordinate: numbers of smaller cells run together
 
 
 def colliding_pairs(shapes: Shapes) -> Pairs | None:
@@ -378,7 +378,10 @@ def _count_comparisons(bounds: Array, axis: int) -> int:
 
 @compiled
 def sweep_axis(bounds: Array) -> int:
-    """Return the axis (0 for x, 1 for y) on which boxes, rows x0, y0, x1, y1, spread over more of the longest box."""
+    """Return the axis (0: x, 1: y) with the larger ratio of extent to longest side, for boxes (x0, y0, x1, y1).
+
+    The extent is the distance of the first from the last lower end of a box.
+    """
     least_x = least_y = np.inf
     most_x = most_y = -np.inf
     width = height = 0.0

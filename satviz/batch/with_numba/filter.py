@@ -259,7 +259,8 @@ def _circle_kernel(corners: int | None) -> Callable[..., None]:
                 distance, left, square = _distance_from_edge(x, y, u, z, dx, dy, orientation_error)
                 safe = safe & (square > MIN_SAFE_PRODUCT)
                 inside = inside & left
-                nearest = min(nearest, distance)  # of edges that face away too: none lies nearer than the nearest
+                # edges that face away are included: none of them is nearer than the nearest
+                nearest = min(nearest, distance)
             radius_squared = r * r
             # a center inside, taken for one on an edge's line, has the boundary within twice the tolerance
             gap = -np.inf if inside else nearest - radius_squared

@@ -138,7 +138,8 @@ def _corner_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array) -> Sign
 def _upright_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array, qx: Array, qy: Array) -> Signs:
     """Return the signs of (distance from the foot on an axis-parallel edge minus radius); 1 if there is no foot.
 
-    A difference rounds to the radius or stays on its side of it: then what was rounded off decides.
+    Rounding is monotonic: the rounded distance is on the right side of the radius, or equal to it.  If it is equal, the
+    rounding error (from two_sum) decides.
     """
     flat = py == qy
     c, p, q = np.where(flat, cx, cy), np.where(flat, px, py), np.where(flat, qx, qy)

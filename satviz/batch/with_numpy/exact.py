@@ -16,7 +16,7 @@ from .filter import boxes
 BLOCK_CORNERS = 1 << 16  # corners of a shape at a time, over all pairs: what bounds the memory, and stays in the cache
 MAX_VALUES_AT_ONCE = 1 << 16  # edges times corners, over all pairs, up to which all edges are evaluated at once
 BLOCK_SIGNS = 1 << 15  # exact signs computed at a time: each takes some hundred bytes a term
-RELATION_OF_SIGN = np.array([TOUCHING, APART, OVERLAPPING], np.int8)  # of 0, 1 and -1
+RELATION_OF_SIGN = np.array([TOUCHING, APART, OVERLAPPING], np.int8)  # indexed by a sign: 0, 1, -1
 
 
 def relations(a: CornerColumns, ia: Indices, b: CornerColumns, ib: Indices) -> Signs:
@@ -90,7 +90,7 @@ def relate_edges(a: Edges, b: Edges) -> Signs:
         return found
     nearest = _facing_corner(a, b), _facing_corner(b, a)
     for step in range(most):
-        # around from the edges at the corner that lies furthest towards the other shape: -1, 0, -2, 1, -3, ...
+        # outwards from the two edges at the corner furthest towards the other shape: -1, 0, -2, 1, -3, ...
         away = step // 2 if step % 2 else -1 - step // 2
         for (own, other), corner in zip(((a, b), (b, a)), nearest, strict=True):
             if step < own.edge_count and left.size:

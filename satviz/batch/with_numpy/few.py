@@ -17,10 +17,10 @@ MAX_WHOLE_CORNERS = 200  # corners up to which all pairs are tested without comp
 MAX_SHAPES, MAX_CORNERS = 1 << 12, 8  # above these, blocks of pairs in float32 are faster ...
 MAX_CLOSED = 64  # ... but not for shapes with up to so many corners, if
 MAX_SQUARES = 1 << 16  # the squares of their numbers of corners have at most this sum
-MAX_PRODUCTS = 1 << 17  # of normals and corners at a time, so that they stay in the second-level cache
+MAX_PRODUCTS = 1 << 17  # products of a normal and a corner computed at a time: they stay in the second-level cache
 MAX_KEPT = 64  # numbers of shapes whose pairs are kept
 NO_PLACES = np.empty(0, np.intp)
-MAX_DISTANCES = 1 << 13  # from corners to centers at a time, for the same reason
+MAX_DISTANCES = 1 << 13  # distances from corners to centers computed at a time, for the same reason
 # column V: the corners of an outline with V corners, again and again
 CLOSING = np.arange(MAX_CLOSED + 1)[:, None] % np.maximum(1, np.arange(MAX_CLOSED + 1))
 OUTWARD = np.array([1.0, -1.0])[:, None, None]  # turns (dy, dx) of a counter-clockwise edge into its outward normal

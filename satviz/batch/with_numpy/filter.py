@@ -185,7 +185,7 @@ def circle_polygon_gaps(cx: Array, cy: Array, cr: Array, closed: Array) -> tuple
             x[one] * x[one] + y[one] * y[one],
             np.where(along >= square, x[other] * x[other] + y[other] * y[other], orientation / square * orientation),
         )
-        np.minimum(nearest, distance.min(axis=0), out=nearest)  # of edges that face away too: none lies nearer
+        np.minimum(nearest, distance.min(axis=0), out=nearest)  # edges that face away are included: none is nearer
     nearest -= cr * cr
     # a center inside, taken for one on an edge's line, has the boundary within twice the tolerance
     nearest[inside] = -np.inf

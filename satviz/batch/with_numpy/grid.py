@@ -6,7 +6,8 @@ import numpy as np
 
 from ..array_types import Array, CellSize, Indices, Pairs
 
-Ranges = list[tuple[Indices, Indices, Indices]]  # which queries; where the stored boxes of each begin; how many
+# (indices of queries, first stored box of each, number of stored boxes of each)
+Ranges = list[tuple[Indices, Indices, Indices]]
 
 BLOCK_PAIRS = 1 << 20  # pairs of boxes compared at a time: what bounds the memory
 MAX_TABLE_CELLS_PER_BOX = 8  # up to so many a table of where each cell begins is worth its memory

@@ -73,6 +73,7 @@ def _corners_in_columns(shapes: Flat, which: Indices) -> tuple[Array, Array]:
     """Return (x, y) of the shapes `which`, a column each; shorter ones repeat, until the longest is closed."""
     start = shapes.start[which]
     many, of = np.unique(shapes.start[which + 1] - start, return_inverse=True)
-    places = (np.arange(many[-1] + 1)[:, None] % many).take(of, axis=1)  # a division a corner of each would be slow
+    # one modulo for each corner count; one for each corner would be slow
+    places = (np.arange(many[-1] + 1)[:, None] % many).take(of, axis=1)
     places += start
     return shapes.x[places], shapes.y[places]

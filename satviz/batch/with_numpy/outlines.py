@@ -13,7 +13,7 @@ from ..ragged import MAX_LANE_CORNERS
 BLOCK_CORNERS = 1 << 15  # corners at a time: they and the scratch arrays stay in the second-level cache
 TURN_ERROR = 2.0**-51  # |error| <= 3.1 u |edge| |next edge| (u = 2**-53), rounded up to 4 u
 MAX_FEW = 64  # outlines that are checked in a few expressions, in the form in which few are evaluated
-MAX_PADDED_CORNERS = 1 << 15  # of padded arrays, which are checked all at once: few shapes
+MAX_PADDED_CORNERS = 1 << 15  # padded arrays with up to so many corners are checked all at once
 
 
 def certified_group(vertices: Array) -> CornerColumns | None:

@@ -29,7 +29,7 @@ from .move_space import (
     wrong_number_region,
 )
 
-MAX_CORNERS, MAX_CORNERS_IN_PIECES = 32, 12  # of both shapes: more make too many cells to work out during a drag
+MAX_CORNERS, MAX_CORNERS_IN_PIECES = 32, 12  # corners of both shapes: more make too many cells to compute during a drag
 
 ROUND = "the shortest way out of a circle turns as B moves, so the region of wrong numbers has no straight edges"
 DENT = "a shape has a dent, so its shortest way out does not change along straight lines"

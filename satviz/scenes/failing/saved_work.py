@@ -32,7 +32,7 @@ from .wrong_steps import is_closing_edge, measured_test, vertex_count
 
 FAR_APART = 5.0  # from this distance of their centers on, the case far-centers calls two shapes apart
 SHAPE_COUNT = 1000  # shapes in the case many-pairs
-MIN_SUPPORT_POINTS = 3  # that GJK needs for a hit: a triangle round the origin
+MIN_SUPPORT_POINTS = 3  # GJK needs so many for a hit: a triangle around the origin
 
 
 def first_half_of_normals(a: Shape, b: Shape) -> Choice:

@@ -1,6 +1,6 @@
 """SAT for two boxes in space: face normals, and the cross products of their edges.
 
-Fifteen axes are enough: three face normals of each, and nine directions across one edge of either.
+Fifteen axes are enough: three face normals of each box, and the nine cross products of an edge of A and an edge of B.
 """
 
 from math import atan2, sqrt

@@ -42,14 +42,14 @@ from .statements import ADDERS, ATTACHERS, PEN_STARTS, PENS, owner_of
 from .tokens import CLOSE, FIELD, LINE, MARK, NAME, NUMBER, OPEN, OTHER, TEXT, Token, tokens
 from .tree import parts_of
 
-MAX_PARTS = 50  # that are not understood; fewer are named
+MAX_PARTS = 50  # parts that are not understood and are collected; fewer are named
 MAX_ARGUMENTS = 200  # words and signs in a call in which the names of shapes are looked for
 MAX_ASIDE = 2  # numbers of a line of other things; three can be a shape
 _FIELD_LINE = re.compile("[nt]mnm?")  # by the kinds of tokens: a name or a text, a mark, a number
 APPLIED = frozenset([*METHODS, *MOVES, *SHIFTS, *TURNS, *ADDERS, *ATTACHERS, *PENS, *PEN_STARTS, *SETTERS, *RESETS])
 MOVERS = frozenset([*MOVES, *SHIFTS, *TURNS, "scale", "transform", "settransform"]) - {"offset", "translation"}
 ASSIGNS = ("=", ":=", ":")
-STYLE = re.compile(r"[a-z]?[-.:ox]{1,2}[a-z]?")  # of a plot: b-
+STYLE = re.compile(r"[a-z]?[-.:ox]{1,2}[a-z]?")  # the format of a line in a plot, such as b-
 NO_WORDS = re.compile(r"[A-Za-z_][\w.]*")
 LOOP = re.compile(r"^\s*for\s*\([^;]*;[^;]*;[^;)]*\)")
 DEFINES = frozenset({"def", "function", "fn", "func", "fun", "void", "class", "struct"})  # words before a new name
@@ -116,7 +116,7 @@ class Account:
         self.counts: set[int] = set()  # where numbers end that count or name something
         self.aside: set[int] = set()  # where numbers end that stand on lines of other things
         self.nested = False  # within a text in quotes, whose numbers nobody else counts
-        self.quoted = False  # behind a quote of a text that goes over several lines
+        self.quoted = False  # whether a quote has opened a text of several lines
         self.session = session
         self.close: dict[int, int] = {}
         self.open: dict[int, int] = {}
@@ -428,7 +428,7 @@ class Account:
         """Name a word among the numbers of a shape that is on no list."""
         token, after = self.at(i), self.at(i + 1)
         if after.kind == OPEN and self.callee(i + 1) is token:
-            return  # of the call
+            return  # the name belongs to a call, which is checked by itself
         last = last_of(token.text)
         if self.joins_tail(i):
             self.miss(i, i + 1)
@@ -543,7 +543,7 @@ class Account:
         return self.is_data(i + 1) or self.at(i + 1).kind in (OPEN, LINE)
 
     def is_choice(self, i: int) -> bool:
-        """Return whether data stands before a word in its line, and `else` behind it: a if b else c."""
+        """Return whether data stands before a word in its line, and `else` after it: a if b else c."""
         start, end = self.line(self.at(i))
         before = self.holds(start, self.at(i).start) or (self.at(i - 1).kind != NUMBER and self.is_data(i - 1))
         return before and "else" in self.text[self.at(i).end : end]
@@ -565,7 +565,7 @@ class Account:
         return self.at(i).end
 
     def check_field(self, i: int, frame: BracketFrame) -> None:
-        """Name an unknown field or method behind a shape."""
+        """Name an unknown field or chained method of a shape."""
         before, after = self.at(i - 1), self.at(i + 1)
         name = self.at(i).text.lstrip(".->:")
         if (after.text in ASSIGNS and before.kind != CLOSE) or (before.kind == LINE and after.text == "{"):
@@ -623,7 +623,8 @@ class Account:
         escapes = token.text[0] == "\\" and token.text != "\\ "
         loose = before.end < token.start and token.end < after.start
         if loose and ((token.text == "." and self.is_data(i - 1)) or (token.text == "$" and self.is_data(i + 1))):
-            self.miss(i, i + 1)  # of Haskell: circle (0, 0) 1 . flip, and flip . id $ [(0, 0), (4, 0), (0, 3)]
+            # operators of Haskell: circle (0, 0) 1 . flip, and flip . id $ [(0, 0), (4, 0), (0, 3)]
+            self.miss(i, i + 1)
             return
         known = token.text in PUNCTUATION or escapes or self.is_of_code(i, frame)
         if known or (not frame.data and self.is_of_text(i)):
@@ -642,7 +643,7 @@ class Account:
         return (kind == NUMBER or bracket) and self.holds(*self.span(i)) and not (bracket and self.is_tested(i))
 
     def transposes(self, i: int) -> bool:
-        """Return whether a quote stands behind data; it can open or close a text of several lines as well."""
+        """Return whether a quote stands after data; it can open or close a text of several lines as well."""
         token, before, after = self.at(i), self.at(i - 1), self.at(i + 1)
         behind = before.end == token.start and before.kind in (CLOSE, NAME, NUMBER, FIELD)
         opens, self.quoted = self.quoted, not behind
@@ -670,7 +671,8 @@ class Account:
         if token.text == "<" and tight and notation(after.text):
             return True  # <POLYGON ((0 0, 4 0, 0 3))>
         closes = token.text == ">" and before.end == token.start and (before.kind == CLOSE or before.text == ">")
-        return (closes and after.kind != NUMBER) or (token.text == "%" and tight and after.text == "{")  # of Elixir
+        # %{ begins a map in Elixir
+        return (closes and after.kind != NUMBER) or (token.text == "%" and tight and after.text == "{")
 
     def is_of_text(self, i: int) -> bool:
         """Return whether a sign stands between columns, ends a sentence, or is a dash."""
@@ -720,7 +722,7 @@ def last_of(name: str) -> str:
 
 
 def root(name: str) -> str:
-    """Return the first part of a name, and the second one behind `this` or `self`: player of this.player.x."""
+    """Return the first part of a name, and the second one after `this` or `self`: player of this.player.x."""
     parts = parts_of(name)
     return parts[1] if parts[0] in ("this", "self") and len(parts) > 1 else parts[0]
 

@@ -80,7 +80,7 @@ def is_hyphen(atoms: Sequence[Any], i: int) -> bool:
 
 
 def is_cast(group: Group) -> bool:
-    """Return whether a group is a type in brackets, with no call behind it."""
+    """Return whether a group is a type in brackets, with no call after it."""
     plain = group.bracket == "(" and not group.name and not group.methods
     return plain and len(group.items) == 1 and isinstance(group.items[0], Name)
 
@@ -107,6 +107,6 @@ def start_of(atom: Any) -> int:
 
 
 def end_of(atom: Any) -> int:
-    """Return the place in the text behind an atom."""
+    """Return the place in the text where an atom ends."""
     found: int = atom.end
     return found

@@ -7,39 +7,15 @@ from fractions import Fraction
 from typing import Any
 
 from .axis_lists import are_axes, joined, lengths
-from .boxes import (
-    AT_ORIGIN,
-    BOX_FORM,
-    BY_DIAMETER,
-    BY_RADIUS,
-    CHOICES,
-    DIAMETER,
-    RADIUS,
-    ROUND,
-    Read,
-    circle,
-    moved,
-    unit_of,
-)
+from .boxes import AT_ORIGIN, BY_DIAMETER, BY_RADIUS, CHOICES, Read, circle, moved, unit_of
 from .exact import centroid, hull
 from .keyed import Keyed
 from .names import Obj, Unreadable
-from .notations import (
-    ANY_BOX,
-    CENTER_HALF,
-    CENTER_SIZE,
-    CORNER_CORNER,
-    CORNER_OR_CENTER,
-    CORNER_SIZE,
-    RADIANS,
-    X_THEN_Y,
-    Notation,
-    key,
-    notation,
-)
+from .notations import ANY_BOX, CORNER_OR_CENTER, Ask, Form, Notation, key, notation
 from .points import ZERO, Pt, angle_of, places
 from .tree import Bad, Group, Name, Num, Pair, parts_of
 
+_PLACES = {"from": "corner", "to": "bottomright", "point": "corner"}  # of paper.js
 FULL_TURNS = frozenset(["2*pi", "pi*2", "2pi", "tau", "two_pi", "360", "6.283185307179586"])
 
 
@@ -76,7 +52,8 @@ class Calls(Keyed):
                     if angle is not None and _begins_with_numbers(named.rest):
                         named.fields[angle] = options.fields[angle]
                         continue
-                    if options.get("points", "radius", "width", "size", "min", "half") is None:
+                    sizes = options.get("points", "radius", "width", "size", "min", "half")
+                    if sizes is None and "to" not in options.fields:
                         continue
             kept.append(item)
         named.rest = []
@@ -88,7 +65,9 @@ class Calls(Keyed):
         if not isinstance(value, Group) or value.name or not any(isinstance(v, Pair) for v in value.items):
             return None
         made = self.as_object(value)
-        return made if made.get("radius", "diameter", "width", "size", "half", "halfwidth", "min", "x1") else None
+        made.fields = {_PLACES.get(str(name), name): v for name, v in made.fields.items()}
+        sized = made.get("radius", "diameter", "width", "size", "half", "halfwidth", "min", "x1", "opposite")
+        return made if sized else None
 
     def _body(self, arguments: list[Any]) -> tuple[list[Any], Pt | None, Any]:
         """Return (arguments without a physics body, the body's position, its angle); None for what the body lacks."""
@@ -114,7 +93,9 @@ class Calls(Keyed):
             return [replace(made, used=made.used | ({count.end} if count else set()))]
         arguments, place, angle = self._body(arguments)
         if named.fields and not arguments:
-            return self._object(replace(named, start=group.start, end=group.end), label)
+            node = group.bracket == "{" and group.name.lower().endswith("2d")  # of Unity or Godot
+            row = notation(group.name) if node else None
+            return self._object(replace(named, start=group.start, end=group.end), label, row)
         angle = angle if angle is not None else named.get("angle", "degrees", "radians")
         place = place or (self.point(named.get("center")) if named.get("center") is not None else None)
         loose = Group(group.start, group.end, arguments, group.bracket, group.name)
@@ -155,7 +136,7 @@ class Calls(Keyed):
     def _circle(self, group: Group, label: str) -> list[Read]:
         """Return the circle of a call: (center, radius), (x, y, radius), or (radius) where a position is given."""
         word = group.name.split(".")[-1]
-        if word == "arc" and len(group.items) > 4:  # of a canvas: an arc from 0 to a full turn is a circle
+        if word == "arc" and len(group.items) > 4:  # on a canvas, an arc from 0 to a full turn is a circle
             turn = re.sub(r"\s|Math\.|\.0*(?!\d)", "", self.text[group.items[4].start : group.items[4].end]).lower()
             if self.number(group.items[3]) != 0 or turn not in FULL_TURNS:
                 raise Unreadable("an arc that is not a full circle: satviz takes polygons and circles")
@@ -180,7 +161,7 @@ class Calls(Keyed):
             flat = [self.number(named.get("radius"))]
         if not flat:
             self._refuse_names(arguments)
-            raise Unreadable("a circle without a radius: write it behind the center")
+            raise Unreadable("a circle without a radius: write it after the center")
         x, y = points[0] if points else ZERO
         said = BY_RADIUS if points or place else f"a circle by its radius{AT_ORIGIN}"
         row = notation(group.name)
@@ -188,9 +169,10 @@ class Calls(Keyed):
             x, y, said = flat[0], flat[0], f"a circle by its radius{AT_ORIGIN}"
         given = x, y, *(place or ()), flat[0]
         bare = group.name == "circle" and len(group.items) == 3 and all(isinstance(v, Num) for v in group.items)
-        if self.mode(group) not in ("", CENTER_SIZE):
-            raise Unreadable("an ellipseMode other than CENTER: write the center and the diameter")
-        if bare and self._choose(ROUND, CHOICES[ROUND], sure=DIAMETER if self.sketch else "") == DIAMETER:
+        if self.mode(group) not in ("", Form.CENTER_SIZE):
+            raise Unreadable("ellipseMode is not CENTER, and only CENTER is read: write the center and the diameter")
+        sure = row.form if row and row.form else Form.DIAMETER if self.sketch else ""
+        if (bare or (row and row.form)) and self._choose(Ask.ROUND, CHOICES[Ask.ROUND], sure=sure) == Form.DIAMETER:
             flat[0], said = flat[0] / 2, BY_DIAMETER
         x, y = (x + place[0], y + place[1]) if place else (x, y)
         return [circle((x, y), flat[0], group, label, said, *given)]
@@ -221,16 +203,16 @@ class Calls(Keyed):
             x, y, radius, other = (self.number(keys[name]) for name in ("cx", "cy", "rx", "ry"))
             if radius == other:
                 return [circle((x, y), radius, group, label, BY_RADIUS, other)]
-        if self.mode(group) not in ("", CENTER_SIZE):
-            raise Unreadable("an ellipseMode other than CENTER: write the center and the diameter")
+        if self.mode(group) not in ("", Form.CENTER_SIZE):
+            raise Unreadable("ellipseMode is not CENTER, and only CENTER is read: write the center and the diameter")
         flat = self.numbers(group.items) or []
         if len(flat) not in (3, 4) or flat[2] != flat[-1]:
             raise Unreadable("an ellipse: give it as a polygon with many corners")
         said, radius = BY_DIAMETER, flat[2] / 2
-        sure = DIAMETER if self.sketch or row.form else ""
-        if len(flat) == 4 and self._choose(ROUND, (DIAMETER, RADIUS), sure=sure) == RADIUS:
+        sure = Form.DIAMETER if self.sketch or row.form else ""
+        if len(flat) == 4 and self._choose(Ask.ROUND, (Form.DIAMETER, Form.RADIUS), sure=sure) == Form.RADIUS:
             said, radius = BY_RADIUS, flat[2]
-        x, y = (flat[0] + radius, flat[1] + radius) if row.form == CORNER_SIZE else (flat[0], flat[1])
+        x, y = (flat[0] + radius, flat[1] + radius) if row.form == Form.CORNER_SIZE else (flat[0], flat[1])
         return [circle((x, y), radius, group, label, said, *flat)]
 
     def _box(self, group: Group, row: Notation, label: str) -> list[Read]:
@@ -247,20 +229,30 @@ class Calls(Keyed):
         says = [name for name in named.fields if key(name) and key(name) not in ("angle", "degrees", "radians")]
         if named.fields and (says or not arguments):
             return self._object(replace(named, start=group.start, end=group.end, rest=arguments), label, row)
+        inner = self.resolve(arguments[0]) if len(arguments) == 1 else None
+        pairs = isinstance(inner, Group) and any(isinstance(v, Pair) for v in inner.items)
+        if isinstance(inner, Group) and not (inner.name or pairs) and len(inner.items) > 1 and not self.point(inner):
+            self.consume(arguments)
+            row = row._replace(form="", ask=ANY_BOX) if group.name.startswith("cv") else row  # a box, not two corners
+            arguments = list(inner.items)  # Rect([0, 0, 4, 4]), setFromPoints([(0, 0), (4, 1), (2, 4)])
         parts = [self.point(a) if isinstance(self.resolve(a), (Group, Obj)) else None for a in arguments]
+        if len(parts) > 2 and all(parts) and group.name.lower().endswith(("frompoints", "boundingrect")):
+            xs, ys = zip(*(p for p in parts if p), strict=True)
+            made = self._made_box([min(xs), min(ys), max(xs), max(ys)], Form.CORNER_CORNER, group, label)
+            return [replace(made, said=f"the bounding box of {len(xs)} points", used=places(*xs, *ys), keyed=True)]
         if parts and any(p is not None for p in parts):
             flat: list[Fraction] = []
             for argument, part in zip(arguments, parts, strict=True):
                 flat += part if part is not None else [self.number(argument)]
         else:
             flat = self.numbers(arguments) or []
-        if row.form == CENTER_HALF and len(flat) >= 4 and parts[0] is None:
+        if row.form == Form.CENTER_HALF and len(flat) >= 4 and parts[0] is None:
             flat = [*flat[2:4], *flat[:2], *flat[4:]]  # b2 and planck: half sizes, then the center
         if len(flat) in (1, 3) and group.name.lower().endswith("square"):
             flat.append(flat[-1])
         if len(flat) == 2:  # a size alone: its center is where its body is
-            form = self._choose(BOX_FORM, row.ask) if row.ask == CORNER_OR_CENTER else row.form or CENTER_SIZE
-            form = form if form in (CENTER_SIZE, CENTER_HALF) or row.alone or row.ask else CENTER_SIZE
+            form = self._choose(Ask.BOX_FORM, row.ask) if row.ask == CORNER_OR_CENTER else row.form or Form.CENTER_SIZE
+            form = form if form in (Form.CENTER_SIZE, Form.CENTER_HALF) or row.alone or row.ask else Form.CENTER_SIZE
             flat = [*(place or ZERO), *flat]
             made = self._made_box(flat, form, group, label, angle, row.unit)
             return [made if place else replace(made, said=f"{made.said}{AT_ORIGIN}")]
@@ -270,19 +262,28 @@ class Calls(Keyed):
         ask = row.ask or ()
         if not row.form and len(arguments) == 3:
             ask = CORNER_OR_CENTER  # a point, a width and a height
-        if group.bracket == "[" and row.form == CORNER_SIZE:  # Mathematica: Rectangle[{0, 0}, {1, 1}]
-            row, ask = row._replace(form=CORNER_CORNER if len(arguments) == 2 else ""), ask or ANY_BOX
+        if group.bracket == "[" and row.form == Form.CORNER_SIZE:  # Mathematica: Rectangle[{0, 0}, {1, 1}]
+            row, ask = row._replace(form=Form.CORNER_CORNER if len(arguments) == 2 else ""), ask or ANY_BOX
         second = self.resolve(arguments[1]) if len(arguments) == 2 else None
-        if row.form == CORNER_SIZE and isinstance(second, Group) and "point" in second.name.lower():
-            row, ask = row._replace(form=""), (CORNER_CORNER, CORNER_SIZE)
+        if row.form == Form.CORNER_SIZE and isinstance(second, Group) and "point" in second.name.lower():
+            row, ask = row._replace(form=""), (Form.CORNER_CORNER, Form.CORNER_SIZE)
         form = (
-            self._choose(BOX_FORM, ask, sure=self.mode(group)) if ask and not row.form else self._overridden(row.form)
+            self._choose(Ask.BOX_FORM, ask, sure=self.mode(group))
+            if ask and not row.form
+            else self._overridden(row.form)
         )
-        if len(flat) == 5 and angle is None and form not in (CORNER_CORNER, X_THEN_Y) and not self.mode(group):
+        if (
+            len(flat) == 5
+            and angle is None
+            and form not in (Form.CORNER_CORNER, Form.X_THEN_Y)
+            and not self.mode(group)
+        ):
             angle = angle_of(group, flat)
         if len(arguments) == 4 and not named.fields and row.ask == ANY_BOX and not self.mode(group):
             self._ask_order()
-        made = self._made_box(flat[:4], form, group, label, angle, RADIANS if row.form == CENTER_HALF else row.unit)
+        made = self._made_box(
+            flat[:4], form, group, label, angle, Form.RADIANS if row.form == Form.CENTER_HALF else row.unit
+        )
         made = replace(made, keyed=bool(row.form))
         return [moved(made, place) if place else made]
 

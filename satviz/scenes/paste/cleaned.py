@@ -13,12 +13,19 @@ _N = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 _PROMPT = r"^[ \t]*(?:>>>|\.\.\.:?(?!\s*\n\s*[\[({\d-]|[ ](?:and )?\d+ more\b)|In \[\d+\]:|Out\[\d+\]:)(?=\s)"
 # what a log or a list writes before a shape: a date and a time, a level, a source, a number
 _TIME = r"\d\d:\d\d:\d\d(?:[.,]\d+)?"
-_STAMP = rf"\d{{4}}[-/]\d\d[-/]\d\d(?:[T ](?:{_TIME}|\d\d:\d\d)(?:Z|[+-]\d\d:?\d\d)?)?|(?:\d\d-\d\d[ ])?{_TIME}"
-# what says all of a shape: three keys with numbers (but not x, y and z), or two with points
+_STAMP = (
+    rf"\d{{4}}[-/]\d\d[-/]\d\d(?:[T ](?:{_TIME}|\d\d:\d\d)(?:Z|[+-]\d\d:?\d\d)?)?"
+    rf"|(?:\d\d-\d\d[ ]|[IWEF]\d{{4}}[ ])?{_TIME}(?:[ ][AP]M\b)?|\d{{10}}\.\d+(?=\])"
+)
+# the host and the process that syslog writes after the time, and the source line that glog writes
+_SYSLOG = rf"(?:<\d+>\d?[ ]?)?(?:[A-Z][a-z]{{2}}[ ]+\d{{1,2}}[ ]{_TIME}|{_STAMP})[ ][\w.-]+[ ]"
+# patterns that describe a whole shape: three keys with numbers (not x, y and z), or two keys with points
 _KEYED = r"[A-Za-z_][\w-]*[ \t]?=[ \t]?"
 _SCALAR, _POINT, _GAP = rf"{_KEYED}[-+]?[\d.]+", rf"{_KEYED}\([^()\n]*\)", r"[ \t,;]+"
 _KEYS = rf"{_SCALAR}{_GAP}{_SCALAR}{_GAP}(?![zZ]\b){_SCALAR}|{_POINT}{_GAP}{_POINT}"
-_PREFIX = rf"""(?x)^[ \t]*(?:[\[(<]?(?:{_STAMP})(?!\d)[\])>]?[ \t:|,-]*)?
+_PREFIX = rf"""(?x)^[ \t]*(?:{_SYSLOG}(?:[\w./-]+(?:\[\d+\])?:|[\w.-]+[ ][\w-]+[ ][\w-]+[ ]-)[ ]+
+       |[IWEF]\d{{4}}[ ]{_TIME}[ ]+\d+[ ][\w./-]+:\d+\][ ]
+       |[\[(<]?(?:{_STAMP})(?!\d)[\])>]?[ \t:|,-]*)?
     (?:(?:\[[A-Za-z][\w\ ./:\#-]*\](?!\s*=>)|\b(?:TRACE|DEBUG|INFO|WARN|WARNING|ERROR|FATAL)\b
        |[VDIWEF]/[\w.-]+(?:\([ \d]+\))?:|\d+[ ]+\d+[ ]+[VDIWEF][ ]+[\w.-]+[ ]*:
        |[a-z]\w*(?:\.\w+)+(?=[ ]-[ ][A-Za-z]))[ \t:|-]+)*
@@ -31,7 +38,7 @@ _SHAPE = r"(?i:circle|ball|dis[ck]|rect(?:angle)?|box|polygon|triangle)"
 _NUMBERED = rf"\b({_SHAPE})[ ]+(?:#\d+:?|\d+:?(?=[ ]*\([ ]?{_N}[ ]?,[ ]?{_N}[ ]?,))(?=[ ]*\()"
 _LETTER = r"(?:x|y|w|h|r|width|height|radius)"
 _PLACED = r"(?:(?:top|bottom|upper|lower)[ -](?:left|right)|center|centre|pos|position|size|extents)"
-# Behind the sign of a line that a change adds or removes stands no number, as in -4, and not one space, as in a list.
+# After the sign of a line that a change adds or removes stands no number, as in -4, and not one space, as in a list.
 _REMOVED, _ADDED = r"[ \t]*-(?![ \t]*[-.\d]| \S).*\n", r"[ \t]*\+(?![ \t]*[.\d]| \S).*(?:\n|\Z)"
 _PATCH = re.compile(r"^(?:--- \S.*\n\+\+\+ \S|@@ -\d+.*@@)", re.MULTILINE)
 _CHANGE = re.compile(rf"^(?:{_REMOVED})++(?P<added>(?:{_ADDED})++)?", re.MULTILINE)
@@ -58,15 +65,16 @@ _ROWS = [
         (r"<br ?/?>|&(?:quot|#39|nbsp);", blank),
         (r"&(?:amp|lt|gt);", lambda m: unescape(m[0]).ljust(len(m[0]))),
         (rf"<([A-Za-z]\w*)>(\s*{_N}\s*)</\1>", lambda m: f" {m[1]}={m[2]};".ljust(len(m[0]))),
-        (  # of PHP: [x] => 0, and of Clojure: :x 0; a number is a place in a list
+        (  # PHP writes [x] => 0, Clojure :x 0; a number is a place in a list
             r"(?:\[(\w+)\]|\b(\d+))\s*=>(?=\s*(?:[Aa]rray\b|[-\d\[]))|(?<=[{\s]):([a-z]\w*)\s(?=\s*[-.\d\[{])",
             lambda m: ("," if m[m.lastindex].isdigit() else f",{m[m.lastindex]}:").ljust(len(m[0])),
         ),
         (rf"^[ \t]*\w{{1,40}}\s*<<(?=\s*{_N}(?:\s*,\s*{_N}){{5,}}\s*;)", lambda m: m[0].replace("<<", "= ")),  # Eigen
         (r"(?<=\s)--?[a-z][\w-]*[ =](?=[\"'])", blank),  # an option of a command line
-        (r"^[ \t]*\[\d+\][ \t]+(?=\{)|\{ size=\d+ \}|(?<=\})\t[\w:.<> ]+$", blank),  # a debugger's watch window
         (r"(?<=\w):(?=(?:moveTo|move|rotate|setPosition|setRotation|setAngle|translate)\()", lambda _: "."),  # Lua
+        (r"^[ \t]*m_Paths:[ \t]*\n[ \t]*-(?= - \{)|^(?:--- !|%YAML|%TAG).*", blank),  # Unity
         (_PREFIX, blank),
+        (r"(?<=@export)_\w+(?:\([^()\n]*\))?|(?<=\bexport)\([^()\n]*\)", blank),  # annotations of GDScript
         (r"(?<=\bat )(?:the )?origin\b|(?<=\bon )the origin\b", lambda m: "(0, 0)".rjust(len(m[0]))),
         (_NUMBERED, lambda m: m[1].ljust(len(m[0]))),
         (r"\(/(?=\s*[-+.\d])|(?<=[\s.\d])/\)", lambda m: {"(/": "[ ", "/)": " ]"}[m[0]]),  # Fortran
@@ -81,9 +89,20 @@ _PLAIN_FIELD = r"(?:[^{}()\[\]\n;]|\([^(),{}\n]*(?:,[^(),{}\n]*)?\)|\{ ?get;[^{}
 TYPE = re.compile(
     rf"\b(?:class|struct|record)\s+(\w+)(?:(?:\([\w., ]*\))?:[ \t]*\n(?P<lines>(?:[ \t]+[^\n(){{}}\[\]]+\n|[ \t]*\n)++)"
     rf"|[^{{}}()=;\n]*\s*[{{(](?P<fields>(?:{_PLAIN_FIELD}[;\n])*+(?:{_PLAIN_FIELD}(?=[)}}]))?+))"
+    # GDScript, whose exported variables a scene sets anew
+    r"|^[ \t]*class_name[ \t]+(?P<name>\w+).*\n(?P<exports>(?:[ \t]*(?:@|export\b|extends\b|$).*(?:\n|\Z))++)"
+    r"|^(?P<exported>(?:[ \t]*(?:@export\b|export {2,}var\b).*(?:\n|\Z)\s*)++)",
+    re.MULTILINE,
 )
-MAX_TYPES = 20  # of which the names are looked for
+MAX_TYPES = 20  # types whose names are looked for in the text
 
+# what a debugger writes beside values: places in a list, sizes, types
+_WATCH = re.compile(
+    r"^[ \t]*+(?:[-+][ \t]*+)?(?:\[\d+\][ \t]+(?=\{)|(?:\w+[ \t]+\{ ?size=\d+ ?\}|\[[A-Za-z][\w ]*\]\t).*)"
+    r"|(?<=\})\t(?![^\n{}]*[ \t][-+.\d])[A-Za-z_][\w:<>, *&\[\]]*$|\bsize=\d+[ ](?=\{)|\b0x[0-9a-f]{8,16}[ ](?=\{)"
+    r"|std::\w+ of length \d+, capacity \d+ = (?=\{)",
+    re.MULTILINE,
+)
 _QUOTE = re.compile(r"^>+ .*(?:\n>+(?: .*|$))*", re.MULTILINE)  # or the prompts of R and MATLAB
 _HEADS = re.compile(r"^(?:-.*|\+\+\+ .*|@@.*|diff --git.*|index [0-9a-f]{6,}\.\..*|\+)", re.MULTILINE)
 
@@ -95,12 +114,17 @@ def cleaned(text: str) -> tuple[str, list[str]]:
     text = text.translate(_PLAIN)
     text = _QUOTE.sub(lambda m: re.sub(r"(?m)^(?:> ?)+", blank, m[0]), text)
     if _PATCH.search(text):  # a diff with its heads
-        kept = _HEADS.sub(blank, text)
+        kept = _WATCH.sub(blank, _HEADS.sub(blank, text))
     else:
+        text = _WATCH.sub(blank, text)
         kept = _CHANGE.sub(lambda m: re.sub(r"(?m)^[ \t]*(?:-.*|\+)", blank, m[0]) if m["added"] else m[0], text)
     remarks = ["the lines that a change removes (-) were left out"] if kept != text else []
     for pattern, write in _ROWS:
         kept = pattern.sub(write, kept)
-    return TYPE.sub(
-        lambda m: blank(m, m.lastgroup or 0) if kept.count(m[1]) > m[0].count(m[1]) else m[0], kept, MAX_TYPES
-    ), remarks
+    return TYPE.sub(lambda m: blank(m, m.lastgroup or 0) if _is_used(m, kept) else m[0], kept, MAX_TYPES), remarks
+
+
+def _is_used(declared: re.Match[str], text: str) -> bool:
+    """Return whether the name of a type stands in the text outside of its declaration."""
+    name = declared[1] or declared["name"]
+    return bool(name) and text.count(name) > declared[0].count(name)

@@ -15,7 +15,7 @@ from ...engine.predicates import orient_det
 from ...engine.relate import relate_integers
 
 APART, TOUCHING, OVERLAPPING = Relation
-MAX_EDGE_PAIRS = 60_000  # of concave outlines: a second of work
+MAX_EDGE_PAIRS = 60_000  # pairs of edges of concave outlines: a second of work
 Pt = tuple[Fraction, Fraction]
 IntPt = tuple[int, int]
 

@@ -35,7 +35,7 @@ CHANGING_CALLS = listed(
     minkowski dissolve symmetric snap cross dot zip repeat
     """
 )
-# Methods behind a shape that leave it alone.
+# Chained methods that leave a shape unchanged.
 METHODS = listed(
     """
     topolygon unwrap into tovec to_vec clone copy deepcopy dup duplicate
@@ -51,7 +51,7 @@ PRODUCERS = listed(
     union merge unite difference symmetric_difference buffer convex_hull envelope
     """
 )
-# Calls behind a shape that the reader passes over.
+# Chained calls that the reader passes over.
 HARMLESS = METHODS | {"union", "merge", "normalize", "normalise", "astype"}
 # Keys beside the numbers of a shape whose values change nothing.
 KEYS = listed(
@@ -110,7 +110,7 @@ OTHER_NUMBERS = listed(
     overlap
     """
 )
-# Words of a line that can say how another shape differs.
+# A line with one of these words can describe a shape relative to another shape.
 DIFFERENCES = listed("left right up down above below larger smaller bigger wider taller narrower times same")
 # Words that change a shape on the line of one, and say nothing on another line: double k = 2, the sum of the radii
 _NEEDS_A_SHAPE = listed(
@@ -132,7 +132,7 @@ DRAWS = frozenset(["draw", "fill", "stroke", "plot", "print", "printf", "show", 
 CASTS = frozenset(
     ["np.float64", "np.float32", "np.int64", "np.int32", "numpy.float64", "Decimal", "double", "b2MakeRot"]
 )
-# Words before and behind a number that counts or names something.
+# Words before and after a number that counts or names something.
 LABELS = listed(
     """
     circle polygon box rect rectangle shape triangle version length capacity object obj line step
@@ -144,7 +144,7 @@ COUNTED = listed(
     times people users
     """
 )
-# Words that say that the numbers behind them hold only sometimes, or several times.
+# Words that say that the numbers after them hold only sometimes, or several times.
 FLOW = frozenset(["else", "elif", "for", "while", "foreach", "case", "switch", "repeat", "until", "lambda", "map"])
 
 

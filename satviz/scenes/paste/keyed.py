@@ -4,28 +4,10 @@ from dataclasses import replace
 from typing import Any
 
 from .axis_lists import is_flat, joined, lengths, pairs_of_lists
-from .boxes import (
-    ABSOLUTE,
-    AT_ORIGIN,
-    BY_RADIUS,
-    CHOICES,
-    CORNERS,
-    Boxes,
-    Read,
-    circle,
-    moved,
-    origin_of,
-    unit_of,
-)
+from .boxes import AT_ORIGIN, BY_RADIUS, CHOICES, Boxes, Read, circle, moved, origin_of, unit_of
+from .exact import centroid
 from .names import Obj, Unreadable
-from .notations import (
-    CENTER_HALF,
-    CENTER_SIZE,
-    CORNER_CORNER,
-    Notation,
-    key,
-    notation,
-)
+from .notations import Ask, Form, Kind, Notation, key, notation
 from .points import ZERO, Numeral, Pt, places
 from .tree import Bad, Group, Name, Num
 
@@ -68,7 +50,7 @@ class Keyed(Boxes):
             row = next((found for found in made_by if found), None)
         offset = self.point(obj.get("offset")) if obj.get("offset") is not None else None
         if offset is not None and angle is not None and self.number(angle):
-            raise Unreadable("an offset and an angle in one shape: write the corners that result")
+            raise Unreadable("a shape with an offset and an angle is not read: write its corners")
         points = obj.get("points")
         outline = self.ring(points) if points is not None else None
         if outline is None and any(isinstance(k, int) for k in obj.fields):
@@ -82,7 +64,13 @@ class Keyed(Boxes):
             shift, given = place or ZERO, places(*(place or ()))
             if all(str(name).lower() == "centroid" for name in obj.fields if key(name) in ("center", "corner", "x")):
                 shift = ZERO  # where its corners are already
-            if shift != ZERO and self._choose(CORNERS, CHOICES[CORNERS]) == ABSOLUTE:
+            middle, size = centroid(outline), max(abs(c - outline[0][k]) for p in outline for k, c in enumerate(p))
+            if place and all(abs(c - p) * 1000 < size for c, p in zip(middle, place, strict=True)) and shift != ZERO:
+                shift = ZERO  # where its corners are already, as Matter prints them, and turned
+                given |= places(self.number(angle)) if angle is not None and self._is_number(angle) else set()
+                angle = None
+            sure = Form.RELATIVE if row and row.kind == Kind.RING else ""
+            if shift != ZERO and self._choose(Ask.CORNERS, CHOICES[Ask.CORNERS], sure=sure) == Form.ABSOLUTE:
                 shift = ZERO
             made = self._outline(outline, obj, label, shift, " and a position" if shift != ZERO else "")
             made = replace(made, used=made.used | given)
@@ -141,7 +129,7 @@ class Keyed(Boxes):
             two = self.resolve(obj.get("points"))
             ends = [self.point(v) for v in two.items] if isinstance(two, Group) else []
             if len(ends) == 2 and ends[0] and ends[1]:  # opposite corners
-                return [self._made_box([*ends[0], *ends[1]], CORNER_CORNER, obj, label)]
+                return [self._made_box([*ends[0], *ends[1]], Form.CORNER_CORNER, obj, label)]
         if {"a", "b", "c"} <= set(obj.fields) <= set("abcd") and (corners := self.ring(self._lettered(obj))):
             return [self._outline(corners, obj, label)]
         return None
@@ -185,7 +173,7 @@ def _placed(shape: Read, obj: Obj, place: Pt) -> Read:
     if obj.get("center", "corner", "x") is None:
         return shape
     xs, ys = zip(*shape.points, strict=True)
-    by_center = shape.is_circle or shape.form in (CENTER_SIZE, CENTER_HALF) or names & {"center", "centre"}
+    by_center = shape.is_circle or shape.form in (Form.CENTER_SIZE, Form.CENTER_HALF) or names & {"center", "centre"}
     old = ((min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2) if by_center else (min(xs), min(ys))
     made = moved(shape, (place[0] - old[0], place[1] - old[1]))
     return replace(made, used=made.used | places(*place))

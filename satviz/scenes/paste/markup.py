@@ -1,16 +1,32 @@
 """Elements of SVG as calls: <circle cx="1" cy="2" r="3"/> is read as svg.circle(cx=1, cy=2, r=3)."""
 
 import re
-from bisect import bisect_left
+from bisect import bisect_left, bisect_right
 from collections.abc import Iterator
 from fractions import Fraction
 from itertools import islice
 
 from ...engine.geometry import InvalidScene
+from .boxes import IDENTITY, Affine, cosine_and_sine
+from .notations import Form
 from .prose import sentences
 from .svg_path import PATH_DATA, path_tokens
 from .tables import tables
-from .tokens import CLOSE, FIELD, MARK, MAX_TOKENS, NAME, NUMBER, NUMERAL, OPEN, TOO_MANY, Token, in_one_unit, tokens
+from .tokens import (
+    CLOSE,
+    FIELD,
+    MARK,
+    MAX_TOKENS,
+    NAME,
+    NUMBER,
+    NUMERAL,
+    OPEN,
+    TOO_MANY,
+    Token,
+    in_one_unit,
+    number,
+    tokens,
+)
 
 _QUOTED = r"\"[^\"<>]*\"|'[^'<>]*'"
 _ELEMENT = re.compile(rf"<(circle|ellipse|rect|polygon|polyline|path|area)(?=[\s/>])((?:[^<>\"']|{_QUOTED})*)>")
@@ -21,6 +37,8 @@ _ATTRIBUTE = re.compile(rf"([\w:-]+)[ \t\r\n]*=[ \t\r\n]*({_QUOTED})")
 _LINE = r"[ \t]*[Mm][ \t]*[-+.0-9][-+.,0-9eE \t]*[A-Za-z][-+.,0-9eE \tMmLlHhVvZzCcSsQqTtAa]*"
 _BARE = re.compile(rf"([\"'`])({PATH_DATA.pattern})\1|^()({_LINE})$", re.MULTILINE)
 _MOVED = re.compile(r"(?<!text-)(?:transform|rotate|scale|translate)\s*:(?!\s*none)")  # in a style
+_MOVED_BY = re.compile(r"transform-(?:origin|box)|(?<!text-)(?:transform|rotate|scale|translate)\s*:")
+_GROUP = re.compile(rf"<(/?)g\b((?:[^<>\"']|{_QUOTED})*)>")
 _BETWEEN = re.compile(r"[\s,]*")
 _TRANSFORM = re.compile(r"(\w+)\s*\(([^()]*)\)")
 # names of parameters, with their defaults
@@ -55,10 +73,17 @@ _PLACES = frozenset(["x", "y", "cx", "cy"])
 
 
 def all_tokens(text: str) -> tuple[list[Token], list[Token], list[tuple[int, int]]]:
-    """Return the tokens of a text, those with markup, path data and tables as calls and lists, and where these are."""
+    """Return (tokens as written, tokens as read, spans) of a text.
+
+    In the tokens as read, markup, path data, tables and sentences are calls and lists; `spans`: where they stood, as
+    (start, end).  InvalidScene for more than MAX_TOKENS.
+    """
     plain = tokens(text)
     held = {m.end(): _attributes(m[1], m.start(1)) for m in _OBJECT.finditer(text)}
-    parts = [(m.start(), m.end(), list(_element(m, held.get(m.start(), {})))) for m in _ELEMENT.finditer(text)]
+    places, outer, parts = _groups(text)
+    for m in _ELEMENT.finditer(text):
+        around = outer[bisect_right(places, m.start()) - 1]
+        parts.append((m.start(), m.end(), list(_element(m, held.get(m.start(), {}), around))))
     parts += [(m.start(), m.end(), []) for m in _OBJECT.finditer(text)]
     ends = [(start, end) for start, end, _ in parts]
     inside = iter([*ends, (len(text), len(text))])
@@ -109,8 +134,11 @@ def _attributes(text: str, at: int) -> dict[str, tuple[str, int]]:
     return {m[1]: (m[2][1:-1], at + m.start(2) + 1) for m in _ATTRIBUTE.finditer(text)}
 
 
-def _element(match: re.Match[str], holder: dict[str, tuple[str, int]]) -> Iterator[Token]:
-    """Yield the call that an element stands for, on a line of its own, moved to the object that holds it."""
+def _element(match: re.Match[str], holder: dict[str, tuple[str, int]], outer: tuple[Affine, bool]) -> Iterator[Token]:
+    """Yield the call that an element stands for, on a line of its own, moved to the object that holds it.
+
+    `outer`: the transform of the groups around it.
+    """
     tag = match[1]
     found = _attributes(match[2], match.start(2))
     round_ = tag == "ellipse" and {"x", "y", "width", "height"} <= set(holder)
@@ -138,12 +166,17 @@ def _element(match: re.Match[str], holder: dict[str, tuple[str, int]]) -> Iterat
             elif name in _PLACES:
                 yield from _pair(name, [Token(NUMBER, "0", match.start(), match.start(), Fraction(0))])
     yield _mark(CLOSE, ")", match.end())
-    style, at = found.get("style", ("", 0))
-    if _MOVED.search(style):
-        why = f"{style[:40]!r} is not applied: write the numbers that it leads to"
-        yield from _call("transform-css", [_broken(style, at)._replace(why=why)])
-    if "transform" in found:
-        yield from _changes(*found["transform"])
+    own = _matrix(found["transform"][0]) if "transform" in found else (IDENTITY, True)
+    moves = [
+        name for name in found if name == "transform-origin" or (name == "style" and _MOVED.search(found[name][0]))
+    ]
+    if own is None or moves:
+        said, at = found[moves[0] if moves else "transform"]
+        why = f"{said[:40]!r} is not applied: write the numbers that it leads to"
+        yield from _call("transform", [_broken(said, at)._replace(why=why)])
+    elif (total := _times(outer[0], own[0])) != IDENTITY:
+        values = (*total, Fraction(outer[1] and own[1]))
+        yield from _call("affine", [Token(NUMBER, "", match.end(), match.end(), value) for value in values])
     if {"x", "y"} <= set(holder) and not round_:
         yield from _call("translate", [*_number(*holder["x"]), *_number(*holder["y"])])
     if "rotation" in holder:
@@ -160,24 +193,60 @@ def _pair(name: str, value: list[Token]) -> Iterator[Token]:
         yield _mark(MARK, ",", value[-1].end)
 
 
-def _changes(text: str, at: int) -> Iterator[Token]:
-    """Yield the tokens of the calls that a `transform` attribute stands for: a move is applied, all else is refused.
-
-    `at`: the place of the attribute's value in the whole text.
-    """
+def _matrix(text: str) -> tuple[Affine, bool] | None:
+    """Return the matrix of a `transform`, and whether it is exact, as no turn by 45 degrees is; None if broken."""
+    total, exact = IDENTITY, True
     if not _BETWEEN.fullmatch(_TRANSFORM.sub("", text)):
-        yield from _call("transform", [_broken(text, at)])
+        return None
     for m in _TRANSFORM.finditer(text):
-        inside, begin = m[2], at + m.start(2)
-        values = _inner(inside, begin) if _are_numbers(inside) else [_broken(inside, begin)]
-        if m[1] == "translate" and len(values) == 1:
-            values.append(Token(NUMBER, "0", values[0].end, values[0].end, Fraction(0)))
-        if values:
-            yield from _call(m[1] if m[1] == "translate" else f"transform-{m[1]}", values)
+        values = [number(n)[0] for n in re.findall(NUMERAL, m[2])]
+        if not _are_numbers(m[2]) or None in values:
+            return None
+        n = [value or Fraction(0) for value in values]
+        match m[1], len(n):
+            case "translate", 1 | 2:
+                made = (*IDENTITY[:4], n[0], n[1] if len(n) > 1 else Fraction(0))
+            case "scale", 1 | 2:
+                made = (n[0], *IDENTITY[1:3], n[-1], *IDENTITY[4:])
+            case "matrix", 6:
+                made = (n[0], n[1], n[2], n[3], n[4], n[5])
+            case "rotate", 1 | 3:
+                c, s, right = cosine_and_sine(n[0], Form.DEGREES)
+                x, y = n[1:] or IDENTITY[4:]
+                made, exact = (c, s, -s, c, x - c * x + s * y, y - s * x - c * y), exact and right
+            case _:
+                return None
+        total = _times(total, made)
+    return total, exact
+
+
+def _times(p: Affine, q: Affine) -> Affine:
+    """Return the matrix that applies q, and then p."""
+    (a, b, c, d, e, f), (u, v, w, x, y, z) = p, q
+    return (a * u + c * v, b * u + d * v, a * w + c * x, b * w + d * x, a * y + c * z + e, b * y + d * z + f)
+
+
+def _groups(text: str) -> tuple[list[int], list[tuple[Affine, bool]], list[tuple[int, int, list[Token]]]]:
+    """Return where the transform of the groups around changes, what it is there, and the groups that are understood."""
+    places, made = [0], [(IDENTITY, True)]
+    parts: list[tuple[int, int, list[Token]]] = []
+    stack = [made[0]]
+    for m in _GROUP.finditer(text):
+        if m[1]:
+            stack = stack[:-1] or stack
+        elif not m[2].endswith("/"):
+            found = _attributes(m[2], 0)
+            given = _matrix(found["transform"][0]) if "transform" in found and not _MOVED_BY.search(m[2]) else None
+            outer, exact = stack[-1]
+            stack.append((_times(outer, given[0]), exact and given[1]) if given else stack[-1])
+            parts += [(m.start(), m.end(), [])] if given else []
+        places.append(m.end())
+        made.append(stack[-1])
+    return places, made, parts
 
 
 def _call(name: str, values: list[Token]) -> Iterator[Token]:
-    """Yield a call behind a shape."""
+    """Yield a chained call of a shape."""
     yield Token(FIELD, f".{name}", values[0].start, values[0].start)
     yield _mark(OPEN, "(", values[0].start)
     for value in values:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any
 
-from .notations import BOX, CIRCLE, OTHER_SHAPE, key, notation
+from .notations import Kind, key, notation
 from .tree import Bad, Group, Name, Num, Pair, Value, parts_of
 
 _ZERO = re.compile(r"(?:\.|::)zero$|^cpvzero$|^b2Vec2_zero$", re.IGNORECASE)
@@ -52,10 +52,10 @@ class Names:
         self.loose: list[Any] = []  # values without a name
         self.used: set[int] = set()  # values that another one refers to by name
         self.remarks: list[str] = []
-        self.problems: list[str] = []  # what could not be read
-        self.parts: list[tuple[int, int]] = []  # of a known form: from 0 to 2 * pi
-        self.named: list[tuple[int, int]] = []  # that a problem quotes
-        self.counts: set[int] = set()  # where indices end: v[0].Set(1, 2)
+        self.problems: list[str] = []  # lines on parts that could not be read
+        self.parts: list[tuple[int, int]] = []  # spans of a known form, such as: from 0 to 2 * pi
+        self.named: list[tuple[int, int]] = []  # spans that a problem quotes
+        self.counts: set[int] = set()  # the places where an index ends: v[0].Set(1, 2)
 
     def _insert(self, pair: Pair) -> None:
         """Store a value under its path; a variable that is declared again keeps its earlier value as another shape."""
@@ -77,7 +77,9 @@ class Names:
             node.earlier.setdefault(last, []).append(old)
         value = pair.value
         declared = notation(pair.before) if pair.before and isinstance(value, Group) and not value.name else None
-        if declared and declared.kind in (BOX, CIRCLE, OTHER_SHAPE) and value.bracket in "({":  # Rect r = {0, 0, 1, 1}
+        if (
+            declared and declared.kind in (Kind.BOX, Kind.CIRCLE, Kind.OTHER_SHAPE) and value.bracket in "({"
+        ):  # Rect r = {0, 0, 1, 1}
             value = replace(value, name=pair.before)
         if isinstance(value, Bad) and value.inside:
             value = Group(value.start, value.end, value.inside, "words")
@@ -108,7 +110,7 @@ class Names:
         return value
 
     def consume(self, items: Sequence[Any]) -> None:
-        """Note that the values behind these names belong to a shape, so that they are not shapes of their own."""
+        """Note that the values of these names belong to a shape, so that they are not shapes of their own."""
         self.used |= {id(self.resolve(item)) for item in items if isinstance(item, Name)}
 
     def as_object(self, group: Group) -> Obj:

@@ -9,12 +9,33 @@ from typing import NamedTuple
 
 from .tree import parts_of
 
-POINT, RING, CIRCLE, BOX, MANY, MOVE, ARC = "point", "ring", "circle", "box", "many", "move", "arc"
-ELLIPSE, OTHER_SHAPE, ON_THE_GLOBE, TABLE = "ellipse", "other", "globe", "table"
-# How the four numbers of a box are meant, in the words of `--as`.
-CORNER_SIZE, CORNER_CORNER, CENTER_SIZE, CENTER_HALF = "corner-size", "corner-corner", "center-size", "center-half"
-X_THEN_Y, SIZE_CORNER = "x-then-y", "size-corner"
-DEGREES, RADIANS = "degrees", "radians"
+
+class Kind:
+    """What a row of the table is: a shape, several of them, what moves one, or what is not read."""
+
+    POINT, RING, CIRCLE, BOX, MANY, MOVE, ARC = "point", "ring", "circle", "box", "many", "move", "arc"
+    ELLIPSE, OTHER_SHAPE, ON_THE_GLOBE, TABLE = "ellipse", "other", "globe", "table"
+
+
+class Form:
+    """How numbers are meant, in the words of `--as`: first the four numbers of a box."""
+
+    CORNER_SIZE, CORNER_CORNER, CENTER_SIZE, CENTER_HALF = "corner-size", "corner-corner", "center-size", "center-half"
+    X_THEN_Y, SIZE_CORNER = "x-then-y", "size-corner"
+    DEGREES, RADIANS, RADIUS, DIAMETER = "degrees", "radians", "radius", "diameter"
+    Y_UP, Y_DOWN, WIDTH_FIRST, HEIGHT_FIRST = "y-up", "y-down", "width-first", "height-first"
+    EACH_VALUE, LAST_VALUE, RELATIVE, ABSOLUTE = "each-value", "last-value", "relative", "absolute"
+    DECIMAL_COMMAS, SEPARATORS = "decimal-commas", "separators"
+    AROUND_CENTER, AROUND_CORNER, AROUND_ORIGIN = "around-center", "around-corner", "around-origin"
+    LEAVE_OUT = "leave-out"  # the shapes stand without what was not understood
+    TAKE_IN = "take-in"  # what may be a shape is one
+
+
+class Ask:
+    """What can be asked."""
+
+    BOX_FORM, ANGLE, TURN, ORDER, PIVOT, CORNERS = "box", "angle", "turn", "order", "pivot", "corners"
+    ROUND, TWICE, COMMAS = "round", "twice", "commas"
 
 
 class Notation(NamedTuple):
@@ -26,11 +47,11 @@ class Notation(NamedTuple):
     ask: tuple[str, ...] = ()
     unit: str = ""
     keyed: str = ""  # the form of a box with the keys x, y, width and height
-    alone: bool = False  # of a box or circle given by its size: its corner, not its center, is where its body is
+    alone: bool = False  # a box or circle given by its size has its corner, not its center, at the position of its body
 
 
-ANY_BOX = (CORNER_SIZE, CORNER_CORNER, CENTER_SIZE, CENTER_HALF)
-CORNER_OR_CENTER = (CORNER_SIZE, CENTER_SIZE)
+ANY_BOX = (Form.CORNER_SIZE, Form.CORNER_CORNER, Form.CENTER_SIZE, Form.CENTER_HALF)
+CORNER_OR_CENTER = (Form.CORNER_SIZE, Form.CENTER_SIZE)
 
 NOTATIONS = (
     Notation(
@@ -39,7 +60,7 @@ NOTATIONS = (
         "vector.create cgpoint qpoint qpointf offset latlng vector3 vector3f vec3 point3d cgsize qsize qsizef "
         "size size2 vertex ccp point64 pointd intpoint pointsingle corner pvec2 makepoint st_point st_makepoint p "
         "point_2 fvector2d",
-        POINT,
+        Kind.POINT,
     ),
     # polygons, and the lists that hold their points
     Notation(
@@ -52,74 +73,77 @@ NOTATIONS = (
         "fillpolygon drawpolygon zip column_stack rbind cbind newpolygonshape edgecollider polygoncollider2d addpoly "
         "seq set z zm tensor double[][] float32array float64array makepolygon fromvertices create_polygon convex "
         "newpolygon newconvexpolygon polygon_2 cppolyshapenew b2computehull b2makepolygon polygonhull",
-        RING,
+        Kind.RING,
     ),
     Notation(
         "circle circle2d ball disc disk createcircle circleshape boundingcircle addcircle drawcircle "
         "newcirclecollider c2circle newcircle circleimpl circlef circleshape2d newcircleshape "
         "circlecollider2d makecircle create_circle b2circle cpcircleshapenew arc ellipse2d",
-        CIRCLE,
+        Kind.CIRCLE,
     ),
     # boxes
     Notation(
         "bodies.rectangle add.rectangle bodies.rect boxshape2d centered_rect rotatedrect p2.box p2.rectangle "
         "create_box rect::from_center_size display.newrect newrectangleshape rect.fromcenter "
-        "rectangleshape2d boxcollider2d",
-        BOX,
-        CENTER_SIZE,
+        "rectangleshape2d boxcollider2d setfromcenterandsize",
+        Kind.BOX,
+        Form.CENTER_SIZE,
     ),
     Notation(
         "rectangle rectanglef rect2 rect2i newrect qrect qrectf cgrect cgrectmake sf::rect floatrect intrect "
         "pygame.rect frect ccrectmake ccrect svg.rect rect.fromltwh makerect rectmake fillrect strokerect "
         "drawrectangle newrectanglecollider sdl_rect setrect sdl_frect domrect rectangle2d.double "
         "rectangle2d.float recti rectint",
-        BOX,
-        CORNER_SIZE,
+        Kind.BOX,
+        Form.CORNER_SIZE,
     ),
     Notation(
         "shapely.box geometry.box st_makeenvelope makeenvelope bbox boundingbox ltrb pixel.r image.rect rect64 "
         "rectd rect.fromltrb rect.frompoints rect::from_corners create_rectangle RECT RECTL lnglatbounds "
-        "latlngbounds cpbbnew rectf bb box2.new three.box2 fbox2d",
-        BOX,
-        CORNER_CORNER,
+        "latlngbounds cpbbnew rectf bb box2.new three.box2 fbox2d bboxpolygon setfrompoints boundingrect",
+        Kind.BOX,
+        Form.CORNER_CORNER,
     ),
-    Notation("bounds", BOX, CENTER_SIZE, keyed=CORNER_SIZE),
-    Notation("envelope referencedenvelope", BOX, ask=(X_THEN_Y, CORNER_CORNER)),
-    Notation("jts.env", BOX, X_THEN_Y),
-    Notation("size.at", BOX, SIZE_CORNER),
-    Notation("c2aabb aabb aabb2d aabb2 box2 box2d b2aabb extent", BOX, ask=(CORNER_CORNER, CENTER_HALF)),
+    Notation("cv2.rectangle cv.rectangle imagedraw.rectangle", Kind.BOX, Form.CORNER_CORNER),
+    Notation("phaser.circle", Kind.CIRCLE, Form.DIAMETER),
+    Notation("bounds", Kind.BOX, Form.CENTER_SIZE, keyed=Form.CORNER_SIZE),
+    Notation("envelope referencedenvelope", Kind.BOX, ask=(Form.X_THEN_Y, Form.CORNER_CORNER)),
+    Notation("jts.env", Kind.BOX, Form.X_THEN_Y),
+    Notation("size.at", Kind.BOX, Form.SIZE_CORNER),
+    Notation("c2aabb aabb aabb2d aabb2 box2 box2d b2aabb extent", Kind.BOX, ask=(Form.CORNER_CORNER, Form.CENTER_HALF)),
     Notation(
         "aabb2d::new rect::from_center_half_size cuboid b2makebox setasbox b2makeoffsetbox b2makesquare pl.box "
-        "planck.box",
-        BOX,
-        CENTER_HALF,
+        "planck.box hyperrectangle",
+        Kind.BOX,
+        Form.CENTER_HALF,
     ),
-    Notation("rect", BOX, ask=ANY_BOX, keyed=CORNER_SIZE),
-    Notation("box createbox obb orientedbox", BOX, ask=ANY_BOX),
-    Notation("rectangleshape", BOX, CORNER_SIZE, alone=True),
-    Notation("sf::circleshape", CIRCLE, alone=True),
-    Notation("ellipse", ELLIPSE),
-    Notation("ellipse2d.double ellipse2d.float filloval drawoval tiled.ellipse", ELLIPSE, CORNER_SIZE),
+    Notation("rect", Kind.BOX, ask=ANY_BOX, keyed=Form.CORNER_SIZE),
+    Notation("box createbox obb orientedbox", Kind.BOX, ask=ANY_BOX),
+    Notation("rectangleshape", Kind.BOX, Form.CORNER_SIZE, alone=True),
+    Notation("sf::circleshape", Kind.CIRCLE, alone=True),
+    Notation("ellipse", Kind.ELLIPSE),
+    Notation("ellipse2d.double ellipse2d.float filloval drawoval tiled.ellipse", Kind.ELLIPSE, Form.CORNER_SIZE),
     Notation(
         "capsule b2capsule capsule2d capsuleshape2d segment b2segment linesegment line ray edge roundedrect "
         "roundedbox b2makeroundedbox makeroundedbox stadium matrix roundrectangle2d.double roundrectangle2d.float "
         "roundrect rrect drawrectanglepro drawpoly box3 box3d aabb3d cube sphere bodies.polygon bodies.trapezoid "
-        "create_oval oval rhombus star wedge ring arcshape regularpolygon",
-        OTHER_SHAPE,
+        "create_oval oval rhombus star wedge ring arcshape regularpolygon capsulecollider2d compositecollider2d "
+        "segmentshape2d worldboundaryshape2d separationrayshape2d",
+        Kind.OTHER_SHAPE,
     ),
-    Notation("setbounds drawrect", BOX, ask=(CORNER_SIZE, CORNER_CORNER)),
-    Notation("unknown.table", TABLE),
-    Notation("turf.circle l.circle maps.circle", ON_THE_GLOBE),
-    Notation("square", BOX, ask=(CORNER_SIZE, CENTER_SIZE)),
+    Notation("setbounds drawrect", Kind.BOX, ask=(Form.CORNER_SIZE, Form.CORNER_CORNER)),
+    Notation("unknown.table", Kind.TABLE),
+    Notation("turf.circle l.circle maps.circle", Kind.ON_THE_GLOBE),
+    Notation("square", Kind.BOX, ask=(Form.CORNER_SIZE, Form.CENTER_SIZE)),
     # what moves the next shape
     Notation(
         "isometry::new isometry2::new translation translation2 isometry::identity isometry2::identity transform",
-        MOVE,
-        unit=RADIANS,
+        Kind.MOVE,
+        unit=Form.RADIANS,
     ),
     # many shapes in one
-    Notation("circularstring", ARC),
-    Notation("multipolygon geometrycollection featurecollection scene world", MANY),
+    Notation("circularstring", Kind.ARC),
+    Notation("multipolygon geometrycollection featurecollection scene world", Kind.MANY),
 )
 NAMES = {name: row for row in NOTATIONS for name in row.names.split()}
 MAX_WORDS = max(len(re.split(r"\.|::|->", name)) for name in NAMES)
@@ -194,11 +218,12 @@ TURNS = {
     "setrotation": "",
     "set_rotation": "",
     "set_angle": "",
-    "rotatedeg": DEGREES,
-    "rotatedegrees": DEGREES,
+    "rotatedeg": Form.DEGREES,
+    "rotatedegrees": Form.DEGREES,
 }
 SETTERS = frozenset(["set", "setxy"])
 # Calls that give a box or a circle all its numbers anew, in the order of the call that made it.
+MAKERS = frozenset(["setfrompoints", "setfromcenterandsize"])  # that an empty box has
 RESETS = frozenset(["set", "setto", "setbounds", "setrect", "setframe", "update"])
 
 

@@ -50,7 +50,7 @@ def in_float32(a: Shape, b: Shape) -> Relation | str:
 
 
 def in_whole_numbers(a: Shape, b: Shape) -> Relation | str:
-    """Return the relation once the part behind the decimal point of each number is cut off."""
+    """Return the relation once the digits after the decimal point of each number are cut off."""
     return _changed(a, b, lambda value: float(trunc(value)))
 
 
@@ -107,7 +107,7 @@ def views(a: Shape, b: Shape, lies: Where, gap: float) -> list[View]:
             found.append(View("OGC equals", _says(True), "both are the same set of points"))
     for name, changed, how in (
         ("float32 coordinates", in_float32(a, b), "each coordinate rounded to 24 bits"),
-        ("whole coordinates", in_whole_numbers(a, b), "the part behind the decimal point cut off"),
+        ("whole coordinates", in_whole_numbers(a, b), "the digits after the decimal point cut off"),
     ):
         said = f"{changed} instead of {relation}" if changed is not relation else str(relation)
         if isinstance(changed, str):

@@ -15,7 +15,7 @@ from . import others
 from .boxes import FORM_WORDS, Read, plain
 from .exact import Pt, Where, hull, where
 from .findings import Finding, PastedShape, exact_of, make_shape
-from .notations import ANY_BOX, CENTER_SIZE, CORNER_SIZE
+from .notations import ANY_BOX, Form
 from .points import ZERO
 
 APART, TOUCHING, OVERLAPPING = Relation
@@ -82,7 +82,7 @@ def of_pair(pair: AnsweredPair, *, decimals: bool) -> Iterator[Finding]:
         yield Finding(
             "whole-numbers",
             both,
-            f"With the parts behind the decimal point cut off, {a.name} and {b.name} are {_words(cut)} "
+            f"With the digits after the decimal point cut off, {a.name} and {b.name} are {_words(cut)} "
             f"instead of {_words(relation)}.",
             "Keep floating-point numbers, or scale before you convert.",
         )
@@ -126,12 +126,12 @@ def _of_other_readings(pair: AnsweredPair) -> Iterator[Finding]:
     a, b, relation = pair.a, pair.b, pair.lies.relation
     for each, other in ((a, b), (b, a)):
         read = each.read
-        if read.form in (CORNER_SIZE, CENTER_SIZE) and not read.rounded:
-            form = CENTER_SIZE if read.form == CORNER_SIZE else CORNER_SIZE
+        if read.form in (Form.CORNER_SIZE, Form.CENTER_SIZE) and not read.rounded:
+            form = Form.CENTER_SIZE if read.form == Form.CORNER_SIZE else Form.CORNER_SIZE
             together = _relation_of_boxes(a, b, form)
             changed = _relation_with(box_points(read.box, form), other) if together is None else together
             if changed is not None and changed is not relation and (together is None or each is a):
-                point = "center" if form == CENTER_SIZE else "corner"
+                point = "center" if form == Form.CENTER_SIZE else "corner"
                 owner = f"the point of {each.title}" if together is None else f"the points of {a.name} and {b.name}"
                 be = f"were its {point}" if together is None else f"were their {point}s"
                 yield Finding(
@@ -211,7 +211,7 @@ def _of_swapped(pair: AnsweredPair) -> Iterator[Finding]:
 def box_points(box: Sequence[Fraction], form: str) -> tuple[Pt, ...]:
     """Return the corners of an upright box by its size and, as `form` says, a corner or its center."""
     x, y, w, h = box
-    x0, y0 = (x, y) if form == CORNER_SIZE else (x - w / 2, y - h / 2)
+    x0, y0 = (x, y) if form == Form.CORNER_SIZE else (x - w / 2, y - h / 2)
     return (x0, y0), (x0 + w, y0), (x0 + w, y0 + h), (x0, y0 + h)
 
 
@@ -241,7 +241,7 @@ def _relation_of_corners(a: PastedShape, b: PastedShape) -> Relation | None:
     made = []
     for each in (a, b):
         box = each.read.box
-        if each.read.form != CORNER_SIZE or each.read.rounded or not (box[2] > box[0] and box[3] > box[1]):
+        if each.read.form != Form.CORNER_SIZE or each.read.rounded or not (box[2] > box[0] and box[3] > box[1]):
             return None
         x0, y0, x1, y1 = map(float, box)
         made.append(Polygon([(x0, y0), (x1, y0), (x1, y1), (x0, y1)]))

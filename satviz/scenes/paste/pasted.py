@@ -16,9 +16,10 @@ from .. import minimal_test
 from ..link import link
 from ..scenefile import MAX_VERTICES, Scene
 from . import findings, others
-from .boxes import ALL_CHOICES, BOX_FORM, CHOICES, COMMAS, DECIMAL_COMMAS, LEAVE_OUT, ONLY_IF_IT_MATTERS, Read
+from .boxes import ALL_CHOICES, CHOICES, ONLY_IF_IT_MATTERS, Read
 from .cleaned import cleaned
 from .findings import KINDS, Finding, PastedShape, listed
+from .notations import Ask, Form
 from .objects import as_text
 from .pair_findings import AnsweredPair, clear, of_pair
 from .parser import parse
@@ -79,6 +80,7 @@ CHOICE_WORDS = {
     "decimal-commas": "0,5 is 0.5",
     "separators": "0,5 is 0 and 5",
     "leave-out": "the shapes as read, without it",
+    "take-in": "a shape of its own",
 }
 
 
@@ -206,12 +208,14 @@ class Pasted:
         for each in self.readings:
             yield f"{each.title}: {each.said}{', refused' if not each.shape else ''}"
             yield f"    read from: {each.excerpt}"
+        about_rest = [question for question in self.questions if sentence and question.what == "rest"]
         for question in self.questions:
             yield ""
-            yield str(question)
+            # the answer's sentence is this question with a remedy: it is said once
+            yield str(question._replace(asks=self.sentence) if question in about_rest else question)
             if not self.open:
                 yield f"  The relation is the same; {question.answers[0].choice} was taken."
-        if sentence:
+        if sentence and not about_rest:
             yield ""
             yield number_format.ascii_minus(self.sentence)
         if self.findings:
@@ -285,24 +289,26 @@ def paste(what: Any, as_: str | Sequence[str] = ()) -> Pasted:
     written = what if isinstance(what, str) else as_text(what)
     chosen = _choices(as_)
     text, changes = cleaned(written)
-    if DECIMAL.search(text) and not set(chosen) & set(CHOICES[COMMAS]):
-        answers = tuple(Answer(c, CHOICE_WORDS[c], _sentence(written, (*chosen, c))) for c in CHOICES[COMMAS])
-        return Pasted(written, chosen, (), (PasteQuestion(COMMAS, ASKS[COMMAS], answers, matters=True),), (), ())
-    if DECIMAL_COMMAS in chosen:
+    if DECIMAL.search(text) and not set(chosen) & set(CHOICES[Ask.COMMAS]):
+        answers = tuple(Answer(c, CHOICE_WORDS[c], _sentence(written, (*chosen, c))) for c in CHOICES[Ask.COMMAS])
+        return Pasted(
+            written, chosen, (), (PasteQuestion(Ask.COMMAS, ASKS[Ask.COMMAS], answers, matters=True),), (), ()
+        )
+    if Form.DECIMAL_COMMAS in chosen:
         text = COMMA.sub(".", text)
     tree = parse(text)
     reader = Reader(text, chosen)
-    if forms := set(chosen) & set(CHOICES[BOX_FORM]):
+    if forms := set(chosen) & set(CHOICES[Ask.BOX_FORM]):
         bare = Reader(text, [choice for choice in chosen if choice not in forms])
         bare.read(tree.root)
-        reader.keeps = BOX_FORM in bare.asked
+        reader.keeps = Ask.BOX_FORM in bare.asked
     reads = _checked(reader.read(tree.root), reader)
     shapes = _named(reads, written)
     questions = tuple(_questions(reader, tree.root, text, chosen))
     missed, harmless = rest(tree, reads, text, reader, session=">>>" in written or "In [" in written)
     notes = []
     if missed := [*reader.problems[:5], *missed]:
-        if LEAVE_OUT in chosen:
+        if Form.LEAVE_OUT in chosen:
             notes = [Finding("left-out", (), f"Left out, as chosen: {_shorten(missed)}.")]
         else:
             questions = (_about_the_rest(missed, tree.root, text, chosen, reader), *questions)
@@ -374,7 +380,7 @@ def _named(reads: Sequence[Read], text: str) -> list[PastedShape]:
 
 def _questions(reader: Reader, root: Group, text: str, chosen: tuple[str, ...]) -> Iterator[PasteQuestion]:
     """Yield what must be asked: each possible reading with the relation that it gives."""
-    keeps = reader.keeps or BOX_FORM in reader.asked
+    keeps = reader.keeps or Ask.BOX_FORM in reader.asked
     for what, choices in reader.asked.items():
         if any(choice in chosen for choice in choices):
             continue
@@ -395,10 +401,10 @@ def _about_the_rest(
     missed: Sequence[str], root: Group, text: str, chosen: tuple[str, ...], reader: Reader
 ) -> PasteQuestion:
     """Return the question whether the shapes are complete without the parts that were not understood."""
-    keeps = reader.keeps or BOX_FORM in reader.asked
-    gives = _gives(root, text, (*chosen, LEAVE_OUT), keeps=keeps)
-    answer = Answer(LEAVE_OUT, CHOICE_WORDS[LEAVE_OUT], gives)
-    return PasteQuestion("rest", f"{ASKS['rest']} {_shorten(missed)}.", (answer,), matters=True)
+    keeps = reader.keeps or Ask.BOX_FORM in reader.asked
+    choices = (Form.LEAVE_OUT, *([Form.TAKE_IN] if reader.doubts else []))
+    answers = (Answer(c, CHOICE_WORDS[c], _gives(root, text, (*chosen, c), keeps=keeps)) for c in choices)
+    return PasteQuestion("rest", f"{ASKS['rest']} {_shorten(missed)}.", tuple(answers), matters=True)
 
 
 def _gives(root: Group, text: str, chosen: tuple[str, ...], *, keeps: bool) -> str:
@@ -422,7 +428,8 @@ def _gives(root: Group, text: str, chosen: tuple[str, ...], *, keeps: bool) -> s
 def _pairs(shapes: Sequence[PastedShape]) -> list[AnsweredPair]:
     """Return the pairs that meet, the deepest first; if none meets, the nearest pair.
 
-    Concave outlines have so many pairs of convex parts that only the pairs are shown whose boxes overlap most.
+    At most MAX_TRACES pairs, with about MAX_PART_PAIRS pairs of convex parts together: if there are more, those whose
+    boxes overlap most.
     """
     near = []
     for a, b in combinations(shapes, 2):

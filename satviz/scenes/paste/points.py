@@ -5,9 +5,9 @@ from fractions import Fraction
 from typing import Any
 
 from .atoms import is_pair
-from .harmless import HARMLESS
+from .harmless import HARMLESS, TESTS
 from .names import Obj, Unreadable, short
-from .notations import LIST_WORDS, POINT, RING, notation
+from .notations import LIST_WORDS, Kind, key, notation
 from .statements import Statements
 from .tree import Bad, Group, Name, Num, Pair, Value
 
@@ -77,16 +77,16 @@ class Points(Statements):
         if not isinstance(value, Group):
             return None
         row = notation(value.name) if value.name else None
-        if row and row.kind != POINT and not (row.kind == RING and value.bracket in "[("):
+        if row and row.kind != Kind.POINT and not (row.kind == Kind.RING and value.bracket in "[("):
             return None
         if any(isinstance(item, Pair) for item in value.items):
             return self._xy(self.as_object(value))
         items = value.items
         while len(items) == 1 and isinstance(items[0], Group) and items[0].bracket in " ({[" and not items[0].name:
             items = items[0].items
-        if not items and origin and row and row.kind == POINT:
+        if not items and origin and row and row.kind == Kind.POINT:
             return ZERO
-        if len(items) == 2 and any(isinstance(v, Num) for v in items) and (not row or row.kind == POINT):
+        if len(items) == 2 and any(isinstance(v, Num) for v in items) and (not row or row.kind == Kind.POINT):
             call = next((v for v in items if isinstance(v, Group) and v.name and not notation(v.name)), None)
             if call is not None and (not value.name or row) and self.point(call) is None:
                 self.number(call)  # says that it is not evaluated
@@ -94,10 +94,10 @@ class Points(Statements):
             return None
         plain = sum(isinstance(self.resolve(v), Num) for v in items)
         if len(items) == 3:
-            if plain < 3 or not row or row.kind != POINT:
+            if plain < 3 or not row or row.kind != Kind.POINT:
                 return None
             self._leave_out([items[2]])
-        if plain == 0 and not (row and row.kind == POINT):
+        if plain == 0 and not (row and row.kind == Kind.POINT):
             return None
         self._refuse_methods(value)
         return self.number(items[0]), self.number(items[1])
@@ -132,7 +132,7 @@ class Points(Statements):
         return self.number(x), self.number(y)
 
     def _refuse_methods(self, group: Group) -> None:
-        """Raise Unreadable for a call behind a value that would change it."""
+        """Raise Unreadable for a chained call that would change a value."""
         for name, arguments in group.methods:
             if name.lower() not in HARMLESS and arguments.items:
                 raise Unreadable(f".{name}(...) is not evaluated: write the result")
@@ -148,7 +148,7 @@ class Points(Statements):
         if not isinstance(value, Group) or any(isinstance(item, Pair) for item in value.items):
             return None
         row = notation(value.name) if value.name else None
-        if row and row.kind not in (RING, POINT):
+        if row and row.kind not in (Kind.RING, Kind.POINT):
             return None
         self._refuse_methods(value)
         items = [item for item in value.items if not (isinstance(item, Group) and not item.items and not item.name)]
@@ -164,14 +164,17 @@ class Points(Statements):
         two_words = len(items) == 2 and not any(isinstance(v, Bad) for v in items)  # {:ok, 0.0}
         flat = None if two_words else self.numbers(items)
         if flat is not None:
-            if len(flat) < 6 or (row and row.kind == POINT) or (other and not LIST_WORDS.search(value.name)):
+            if len(flat) < 6 or (row and row.kind == Kind.POINT) or (other and not LIST_WORDS.search(value.name)):
                 return None  # setTransform(1, 0, 0, 1, 5, 5) is no outline
             if len(flat) % 2:
                 raise Unreadable(
                     f"a list of {len(flat)} numbers is not a list of x and y: one is missing, or there is one too many"
                 )
             return list(zip(flat[::2], flat[1::2], strict=True))
-        return self._points(items)
+        found = self._points(items)
+        if found and len(found) > 2 and other and (TESTS.search(value.name) or not LIST_WORDS.search(value.name)):
+            raise Unreadable(f"{short(value.name)}(...) does not say what its points are: write each shape by itself")
+        return found
 
     def _between_spaces(self, items: Sequence[Any]) -> list[Any]:
         """Return the numbers of 0,0 4,0 0,3 and of 0 0, 4 0, 0 3, and those of 0,0,5 4,0,5 0,3,5 without each third."""
@@ -247,6 +250,9 @@ class Points(Statements):
         if count < len(items):
             place = next(i for i, p in enumerate(found) if p is None)
             raise Unreadable(why or f"item {place} (counted from 0) of a list of corners is not a pair of numbers")
+        names = {item.name for item in items if isinstance(item, Group) and item.name}
+        if len(names) > 1 and any(key(name) in ("center", "size", "half", "offset", "corner") for name in names):
+            raise Unreadable("a word stands before each pair of numbers, so they are no corners: write x=, y=, w=, h=")
         return [p for p in found if p is not None]
 
     def _is_number(self, item: Any) -> bool:

@@ -32,7 +32,7 @@ SENTENCES = (
     ("qrect", re.compile(rf"<rect\({_N}, {_N}, {_N}, {_N}\)>")),  # pygame
     ("qrect", re.compile(rf"\[P: {_P}, S: {_P}\]")),  # Godot
     ("qrect", re.compile(rf"\(x:{_N}, y:{_N}, width:{_N}, height:{_N}\)")),  # Unity
-    ("v2", re.compile(rf"<{_N}, {_N}>")),  # of C#
+    ("v2", re.compile(rf"<{_N}, {_N}>")),  # a vector of C#
     ("image.rect", re.compile(rf"\bmin(?:imum)?(?: at| =|:)? {_P},?(?: and)? (?:its )?max(?:imum)?(?: at| =|:)? {_P}")),
     ("image.rect", re.compile(rf"\b(?:rect|rectangle|box)(?: [A-Za-z]+){{0,3}} from {_P} to {_P}", re.IGNORECASE)),
     (
@@ -54,6 +54,11 @@ SENTENCES = (
     ("svg.polygon", re.compile(rf"\\(?:draw|fill|filldraw|path){_STYLE}\s*{_P}(?:\s*--\s*{_P})+\s*--\s*cycle")),  # TikZ
     ("circle", re.compile(rf"\({_N}[ ]?,[ ]?{_N}\)[ ]circle[ ]\({_N}\)")),
     ("image.rect", re.compile(rf"\({_N}[ ]?,[ ]?{_N}\)[ ]rectangle[ ]\({_N}[ ]?,[ ]?{_N}\)")),
+    (
+        "qrect",
+        re.compile(rf":add\((?:[A-Za-z_][\w.]*|\"[^\"\n]*\"|'[^'\n]*')(?:[ ]?,[ ]?{_N}){{4}}[ ]?\)"),
+        re.compile(rf",[ ]?({_N})"),
+    ),  # bump of Lua
     ("rect", re.compile(rf"{_PLACE}{_FILL}{_N}[ ]?[x\u00d7][ ]?{_N}(?![\w.%])", re.IGNORECASE)),
 )
 _NUMBER = re.compile(rf"(?<!\bV){_N}")

@@ -9,42 +9,22 @@ from typing import Any
 from .account import within
 from .atoms import holds_numbers
 from .axis_lists import joined, lengths, pairs_of_lists
-from .boxes import (
-    BOX_FORM,
-    CHOICES,
-    LAST_VALUE,
-    TWICE,
-    Read,
-    circle,
-    moved,
-)
+from .boxes import CHOICES, Read, circle, moved, transformed
 from .calls import Calls
 from .cleaned import TYPE
 from .harmless import HARMLESS, OTHER_NUMBERS, words
 from .names import Obj, Unreadable, is_block, short
 from .notations import (
     ANY_BOX,
-    ARC,
-    BOX,
-    CENTER_HALF,
-    CENTER_SIZE,
-    CIRCLE,
-    CORNER_CORNER,
     CORNER_OR_CENTER,
-    CORNER_SIZE,
-    ELLIPSE,
-    MANY,
-    MOVE,
+    MAKERS,
     MOVES,
-    ON_THE_GLOBE,
-    OTHER_SHAPE,
-    POINT,
-    RADIANS,
-    RING,
     SHAPE_WORDS,
-    TABLE,
     TURNS,
     TWO_SHAPES,
+    Ask,
+    Form,
+    Kind,
     notation,
 )
 from .points import ZERO, Pt, angle_of
@@ -64,9 +44,17 @@ SHORTENED = re.compile(
 _RESULT = re.compile(
     r"(?i)(output|result|intersection)\b.*|(print\()?\w+\.(intersection|union|difference|buffer)\(.*\)"
 )
+# words of a line about something that was tried besides, or about what is no shape
+_ASIDE = re.compile(
+    r"\b(?:edit|update|p\.?s)\W{0,3}\d*:|(?<![a-z])(?:works|worked|tried|instead|phone|call|tel|fax|mobile|versions?|date"
+    r"|colou?rs?|rgba?)(?![a-z])",
+    re.IGNORECASE,
+)
+_COMMENT = re.compile(r"//|#|--|/\*")
 COPIES = frozenset(["clone", "copy", "deepcopy", "dup", "duplicate"])
 MAX_ABOVE = 400  # characters before a shape in which the line above it is looked for
-MAX_PROBLEMS = 50  # of what is not read; fewer are shown
+MAX_BESIDE = 200  # characters before and after a shape in which words about it are looked for
+MAX_PROBLEMS = 50  # problems that are collected; fewer are shown
 
 
 class Reader(Calls):
@@ -91,7 +79,10 @@ class Reader(Calls):
         entries = [e for e in entries if id(e[2]) not in self.taken and not isinstance(e[2], Name)]  # b = a
         entries += [(run.value.start, run.label, run.value) for run in self.runs]
         found: list[tuple[int, Read]] = []
+        asked: list[tuple[int, dict[str, tuple[str, ...]]]] = []
         for _, name, value in sorted(entries, key=lambda entry: entry[0]):
+            self.asked = {}
+            asked.append((id(value), self.asked))
             label = name.split(" (")[0]
             shapes = self.shapes(value, label)
             if len(shapes) > 1:  # the name is that of a result, or of a list, and of no single shape
@@ -104,17 +95,33 @@ class Reader(Calls):
             if any(id(each) in self.used for each in lists):
                 self.used.add(id(points))
         kept = [(owner, shape) for owner, shape in found if owner not in self.used]
+        self.asked = {}
+        for what, ask in (pair for owner, asks in asked if owner not in self.used for pair in asks.items()):
+            self.asked[what] = tuple(dict.fromkeys((*self.asked.get(what, ()), *ask)))
         earlier = {id(v) for values in self.env.earlier.values() for v in values if self._is_assigned(v)}
-        if any(owner in earlier for owner, _ in kept) and self._choose(TWICE, CHOICES[TWICE]) == LAST_VALUE:
+        if (
+            any(owner in earlier for owner, _ in kept)
+            and self._choose(Ask.TWICE, CHOICES[Ask.TWICE]) == Form.LAST_VALUE
+        ):
             self.parts += [(shape.start, shape.end) for owner, shape in kept if owner in earlier]
             kept = [(owner, shape) for owner, shape in kept if owner not in earlier]
         shapes = [shape for _, shape in kept]
-        fields = within([match.span() for match in TYPE.finditer(self.text)], shapes)
-        doubtful = dict.fromkeys(fields if len(fields) < len(kept) else (), "a shape, or what a class begins with")
-        doubtful |= {s: "a shape, or a result" for s in shapes if _RESULT.fullmatch(s.label or self._above(s))}
-        doubtful |= {s: "a shape, or a bounding box" for p, s in pairwise(shapes) if s.form and _bounds(p) == s.points}
-        self.problems += [f"{short(self.text[s.start : s.end])}: {why}" for s, why in doubtful.items()]
+        doubtful: dict[Read, str] = {}
+        if Form.TAKE_IN not in self.chosen:
+            fields = within([match.span() for match in TYPE.finditer(self.text)], shapes)
+            beside = {s for s in shapes if _ASIDE.search(self._line_of(s)) or self._is_bare(s)}
+            for some, what in ((fields, "what a class begins with"), (beside, "one of something else")):
+                doubtful |= dict.fromkeys(some if len(some) < len(shapes) else (), what)
+            doubtful |= {s: "a result" for s in shapes if _RESULT.fullmatch(s.label or self._above(s))}
+            doubtful |= {
+                s: "a hole of the one before" for (a, p), (b, s) in pairwise(kept) if a == b and self._is_hole(s, p)
+            }
+            doubtful |= {s: "a bounding box" for p, s in pairwise(shapes) if s.form and _bounds(p) == s.points}
+        self.problems += [
+            f"{short(self.text[s.start : s.end])}: a shape of its own, or {why}" for s, why in doubtful.items()
+        ]
         self.parts += [(s.start, s.end) for s in doubtful]
+        self.doubts = bool(doubtful)
         kept = [(owner, shape) for owner, shape in kept if shape not in doubtful]
         made = {(s.points, s.radius) for _, s in kept if not s.repeats}
         named = {(s.points, s.radius, s.label) for _, s in kept if s.label}
@@ -132,8 +139,25 @@ class Reader(Calls):
             self.text[max(0, shape.start - MAX_ABOVE) : shape.start].rstrip("` \t\n<").rpartition("\n")[2].strip("` \t")
         )
 
+    def _is_hole(self, shape: Read, outer: Read) -> bool:
+        """Return whether an outline stands behind another one in a list, and lies within its bounds: [[...], [...]]."""
+        if self.text[outer.end : shape.start].strip() != "," or shape.form or outer.form or shape.is_circle:
+            return False
+        (x0, y0), _, (x1, y1), _ = _bounds(outer)
+        return all(x0 <= x <= x1 and y0 <= y <= y1 for x, y in shape.points)
+
+    def _is_bare(self, shape: Read) -> bool:
+        """Return whether a box is a row of numbers without brackets and names."""
+        return bool(shape.form) and not (shape.label or shape.keyed) and self.text[shape.start] in "-+.0123456789"
+
+    def _line_of(self, shape: Read) -> str:
+        """Return the line on which a shape begins, without a comment."""
+        before = self.text[max(0, shape.start - MAX_BESIDE) : shape.start].rpartition("\n")[2]
+        after = self.text[shape.end : shape.end + MAX_BESIDE].partition("\n")[0]
+        return _COMMENT.split(before + after, maxsplit=1)[0]
+
     def _is_assigned(self, value: Any) -> bool:
-        """Return whether a value stands behind a sign that assigns, and not in a log: a: (0, 0, 4, 4)."""
+        """Return whether a value follows a sign that assigns, and not in a log: a: (0, 0, 4, 4)."""
         begin = self.text.rfind("\n", 0, value.start) + 1
         return bool(_ASSIGNED.fullmatch(self.text, begin, value.start)) and not _SECTION.search(self.text, value.end)
 
@@ -167,52 +191,57 @@ class Reader(Calls):
         return []
 
     def _group(self, group: Group, label: str) -> list[Read]:
-        """Return the shapes of a bracket, a call or a typed list, with the calls behind it."""
+        """Return the shapes of a bracket, a call or a typed list, with its chained calls applied."""
         if (copied := self._copied(group)) is not None:
             return self.shapes(copied, label)
+        if (
+            not group.items and len(group.methods) == 1 and group.methods[0][0].lower() in MAKERS
+        ):  # Box2().setFromPoints(a)
+            ((name, given),) = group.methods
+            group = replace(group, items=given.items, name=name, methods=[])
         row = notation(group.name) if group.name else None
         kind = row.kind if row else ""
         if two := TWO_SHAPES.get(group.name.lower().split(".")[-1]):
             return self._two(group, two, label)
         if (plain := self._columns(group)) is not group:
             return self._plain(plain, label)
-        if kind == OTHER_SHAPE and self._has_numbers(group):
+        if kind == Kind.OTHER_SHAPE and self._has_numbers(group):
             raise Unreadable(
                 f"{short(group.name)} is not read: satviz takes boxes, circles, and polygons by their corners"
             )
-        if kind == ON_THE_GLOBE:
+        if kind == Kind.ON_THE_GLOBE:
             raise Unreadable(f"the center of {group.name} is in degrees and its radius is not: write both in one unit")
-        if kind == TABLE:
+        if kind == Kind.TABLE:
             raise Unreadable("the names of the columns fit no shape: name them x, y, width, height or x, y, radius")
-        if kind in (POINT, MOVE):
+        if kind in (Kind.POINT, Kind.MOVE):
             self._refuse_methods(group)  # Point(0, 0).buffer(1)
             return []
         if group.name == "map" and self._has_numbers(group):
             raise Unreadable("map(...) is not evaluated: write the result")
         if group.name == "LINESTRING":
             raise Unreadable("a line is not a polygon: satviz takes outlines with an area")
-        if kind == ARC:
+        if kind == Kind.ARC:
             ring = self._points(group.items) or []
             if len(ring) == 3 and ring[0] == ring[2] and ring[0][1] == ring[1][1]:
                 (x0, y), (x1, _), _ = ring
                 numbers = (c for p in ring for c in p)
                 return [circle(((x0 + x1) / 2, y), abs(x1 - x0) / 2, group, label, "a circle by two points", *numbers)]
             raise Unreadable("an outline with arcs: give each arc as corners")
-        if kind == CIRCLE:
+        if kind == Kind.CIRCLE:
             found = self._circle(group, label)
-        elif kind == ELLIPSE and row:
+        elif kind == Kind.ELLIPSE and row:
             found = self._ellipse(group, row, label)
-        elif kind == BOX and row:
+        elif kind == Kind.BOX and row:
             found = self._box(group, row, label)
-        elif kind == RING and group.bracket != '"':
+        elif kind == Kind.RING and group.bracket != '"':
             found = self._polygon(group, label)
         elif group.name and parts_of(group.name)[-1].lower() in ATTACHERS:
             return self._attached(group, label)
-        elif kind == MANY:
+        elif kind == Kind.MANY:
             return [s for item in group.items if not self._are_names(item) for s in self._rings(item, label)]
         else:
             found = self._plain(group, label)
-        return self._after(group, found)
+        return self._with_chained_calls(group, found)
 
     def _are_names(self, value: Any) -> bool:
         """Return whether a value is a list of names: featureCollection([a, b])."""
@@ -260,17 +289,24 @@ class Reader(Calls):
         self.consume(group.items)
         found = [s for item in group.items for s in self.shapes(item, label)]
         if angle is not None:
-            found = [self._turned(shape, angle, RADIANS, None) for shape in found]
+            found = [self._turned(shape, angle, Form.RADIANS, None) for shape in found]
         return [moved(shape, at) for shape in found] if at else found
 
-    def _after(self, group: Group, found: list[Read]) -> list[Read]:
-        """Return shapes with the moves and turns behind them applied; Unreadable for any other change."""
+    def _with_chained_calls(self, group: Group, found: list[Read]) -> list[Read]:
+        """Return the shapes after the chained calls of the group, such as `.rotate(45)`.
+
+        Unreadable for a call with numbers that is neither a move nor a turn.
+        """
         for name, arguments in group.methods:
             plain = name.lower()
             if not (found or plain in HARMLESS):
                 continue
             if plain in HARMLESS and any(isinstance(v, Group) for v in arguments.items):
                 found = [*found, *self._each(arguments.items, "")]  # a.intersects(b)
+                continue
+            if plain == "affine":  # the transforms of SVG
+                *matrix, exact = (v.value for v in arguments.items)
+                found = [transformed(shape, tuple(matrix), exact=bool(exact)) for shape in found]
                 continue
             if plain in MOVES and len(arguments.items) in (1, 2):
                 move = self.point(arguments) or self.point(arguments.items[0])
@@ -311,7 +347,9 @@ class Reader(Calls):
         if outline is not None and len(outline) > 2:
             return [self._outline(outline, group, label)]
         if outline is not None and len(outline) == 2 and not _is_call(group):
-            form = self._choose(BOX_FORM, (CORNER_CORNER, CORNER_SIZE, CENTER_SIZE, CENTER_HALF))
+            form = self._choose(
+                Ask.BOX_FORM, (Form.CORNER_CORNER, Form.CORNER_SIZE, Form.CENTER_SIZE, Form.CENTER_HALF)
+            )
             return [self._made_box([*outline[0], *outline[1]], form, group, label)]
         items = [item for item in group.items if item is not None]
         if group.bracket == "[" and len(items) > 2 and all(isinstance(v, Bad) and not v.inside for v in items):
@@ -325,8 +363,8 @@ class Reader(Calls):
         if flat is not None:
             self._ask_order()
             if len(flat) == 5:
-                return [self._made_box(flat[:4], CENTER_SIZE, group, label, angle_of(group, flat))]
-            return [self._made_box(flat, self._choose(BOX_FORM, ANY_BOX), group, label)]
+                return [self._made_box(flat[:4], Form.CENTER_SIZE, group, label, angle_of(group, flat))]
+            return [self._made_box(flat, self._choose(Ask.BOX_FORM, ANY_BOX), group, label)]
         shaped = not group.name or SHAPE_WORDS.search(group.name)
         if shaped and len(items) in (2, 3) and all(self._is_number(item) for item in items[1:]):
             center = self.point(items[0])
@@ -334,11 +372,11 @@ class Reader(Calls):
                 return [circle(center, self.number(items[1]), group, label)]
             if center is not None and _is_call(group):
                 four = [*center, self.number(items[1]), self.number(items[2])]
-                return [self._made_box(four, self._choose(BOX_FORM, CORNER_OR_CENTER), group, label)]
+                return [self._made_box(four, self._choose(Ask.BOX_FORM, CORNER_OR_CENTER), group, label)]
         if len(items) == 3 and self._is_number(items[2]):
             center, size = self.point(items[0]), self.point(items[1])
             if center is not None and size is not None:
-                return [self._made_box([*center, *size], CENTER_SIZE, group, label, items[2])]
+                return [self._made_box([*center, *size], Form.CENTER_SIZE, group, label, items[2])]
         if not _is_call(group) and len(items) > 1:
             pairs = {k: self.point(item) is not None for k, item in enumerate(items) if isinstance(item, Group)}
             if any(pairs.values()) and not all(pairs.values()):
@@ -355,7 +393,7 @@ class Reader(Calls):
         angle: Any = None
         resolved = [self.resolve(item) for item in items]
         moving = any(
-            isinstance(v, Group) and v.name and getattr(notation(v.name), "kind", "") == MOVE for v in resolved
+            isinstance(v, Group) and v.name and getattr(notation(v.name), "kind", "") == Kind.MOVE for v in resolved
         )
         for item, value in zip(items, resolved, strict=True):
             if isinstance(item, Name) and not moving:
@@ -363,7 +401,7 @@ class Reader(Calls):
             if moving:
                 self.consume([item])
             row = notation(value.name) if isinstance(value, Group) and value.name else None
-            if row and row.kind == MOVE:
+            if row and row.kind == Kind.MOVE:
                 parts = [a for a in value.items if a is not None]
                 place = self.point(parts[0]) if parts and isinstance(self.resolve(parts[0]), Group) else None
                 flat = None if place else self.numbers(parts[:2])
@@ -371,7 +409,7 @@ class Reader(Calls):
                 angle = parts[1] if place and len(parts) > 1 and self._is_number(parts[1]) else None
                 continue
             for shape in self.shapes(item, label):
-                turned = self._turned(shape, angle, RADIANS, None) if angle is not None else shape
+                turned = self._turned(shape, angle, Form.RADIANS, None) if angle is not None else shape
                 yield moved(turned, move) if move else turned
                 move, angle = None, None
 

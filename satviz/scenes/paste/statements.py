@@ -5,11 +5,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
-from .atoms import holds_numbers
+from .atoms import holds_numbers, is_pair
 from .harmless import words
 from .names import Names, Obj, is_block, short
-from .notations import BOX, CIRCLE, MOVES, OTHER_SHAPE, POINT, RESETS, RING, SETTERS, SHIFTS, TURNS, key, notation
-from .tree import Bad, Group, Name, Num, Pair, parts_of
+from .notations import MAKERS, MOVES, RESETS, SETTERS, SHIFTS, TURNS, Kind, key, notation
+from .tree import Bad, Group, Name, Num, Pair, Value, parts_of
 
 # Calls that add a corner to a list, that draw an outline with a pen, and that give a shape to a body.
 ADDERS = frozenset(
@@ -23,6 +23,9 @@ ATTACHERS = frozenset(["addshape", "add_shape", "createfixture", "create_fixture
 _SKETCH = re.compile(
     r"\b(?:rectMode|ellipseMode|createCanvas|collide[A-Z]\w*|beginShape|noStroke|strokeWeight|ellipse|quad|background)\("
 )
+# Lines of YAML, and of a scene of Godot.
+_KEY = re.compile(r"([ \t]*)[A-Za-z_]\w*[ \t]*:(?=\s)")
+_SECTION = re.compile(r"\[(node|sub_resource)\b")
 _MODE = re.compile(r"\b(rect|ellipse)Mode\(\s*(\w+)\s*\)")
 # Names such as x1, rect_w, ballRadius and bx: whose number it is, and which.
 _LETTERS = "x|y|w|h|r|cx|cy|width|height|radius|diameter"
@@ -30,9 +33,10 @@ _NUMBERED = re.compile(rf"(?P<key>{_LETTERS}|left|top|right|bottom)_?(?P<owner>\
 _PREFIXED = re.compile(rf"(?P<owner>\w+?)(?:_(?P<key>{_LETTERS})|(?P<camel>X|Y|W|H|R|Width|Height|Radius|Diameter))")
 _CORNER = re.compile(r"(?P<name>(?:v|p|pt|point|vertex|vert|corner)?)[ _]?(?P<number>\d{1,4})", re.IGNORECASE)
 _ROUND = re.compile(r"circle|ellips|ball|dis[ck]s?\b|box|rect|center|centre", re.IGNORECASE)
+# names of the results of a test
 RESULTS = frozenset(
     ["contact", "contacts", "manifold", "intersection", "overlap", "axes", "axis", "simplex", "normals", "minkowski"]
-)  # what a test gives
+)
 TYPES = frozenset(["float", "double", "number", "int", "integer", "f32", "f64"])
 BEFORE_POINTS = frozenset(["at", "with", "through", "by", "is", "are", "has"])  # words before corners in a sentence
 _LETTERED = re.compile(r"(?P<owner>[a-dA-DpPqQ])(?P<key>[xywhr])")
@@ -52,15 +56,15 @@ class Statements(Names):
         super().__init__(text)
         self.runs: list[Run] = []
         self.taken: set[int] = set()  # values that a run has
-        # rectMode(CENTER): what it is of, where it stands, and the mode
+        # ("rect" or "ellipse", place in the text, mode) of each call such as rectMode(CENTER)
         self.modes = [(m[1], m.start(), m[2].lower()) for m in _MODE.finditer(text)]
         self._open: dict[str, Obj] = {}  # runs that may go on
         self._grown: set[int] = set()  # lists to which corners were added
         self._pen: Group | None = None
         self._corners: Obj | None = None  # a numbered list that may go on
         self._next, self._named = 0, ""
-        self.sketch = bool(_SKETCH.search(text))  # of Processing or p5.js
-        self._draws = "lineto" in text.lower()  # moveTo is that of a pen, and of no body
+        self.sketch = bool(_SKETCH.search(text))  # whether the text is a sketch of Processing or p5.js
+        self._draws = "lineto" in text.lower()  # a moveTo moves a pen, not a body
 
     def assign(self, items: Sequence[Any]) -> None:
         """Sort the lines of a text or block: what gets a name, and what stands alone."""
@@ -84,19 +88,68 @@ class Statements(Names):
         self._end_corners()
 
     def _gathered(self, items: Sequence[Any]) -> Iterator[Any]:
-        """Yield lines, with those that go on with a list of points as one: points: and the lines - [2, -1] of YAML."""
+        """Yield lines; the lines of a list of points, of a block of YAML and of a section of Godot become one."""
+        resources: dict[str, Group] = {}
+        places: dict[str, Pair] = {}  # of nodes at the top
         i = 0
         while i < len(items):
             item, i = items[i], i + 1
             if isinstance(item, Pair) and _is_points(item.path[-1]) and _is_nameless_point(item.value):
-                rows = [item.value]
+                rows = [item.value]  # points: and the lines - [2, -1] of YAML
                 while i < len(items) and _is_nameless_point(items[i]):
                     rows.append(items[i])
                     i += 1
                 if len(rows) > 1:
                     made = Group(rows[0].start, rows[-1].end, rows, "[")
                     item = replace(item, value=made, end=made.end)
+            elif isinstance(item, Pair) and isinstance(item.value, Pair) and (depth := self._indent(item.value)):
+                rows, kind = [item.value], str(item.path[-1])
+                while (
+                    self._indent(item) < depth
+                    and i < len(items)
+                    and (self._indent(items[i]) >= depth or _is_nameless_point(items[i]))
+                ):
+                    rows.append(items[i])
+                    i += 1
+                name = kind if kind.lower().endswith("collider2d") else ""  # of Unity
+                if len(rows) > 1 or name:
+                    made = Group(item.start, rows[-1].end, list(self._gathered(rows)), "{", name)
+                    item = replace(item, value=made, end=made.end)
+            elif isinstance(item, Group) and (head := _SECTION.match(self.text, item.start)):
+                says = {pair.path[0]: pair.value for pair in item.items if isinstance(pair, Pair)}
+                rows, kind = [], self._said(says.get("type"))
+                while i < len(items) and isinstance(items[i], Pair):
+                    radians = items[i].path == ("rotation",)
+                    rows.append(replace(items[i], path=("radians",)) if radians else items[i])
+                    i += 1
+                for row in rows:
+                    if row.path == ("shape",) and isinstance(row.value, Group) and row.value.items:
+                        used = resources.get(self._said(row.value.items[0]))
+                        if used is not None:  # shape = SubResource("1")
+                            self.used.add(id(used))
+                            self.parts.append((row.value.start, row.value.end))
+                            rows, kind = [*used.items, *(each for each in rows if each is not row)], used.name
+                made = Group(item.start, rows[-1].end if rows else item.end, rows, "{", kind)
+                parent = self._said(says.get("parent"))
+                if parent in ("", "."):
+                    places |= {self._said(says.get("name")): row for row in rows if row.path == ("position",)}
+                elif parent in places:
+                    made.items.append(replace(places[parent], path=("offset",)))
+                if head[1] == "sub_resource":
+                    resources[self._said(says.get("id"))] = made
+                self.parts.append((item.start, item.end))
+                item = Pair(made.start, made.end, (self._said(says.get("name")) or kind,), made)
             yield item
+
+    def _said(self, value: Any) -> str:
+        """Return the text of a value in quotes, or of a number."""
+        return self.text[value.start : value.end].strip("\"'") if isinstance(value, Value) else ""
+
+    def _indent(self, item: Any) -> int:
+        """Return how far a line `key: value` is indented, or -1 for any other line."""
+        begin = self.text.rfind("\n", 0, item.start) + 1 if isinstance(item, Pair) else -1
+        found = _KEY.match(self.text, begin) if begin >= 0 else None
+        return len(found[1]) if found and found.end(1) == item.start else -1
 
     def _line(self, item: Any) -> None:
         """Carry out one parsed line: set a name, add corners or a shape, or keep the line in `loose`."""
@@ -121,8 +174,10 @@ class Statements(Names):
                 self._line(inner)
         elif isinstance(item, Group):
             declared = notation(item.before) if item.before else None
+            if is_pair(item) and key(item.name) == "center":
+                declared = None  # rectangle position (10, 10)
             if declared and (
-                declared.kind in (BOX, CIRCLE, OTHER_SHAPE) or not notation(item.name)
+                declared.kind in (Kind.BOX, Kind.CIRCLE, Kind.OTHER_SHAPE) or not notation(item.name)
             ):  # Circle c(0, 0, 1)
                 made = replace(item, name=item.before, before="")
                 self._insert(Pair(item.start, item.end, tuple(parts_of(item.name)), made))
@@ -177,7 +232,7 @@ class Statements(Names):
             number = int(index.value or 0) if isinstance(index, Num) else 0
             self.counts |= {index.end} if isinstance(index, Num) else set()
             self._insert(Pair(item.start, item.end, (*item.name.split("."), number), item.methods[0][1]))
-        elif last in RESETS and owner and len(item.items) > 2 and (made := self._maker(owner, item)):
+        elif owner and (made := self._maker(owner, item)):
             old = self.resolve(Name(item.start, item.end, ".".join(owner)))
             if isinstance(old, Group):  # r.setRect(0, 0, 4, 4) replaces what r was
                 self.used.add(id(old))
@@ -209,10 +264,17 @@ class Statements(Names):
         return True
 
     def _maker(self, owner: tuple[str, ...], call: Group) -> str:
-        """Return the name of the call that made a box or a circle, or of one that gives it its numbers; else ""."""
+        """Return the name of the call that made what this call gives its numbers anew; "" for another call.
+
+        That is the call that made a box or a circle, or this one if it says which numbers it gives.
+        """
+        last = parts_of(call.name)[-1].lower()
+        two = len(call.items) == 2 and all(isinstance(v, Group) for v in call.items)  # box.set(min, max)
+        if last in MAKERS or last not in RESETS or not (len(call.items) > 2 or two):
+            return last if last in MAKERS else ""
         old = self.resolve(Name(call.start, call.end, ".".join(owner)))
         row = notation(old.name) if isinstance(old, Group) else None
-        made = old.name if row and row.kind in (BOX, CIRCLE) else ""
+        made = old.name if row and row.kind in (Kind.BOX, Kind.CIRCLE) else ""
         return made or (call.name if isinstance(old, Name) and len(owner) == 1 and notation(call.name) else "")
 
     def _are_things(self, point: Group) -> bool:
@@ -278,7 +340,10 @@ class Statements(Names):
             return
         if owner and not isinstance(pair.value, Num):
             return
-        if isinstance(pair.value, Group) and getattr(notation(pair.value.name), "kind", POINT) not in (POINT, RING):
+        if isinstance(pair.value, Group) and getattr(notation(pair.value.name), "kind", Kind.POINT) not in (
+            Kind.POINT,
+            Kind.RING,
+        ):
             return  # r = new Rectangle(0, 0, 4, 4)
         run = self._open.get(owner)
         if run is not None and meaning in {key(k) for k in run.fields}:
@@ -331,7 +396,7 @@ def _point_of(call: Group) -> Group | None:
     (inner,) = call.items if len(call.items) == 1 else (None,)
     if isinstance(inner, Group):
         row = notation(inner.name) if inner.name else None
-        if inner.name and not (row and row.kind == POINT):
+        if inner.name and not (row and row.kind == Kind.POINT):
             return None
         return inner if len(inner.items) in (2, 3) and holds_numbers(inner) else None
     pair = len(call.items) == 2 and all(not isinstance(v, (Group, Pair)) for v in call.items)

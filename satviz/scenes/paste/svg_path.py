@@ -11,7 +11,7 @@ _REST = re.compile(r"[\s,]*")
 PATH_DATA = re.compile(r"\s*[Mm][\s,]*[-+.]?[0-9][\s0-9.,+\-eEMmLlHhVvZzCcSsQqTtAa]*")
 _TAKES = {"M": 2, "L": 2, "H": 1, "V": 1}
 CURVES = "a path with a curve: give each curve as corners"
-PARTS = "a path of several parts: paste each part alone"
+SEVERAL_PARTS = "a path of several parts: paste each part alone"
 BROKEN = "path data that cannot be read: write its corners"
 
 
@@ -48,11 +48,11 @@ def _corners(data: str, at: int) -> tuple[list[tuple[Token, Token]], str]:
             elif command.upper() not in _TAKES:
                 return [], CURVES if command.upper() in "CSQTA" else BROKEN
             elif command in "Mm" and corners:
-                return [], PARTS
+                return [], SEVERAL_PARTS
             continue
         value, why = number(part[0])
         if value is None or command.upper() not in _TAKES or closed:
-            return [], why or (PARTS if closed else BROKEN)
+            return [], why or (SEVERAL_PARTS if closed else BROKEN)
         given.append(Token(NUMBER, part[0], at + part.start(), at + part.end(), value))
         if len(given) < _TAKES[command.upper()]:
             continue

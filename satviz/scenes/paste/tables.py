@@ -70,7 +70,8 @@ def _table(lines: Sequence[TableCell], number: int) -> tuple[Table | None, int]:
     if len(names) < 2 or not all(_WORD.fullmatch(name) for name in names):
         return None, after
     lower = {name.lower() for name in names}
-    corners = lower & set(CORNERS) if "x3" not in lower else set()  # of a box, and not of a triangle
+    # the corners of a box; with x3 they are those of a triangle
+    corners = lower & set(CORNERS) if "x3" not in lower else set()
     known = {key(name) for name in names} - {""} | corners
     owned = sum(bool(key(re.split(r"[_ .]", name)[-1])) for name in names)  # player_x, player_y
     if len(known) < 2 and owned < 2 and mark not in BARS:
@@ -79,7 +80,7 @@ def _table(lines: Sequence[TableCell], number: int) -> tuple[Table | None, int]:
     rows = []
     while after < len(lines):
         line = lines[after]
-        if mark in BARS and _RULE.fullmatch(line.text or "x"):
+        if line.text.isspace() or (mark in BARS and _RULE.fullmatch(line.text or "x")):  # a line that a change removes
             after += 1
             continue
         cells = _cells(line, mark)

@@ -19,7 +19,7 @@ class Num(Value):
 
     value: Fraction | None
     why: str = ""
-    turn: Fraction | None = None  # of an angle in terms of pi, such as Math.PI / 4: its degrees
+    turn: Fraction | None = None  # the degrees of an angle in terms of pi, such as Math.PI / 4
 
 
 @dataclass(slots=True)
@@ -45,7 +45,7 @@ class Pair(Value):
     path: tuple[str | int, ...]
     value: Any
     before: str = ""  # the word before the key, such as the type in `Rect r = {0, 0, 1, 1}`
-    number: str = ""  # a number behind the key: Vertex 0: (1, 2)
+    number: str = ""  # a number after the key: Vertex 0: (1, 2)
 
 
 @dataclass(slots=True)
@@ -55,7 +55,7 @@ class Group(Value):
     items: list[Any]
     bracket: str = ""
     name: str = ""
-    methods: list[tuple[str, "Group"]] = field(default_factory=list)  # calls behind it: .rotate(45)
+    methods: list[tuple[str, "Group"]] = field(default_factory=list)  # chained calls: .rotate(45)
     before: str = ""  # the word before its name, such as the type in `Circle c(0, 0, 1)`
     ended: bool = False  # by semicolons, as statements are
 

@@ -11,7 +11,7 @@ from .account import MOVERS, Account, Part, root, within
 from .boxes import Read
 from .harmless import CHANGING_CALLS, CHANGING_NUMBERS, OTHER_NUMBERS, words
 from .names import Names, Obj, short
-from .notations import POINT, RING, SHAPE_STEMS, key, notation
+from .notations import SHAPE_STEMS, Kind, key, notation
 from .parser import Tree
 from .tokens import LENGTHS, NAME, NUMBER, Token
 from .tree import Bad, Group, Name, Num, Pair
@@ -46,7 +46,7 @@ def rest(tree: Tree, reads: Sequence[Read], text: str, reader: Names, *, session
         known.setdefault(token.end, Left(token.start, token.end, before.get(token.end, ""), token.value))
     left = sorted((v for v in known.values() if v.end not in used), key=lambda v: v.start)
     places = sorted(used - tree.indices)
-    named = [(root(path.split(" ")[0]), value) for path, value in _paths(reader.env.fields)]
+    named = [(root(path.split(" ")[0]), value) for path, value in _named_values(reader.env.fields)]
     names = dict(named)
     variables = {name: _size(value) for name, value in named if _holds(places, value)}
     variables |= {name: 0 for name, value in named if _is_made_of(variables, value)}
@@ -70,7 +70,7 @@ def rest(tree: Tree, reads: Sequence[Read], text: str, reader: Names, *, session
     inside = within([*reader.named, *parts, *reader.parts], left)
     left = [v for v in left if v not in inside and v.end not in account.counts]
     harmless: list[Left] = []
-    missed = list(_said(parts, text))
+    missed = list(_missed_by_line(parts, text))
     missed += _without_unit(tree.numbers, used, text)
     missed += [(len(text), remark) for remark in tree.remarks if account.is_cut()]
     for _, group in groupby(left, key=_key_of_point):
@@ -93,8 +93,11 @@ def _without_unit(numbers: Sequence[Token], used: Collection[int], text: str) ->
             yield bare[0].start, f"{said} without a unit beside {with_unit.text}: write all lengths in one unit"
 
 
-def _said(parts: Sequence[Part], text: str) -> Iterator[tuple[int, str]]:
-    """Yield the parts that are not understood with their places; a short one, and several, with their line."""
+def _missed_by_line(parts: Sequence[Part], text: str) -> Iterator[tuple[int, str]]:
+    """Yield (offset, words) for each line that has parts which were not understood; `offset`: where the line begins.
+
+    The words name the parts.  They also quote the line if it has several such parts, or one shorter than MIN_SAID.
+    """
     for line, group in groupby(parts, key=lambda part: text.rfind("\n", 0, part.start) + 1):
         said = [short(text[part.start : part.end]) for part in group]
         whole = short(text[line:].partition("\n")[0])
@@ -102,8 +105,8 @@ def _said(parts: Sequence[Part], text: str) -> Iterator[tuple[int, str]]:
         yield line, said[0] if alone or said == [whole] else f"{', '.join(said)} (in {whole})"
 
 
-def _paths(fields: Mapping[str | int, Any]) -> Iterator[tuple[str, Any]]:
-    """Yield the names of a text with their values, and those behind `this`."""
+def _named_values(fields: Mapping[str | int, Any]) -> Iterator[tuple[str, Any]]:
+    """Yield (name, value) of each variable of a text; a field of `this` or `self` is named `this.field`."""
     for name, value in fields.items():
         if name in ("this", "self") and isinstance(value, Obj):
             yield from ((f"{name}.{inner}", each) for inner, each in value.fields.items())
@@ -147,7 +150,7 @@ def _walk(tree: Tree, value: Any, name: str) -> Iterator[Left]:
                 yield Left(token.start, token.end, name, None)
     elif isinstance(value, Group):
         row = notation(value.name) if value.name else None
-        inside = value.name if value.name and not (row and row.kind == POINT) else name
+        inside = value.name if value.name and not (row and row.kind == Kind.POINT) else name
         for inner in value.items:
             yield from _walk(tree, inner, inside)
         for method, arguments in value.methods:
@@ -160,7 +163,7 @@ def _is_harmless(left: Left) -> bool:
     path = left.key.split(".")
     aside = not {"bounds", "properties"}.isdisjoint(path) and key(path[-1]) not in ("center", "half", "size")
     row = notation(left.key)
-    no_radius = left.value == 0 and row is not None and row.kind == RING  # b2MakePolygon(&hull, 0.0f)
+    no_radius = left.value == 0 and row is not None and row.kind == Kind.RING  # b2MakePolygon(&hull, 0.0f)
     drawn = row and said & {"draw", "graphics", "cv2"} and not last & CHANGING_NUMBERS  # a width, a color
     if "moment" in said or left.key == "pymunk.Body" or aside or no_radius or drawn:
         return True

@@ -127,7 +127,7 @@ def _load_result(cell: Cell, folder: Path) -> Any:
 
 
 def _save_result(cell: Cell, result: Any, folder: Path, force: bool) -> None:
-    """Write the result of a cell with its key and checksum."""
+    """Write the result of a cell with its key and checksum; FileExistsError for an existing file unless `force`."""
     data = {"made_by": MADE_BY, "key": cell.key, "checksum": _checksum(result), "result": result}
     write(_result_path(cell, folder), json.dumps(data).encode(), force=force)
 

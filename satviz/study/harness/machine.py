@@ -33,7 +33,7 @@ def _processor() -> dict[str, str]:
     except OSError:
         text = ""
     pairs = (line.partition(":")[::2] for line in reversed(text.splitlines()))
-    known = {name.strip(): value.strip() for name, value in pairs}  # of the first core
+    known = {name.strip(): value.strip() for name, value in pairs}  # the lines of the first core, which come last here
     model = known.get("model name") or platform.processor()
     if "cpu family" in known:  # a virtual machine may tell no more of the name than its maker
         model += f" (family {known['cpu family']}, model {known.get('model')})"

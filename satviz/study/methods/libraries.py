@@ -76,5 +76,5 @@ def pymunk_hit(a: Any, b: Any) -> bool:
     """Return whether pymunk finds points of contact between two of its shapes."""
     try:
         return bool(a.shapes_collide(b).points)
-    except AssertionError:  # what pymunk 7 raises for two shapes without a contact
+    except AssertionError:  # pymunk 7 raises it for two shapes without a contact
         return False

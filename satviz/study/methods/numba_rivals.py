@@ -32,8 +32,9 @@ Kernel = TypeVar("Kernel", bound=Callable[..., object])
 Array = NDArray[Any]
 Out = NDArray[np.int8]
 MAX_GJK_STEPS = 64  # rounding can make GJK cycle
-MAX_LANE_CORNERS = 6  # of more corners the compiler unrolls only some, and then it computes pair by pair
-MAX_UNROLLED = 8  # corners for which a kernel is compiled by itself
+# corners whose loops the compiler unrolls completely; with more it computes pair by pair, not in lanes
+MAX_FULLY_UNROLLED = 6
+MAX_OWN_KERNEL = 8  # corners up to which each count has a kernel compiled for it
 PLAIN, UNIT, WITH_TOLERANCE = 0, 1, 2  # forms of `sat_kernel`
 
 
@@ -202,7 +203,7 @@ def oriented_boxes_hit(a: Array, b: Array, out: Out) -> None:
 
 def unrolled(corners: int) -> int | None:
     """Return the number of corners that a kernel is compiled for, or None for the kernel that takes any number."""
-    return corners if corners <= MAX_UNROLLED else None
+    return corners if corners <= MAX_OWN_KERNEL else None
 
 
 @_merged
@@ -259,7 +260,7 @@ def plain_sat(va: int, vb: int) -> Callable[..., None]:
 
     For few corners it is `sat_kernel`; for more it is the float filter of satviz itself, without its error bounds.
     """
-    if max(va, vb) <= MAX_LANE_CORNERS:
+    if max(va, vb) <= MAX_FULLY_UNROLLED:
         kernel = sat_kernel(va, vb, PLAIN)
         return lambda ax, ay, bx, by, out: kernel(ax, ay, bx, by, 0.0, out)
     gaps = clearance_kernel(va, vb)

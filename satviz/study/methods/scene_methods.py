@@ -33,7 +33,7 @@ BOX2D_STEP = 2.0**-20  # seconds: nothing moves by itself in so short a time
 def scene_methods(scene: MovingScene) -> dict[str, FindPairs]:
     """Return the methods that take the shapes of this scene and are installed here, by their names in the table."""
     found: dict[str, FindPairs] = {name: partial(_satviz_pairs, engine=engine) for name, engine in installed_engines()}
-    if len(scene.shapes) > 1:  # of one kind, making a batch anew takes no longer
+    if len(scene.shapes) > 1:  # with shapes of one kind, making a new batch is as fast as moving it
         found |= {f"{name}, moved": MovedBatch(scene, engine).pairs for name, engine in installed_engines()}
     counts = set(scene.frames[0].padded.counts.tolist())
     kind = counts.pop() if len(counts) == 1 else 0  # 1 for circles, 0 where it varies

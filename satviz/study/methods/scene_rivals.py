@@ -193,7 +193,7 @@ def mixed_hit(corners: Array, counts: Ints, radii: Array, i: int, j: int) -> boo
         return circles_hit(corners, radii, i, j)
     reach = radii[i] + radii[j]
     for p, q in ((i, j), (j, i)):
-        if counts[p] == 1:  # of a circle and a polygon: the axis from the nearest corner to the center
+        if counts[p] == 1:  # p is a circle and q a polygon: test the axis from the nearest corner to the center
             cx, cy, least, nx, ny = corners[p, 0, 0], corners[p, 0, 1], np.inf, 0.0, 0.0
             for v in range(counts[q]):
                 dx, dy = cx - corners[q, v, 0], cy - corners[q, v, 1]

@@ -98,7 +98,7 @@ def count_tested_axes(paths: int, frames: int, settings: Settings) -> list[JsonR
 
 def cells(settings: Settings) -> list[Cell]:
     """Return one cell, which counts the axes that each order tests, all orders on the same frames."""
-    return [Cell("order", count_tested_axes, ((10, 40) if settings.quick else (200, 120)) + (settings,))]
+    return [Cell("order", count_tested_axes, ((10, 40) if settings.quick else (150, 120)) + (settings,))]
 
 
 def rows(found: dict[str, Any]) -> dict[str, list[JsonRow]]:

@@ -131,9 +131,12 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     title = "Time against corners"
     if "GJK" in factors:
         title = f"With twice the corners, SAT on every corner takes {factors['SAT, every corner']} as long, GJK "
-        title += f"{factors['GJK']}, calipers {factors['rotating calipers']}: on average, from 64 to 256 corners"
+        title += factors["GJK"]
 
-    lines = ("Time for a pair of regular polygons, half of them apart. Bars: the spread of the processes.",)
+    lines = (
+        "Time for a pair of regular polygons, half of them apart. Bars: the spread of the processes. The title has the "
+        "average from 64 to 256 corners.",
+    )
 
     def draw(fig: Figure, theme: Theme) -> None:
         """Draw for each method its time against the number of corners, on logarithmic scales."""

@@ -16,7 +16,7 @@ from matplotlib.lines import Line2D
 
 from ... import batch
 from ...advice.advising_batches import recommend_batch
-from ...advice.records import anywhere, best
+from ...advice.records import best, model_for_any_position
 from ...pictures import Theme
 from ...render.chart import TEXT_LETTER, TEXT_LINE, TEXT_POINTS, WIDTH, Chart, JsonRow, add_text, share_of
 from ..harness.cells import Cell, Settings
@@ -76,7 +76,7 @@ def recommend(n: int, settings: Settings) -> list[JsonRow]:
         summary, results, _ = recommend_batch(shapes, None, None, engine="numpy")
         model = best(results).model
         table.append({"have": words, "kind": _kind(model.kind, shapes), "model": model.name})
-        moving = anywhere(summary, results).name  # the last scene has turned boxes, so it needs most
+        moving = model_for_any_position(summary, results).name  # the last scene has turned boxes, so it needs most
     return [*table, {"have": "turned shapes that move: positions not known", "kind": "exact", "model": moving}]
 
 
@@ -141,7 +141,7 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
 
 
 def _in_words(row: JsonRow) -> tuple[str, str, str, str]:
-    """Return the four fields of a row in words."""
+    """Return (input, model, time a pair, largest wrong gap) as the texts of one row of the table."""
     wrong = f"found: {in_metres(row['wrong_metres'])} in 1 km" if row["wrong_metres"] else "none: proven"
     return row["have"], row["model"], format_time(row["ns"]), wrong
 

@@ -34,7 +34,7 @@ from ..methods import (
     true_relations,
     wrong_answers,
 )
-from ..workloads.adversary import worst_pair, worst_shapes_within_two
+from ..workloads.adversary import search_size, worst_pair, worst_shapes_within_two
 from ..workloads.generators import CircleArrays
 from ..workloads.hard_pairs import (
     HARD_KINDS,
@@ -63,18 +63,21 @@ FLOAT32_BEYOND = {"2^70 times as large": (2.0**70, 0.0, 0.5), "2^25 away from th
 def cells(settings: Settings) -> list[Cell]:
     """Return the cells: counts on each kind of hard pairs, on touches and on circles, and a search for each method."""
     per_octave = 3 if settings.quick else 60
-    n, generations = (1000, 16) if settings.quick else (20_000, 64)
     found = [
         Cell(f"margin-{kind.name.replace(' ', '-')}", count_by_margin, (k, per_octave, settings))
         for k, kind in enumerate(HARD_KINDS)
         if not (settings.quick and kind.name == "24 corners")  # kernels are compiled for them alone
     ]
     found += [Cell("margin-circles", count_circles, (per_octave * 3, settings))]
-    found += [Cell("search-circles", search_circles, (n, generations, settings))]
+    found += [Cell("search-circles", search_circles, (*search_size(CIRCLES, settings), settings))]
     found += [Cell("margin-touching", count_touching, (200 if settings.quick else 4000, settings))]
     found += [Cell("margin-float32", float32_beyond, (settings,))]
-    return found + [Cell(f"search-{name.replace(' ', '-').replace(',', '')}", search, (name, n, generations, settings))
-                    for name in SEARCHED]  # fmt: skip
+    return found + [
+        Cell(
+            f"search-{name.replace(' ', '-').replace(',', '')}", search, (name, *search_size(name, settings), settings)
+        )
+        for name in SEARCHED
+    ]
 
 
 def _methods() -> list[Method]:

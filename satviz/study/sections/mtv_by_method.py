@@ -48,7 +48,7 @@ def sat_push(dtype: Any, *, unit: bool) -> Push:
     """Return SAT's push of B along the edge normal of least depth; without `unit`, normals keep their lengths."""
 
     def push(a: Polygon, b: Polygon) -> tuple[float, float]:
-        """Return the push of B for one pair."""
+        """Return the push (dx, dy) of B for one pair."""
         rings = [np.array(shape.corners, dtype) for shape in (a, b)]
         found = []
         for ring, other, sign in (rings[0], rings[1], 1), (rings[1], rings[0], -1):
@@ -66,21 +66,21 @@ def sat_push(dtype: Any, *, unit: bool) -> Push:
 
 
 def box_push(a: Polygon, b: Polygon) -> tuple[float, float]:
-    """Return the push that separates the bounding boxes of both shapes."""
+    """Return the shortest push (dx, dy) of B that separates the bounding boxes."""
     (ax0, ay0, ax1, ay1), (bx0, by0, bx1, by1) = a.bounds, b.bounds
     ways = [(ax1 - bx0, 0.0), (ax0 - bx1, 0.0), (0.0, ay1 - by0), (0.0, ay0 - by1)]
     return min(ways, key=lambda way: abs(way[0]) + abs(way[1]))
 
 
 def deepest_parts_push(a: Polygon, b: Polygon) -> tuple[float, float]:
-    """Return the longest of the pushes of all pairs of convex parts, as engines with compound shapes do."""
+    """Return the longest push (dx, dy) of B over all pairs of convex parts, as engines with compound shapes do."""
     pushes = [record(p, q).mtv for p in parts(a) for q in parts(b)]
     x, y = max((push for push in pushes if push), key=lambda push: push.x**2 + push.y**2)
     return x, y
 
 
 def hull_push(a: Polygon, b: Polygon) -> tuple[float, float]:
-    """Return the push that separates the convex hulls of both shapes."""
+    """Return the shortest push (dx, dy) of B that separates the convex hulls."""
     import shapely
 
     hulls = [Polygon(list(shapely.Polygon(s.vertices).convex_hull.exterior.coords)[:-1]) for s in (a, b)]
@@ -88,7 +88,7 @@ def hull_push(a: Polygon, b: Polygon) -> tuple[float, float]:
 
 
 def satviz_push(a: Polygon, b: Polygon) -> tuple[float, float]:
-    """Return the MTV that satviz finds, `trace.mtv`."""
+    """Return the MTV (dx, dy) of B that satviz finds, `trace.mtv`."""
     move = record(a, b).mtv
     assert move is not None
     return move.x, move.y
@@ -139,7 +139,7 @@ def _parts(shape: Polygon) -> list[Polygon]:
 
 
 def least_push(kind: str, a: Polygon, b: Polygon) -> tuple[float, list[Vector]]:
-    """Return the length of the least push, and its directions.
+    """Return (length of the least push of B, its directions): several directions can need the same length.
 
     For convex polygons all directions are returned, exactly, and the length is rounded.  For concave ones shapely
     computes in floats, and one direction is returned.
@@ -209,10 +209,8 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     every = sum(row["pairs"] for row in own)
     left = every - sum(row["right"] for row in own)
     title = (
-        f"After a push by SAT in float64 {_share(rows, 'SAT, float64', 'overlap left by rounding')} of the pairs still "
-        f"overlap by a rounding; {_share(rows, 'SAT, raw normals', 'more than 1 % too long')} of the pushes by raw "
-        f"normals are more than 1 % too long; {left} of satviz's {every} pushes are wrong (at most "
-        f"{wilson_interval(left, every)[1]:.1%})"
+        f"SAT in float64 leaves {_share(rows, 'SAT, float64', 'overlap left by rounding')} of pairs overlapping by a "
+        f"rounding; {left} of satviz's {every} pushes are wrong (at most {wilson_interval(left, every)[1]:.1%})"
     )
     lines = (
         "Pairs that overlap, pushed apart by each method and then tested exactly. Right: how far the push is off in "

@@ -24,7 +24,7 @@ from .speed_against_accuracy import SAT_MARGIN, in_metres
 
 STEPS = (1, 10, 100, 1000, 10_000)
 DISTANCES = (1.0, 10.0, 100.0, 1e3, 1e4, 1e5, 1e6)  # metres
-BITS = 160  # of the integers behind the exact pose; 10,000 steps lose 15 of them
+BITS = 160  # bits of the integers in which the exact pose is computed; 10,000 steps lose 15 of them
 KILOMETRE = 1e3
 STEP_ANGLES = 0.001, 0.1  # radians
 FORMATS: dict[str, Any] = {"float32": np.float32, "float64": np.float64}

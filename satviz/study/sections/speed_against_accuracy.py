@@ -38,6 +38,7 @@ from ..workloads.adversary import (
     MOST_ACROSS,
     beside,
     kilometre_shapes,
+    search_size,
     worst_kilometre_shapes,
     worst_kilometre_shapes_in_float32,
     worst_pair,
@@ -75,10 +76,10 @@ def proven_metres(name: str) -> float | None:
 
 def cells(settings: Settings) -> list[Cell]:
     """Return a search for each method, the counts of wrong answers, and the times of each process."""
-    n, generations = (1000, 16) if settings.quick else (20_000, 64)
+    names = [method.name for method in compiled_methods()]
     found = [
-        Cell(f"worst-{method.name.replace(' ', '-').replace(',', '')}", search, (method.name, n, generations, settings))
-        for method in compiled_methods()
+        Cell(f"worst-{name.replace(' ', '-').replace(',', '')}", search, (name, *search_size(name, settings), settings))
+        for name in names
     ]
     pairs = 200 if settings.quick else 4000
     found += [Cell(f"count-{work}", count_errors, (work, pairs, settings)) for work in WORKS]

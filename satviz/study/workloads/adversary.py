@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ... import batch
+from ..harness.cells import Settings
 from ..methods import Method
 from .generators import Array, Rings, outward_normals, turn_rings, turned_boxes, unit_vectors
 from .hard_pairs import margins_of
@@ -25,7 +26,7 @@ MakePairs = Callable[[Rng, int], tuple[Rings, Rings]]
 PARENTS = 200  # pairs that are kept from one generation to the next
 METRES_WIDE = 1000.0
 LEAST_SIDE, MOST_ACROSS = 1.0, 14.0  # metres, of the 4-gons in a scene of 1 km
-GENERATIONS = 8  # of one search; after them it finds little more
+GENERATIONS = 8  # generations of one search; later ones find little more
 HARDEST, EASIEST = -56, 4  # log2 of the gaps of the first generation, in scene units
 JUST_ABOVE = 1.01  # a product up to so many powers of two is just above one
 LEAST_BEND = 1e-6  # sine of the turn at a corner, below which a 4-gon counts as flat
@@ -169,6 +170,16 @@ def _at_the_origin(rng: Rng, n: int) -> tuple[Rings, Rings]:
     return a, b
 
 
+def search_size(name: str, settings: Settings) -> tuple[int, int]:
+    """Return how many pairs a generation of a method's search has, and how many generations.
+
+    shapely gets fewer pairs, because it takes a hundred times as long.
+    """
+    if settings.quick:
+        return 1000, 16
+    return 5000 if name.startswith("shapely") else 20_000, 64
+
+
 def worst_pair(method: Method, make: MakePairs, rng: Rng, n: int, generations: int, *, metres: bool) -> WorstPair:
     """Return the worst pair that the search finds in so many generations of n pairs and n children.
 
@@ -191,7 +202,7 @@ def _search_once(
     best, tried = np.empty(0), 0
     for _ in range(generations):
         new_a, new_b = make(rng, n)
-        facing = np.arange(n) % 8 < 3  # of all kinds of A's
+        facing = np.arange(n) % 8 < 3  # 3 of 8 pairs, among all kinds of A
         new_b[facing] = _facing(rng, new_a[facing])
         gaps = np.ldexp(rng.uniform(1, 2, n), rng.integers(HARDEST, EASIEST, n))
         if len(best):  # near the gaps at which the method is still wrong

@@ -18,7 +18,7 @@ Test = Callable[[Polygon, Polygon], Contact]
 
 SLOPE = 0.3  # radians
 ALONG, UP = (cos(SLOPE), sin(SLOPE)), (-sin(SLOPE), cos(SLOPE))
-HALF = 0.5, 0.25  # of a box, in metres
+HALF = 0.5, 0.25  # half width and half height of a box, in metres
 GRAVITY, STEP, ITERATIONS, FRICTION = 9.81, 1 / 60, 10, 0.6
 SLOP, CORRECTION = 0.005, 0.2  # metres of depth that are left alone; share of the rest that a step corrects
 FLAT = 0.02  # metres: corners that lie so near to the furthest one belong to the same side
@@ -151,9 +151,9 @@ def _solve_point(bodies: list[Body], speeds: list[list[float]], point: ContactPo
     for k in (0, 1):
         (x, y), arm_a, arm_b = _arms(bodies, point, k)
         along = (vb[0] - va[0]) * x + (vb[1] - va[1]) * y + vb[2] * arm_b - va[2] * arm_a
-        mass = a.inverse + b.inverse + arm_a * arm_a * a.inverse_inertia + arm_b * arm_b * b.inverse_inertia
+        inverse_mass = a.inverse + b.inverse + arm_a * arm_a * a.inverse_inertia + arm_b * arm_b * b.inverse_inertia
         wanted = 0.0 if k else CORRECTION / STEP * max(0.0, point.contact[1] - SLOP)
         limit = FRICTION * point.impulses[0] if k else inf
-        after = min(max(point.impulses[k] + (wanted - along) / mass, -limit if k else 0.0), limit)
+        after = min(max(point.impulses[k] + (wanted - along) / inverse_mass, -limit if k else 0.0), limit)
         change, point.impulses[k] = after - point.impulses[k], after
         _apply(bodies, speeds, point, k, change)
