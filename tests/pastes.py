@@ -3628,14 +3628,14 @@ cv2.circle(img, (60, 20), 10, (0, 0, 255), -1)""",
         """const a = [[[0,0],[10,0],[10,10],[0,10],[0,0]], [[2,2],[8,2],[8,8],[2,8],[2,2]]];
 const b = [[[4,4],[6,4],[6,6],[4,6],[4,4]]];""",
         ((0, 0, 10, 10), (4, 4, 6, 6)),
-        says="a hole of the one before",
+        says="a hole of the first",
     ),
     Paste(
         "rings of Esri JSON",
         """{"rings":[[[0,0],[0,10],[10,10],[10,0],[0,0]],[[2,2],[8,2],[8,8],[2,8],[2,2]]]}
 {"rings":[[[4,4],[4,6],[6,6],[6,4],[4,4]]]}""",
         ((0, 0, 10, 10), (4, 4, 6, 6)),
-        says="a hole of the one before",
+        says="a hole of the first",
     ),
     Paste(
         "Phaser 2 gives a circle its diameter",
@@ -3650,8 +3650,8 @@ var b = new Phaser.Geom.Circle(160, 100, 50);""",
                 "collide_aabb::collide",
                 "Vec3::new(160.0, 275.0, 0.0), Vec2::new(80.0, 50.0), Vec3::new(232.0, 294.0, 0.0)",
             ),
-            ("aabbOverlap", "vec2(0,0), vec2(4,4), vec2(4,1), vec2(6,3)"),
-            ("trianglesOverlap", "vec2(0,0), vec2(4,0), vec2(0,4), vec2(3,3), vec2(6,3), vec2(3,6)"),
+            ("Geometry2D.segment_intersects_segment", "Vector2(0, 0), Vector2(4, 4), Vector2(0, 4), Vector2(4, 0)"),
+            ("hit = collide", "Vec2(5, 5), Vec2(10, 10), Vec2(20, 5), Vec2(10, 10)"),
         )
     ),
     Paste(
@@ -3664,8 +3664,72 @@ var b = new Phaser.Geom.Circle(160, 100, 50);""",
         "words before pairs of numbers",
         """player: pos (0, 0) vel (5, 0) size (10, 10)
 wall: pos (10, 0) vel (0, 0) size (10, 10)""",
-        (),
-        says="a word stands before each pair",
+        ((0, 0, 10, 10), (10, 0, 20, 10)),
+    ),
+    Paste(
+        "words before pairs of numbers, with a center",
+        """ball: center (0, 0) velocity (5, 0) size (10, 10)
+wall: center (10, 0) velocity (0, 0) size (10, 10)""",
+        ((-5, -5, 5, 5), (5, -5, 15, 5)),
+    ),
+    Paste(
+        "centers and sizes in a test of boxes",
+        "collide_aabb::collide(Vec3::new(160.0, 275.0, 0.0), Vec2::new(80.0, 50.0), Vec3::new(232.0, 294.0, 0.0), "
+        "Vec2::new(20.0, 20.0))",
+        ((120, 250, 200, 300), (222, 284, 242, 304)),
+        as_="center-size",
+        says="third coordinate",
+        asks=True,
+    ),
+    Paste(
+        "opposite corners in a test of boxes",
+        "aabbOverlap(vec2(0,0), vec2(4,4), vec2(4,1), vec2(6,3))",
+        ((0, 0, 4, 4), (4, 1, 6, 3)),
+        as_="corner-corner",
+        asks=True,
+    ),
+    Paste(
+        "six corners in a test of triangles",
+        "trianglesOverlap(vec2(0,0), vec2(4,0), vec2(0,4), vec2(3,3), vec2(6,3), vec2(3,6))",
+        ((0, 0, 4, 4), (3, 3, 6, 6)),
+    ),
+    Paste(
+        "two holes in a call of turf",
+        """var a = turf.polygon([[[0,0],[20,0],[20,10],[0,10],[0,0]], [[2,2],[8,2],[8,8]],
+  [[12,2],[18,2],[18,8]]]);
+var b = turf.polygon([[[4,4],[6,4],[6,6],[4,6],[4,4]]]);""",
+        ((0, 0, 20, 10), (4, 4, 6, 6)),
+        says="[[12,2],[18,2],[18,8]]: a shape of its own, or a hole of the first",
+    ),
+    Paste(
+        "one outline within another in a list of shapes",
+        "polygons = [[(0,0),(10,0),(10,10),(0,10)],[(2,2),(8,2),(8,8)]]",
+        ((0, 0, 10, 10), (2, 2, 8, 8)),
+    ),
+    Paste(
+        "one outline within another in a call with two",
+        "intersects([[0,0],[10,0],[10,10],[0,10]], [[2,2],[8,2],[8,8]])",
+        ((0, 0, 10, 10), (2, 2, 8, 8)),
+    ),
+    Paste(
+        "corners that are absolute and turned, and a position that is not their center",
+        """{"position": [10, 0], "angle": 90, "points": [[10, 0], [12, 0], [12, 1], [10, 1]]}
+circle((11, 3), 1)""",
+        ((10, 0, 12, 1), (10, 2, 12, 4)),
+        as_="absolute, degrees",
+        asks=True,
+    ),
+    Paste(
+        "corners that are absolute and still to be turned",
+        """{"position": [10, 0], "angle": 90, "points": [[10, 0], [12, 0], [12, 1], [10, 1]]}
+circle((11, 3), 1)""",
+        ((9, 0, 10, 2), (10, 2, 12, 4)),
+        as_="unturned, degrees",
+        asks=True,
+    ),
+    *(
+        Paste(f"flat lists of {name}", f"{name} = [0, 0, 4, 4, 2, 2, 6, 6]", (), says="in one list")
+        for name in ("boxes", "aabbs", "rectangles")
     ),
     # -- transforms of SVG
     Paste(
@@ -3723,5 +3787,69 @@ wall: pos (10, 0) vel (0, 0) size (10, 10)""",
             ("transform={at}", "circle"),
             ('style="transform: scale(2)"', "scale 2"),
         )
+    ),
+    # -- code that does not change the numbers
+    Paste(
+        "names of shapes with numbers",
+        "Rect1(0, 0, 10, 10), Circle2(0, 11, 10)",
+        ((0, 0, 10, 10), (-10, 1, 10, 21)),
+        as_="corner-size radius",
+    ),
+    Paste(
+        "numbers in the wrapper of an exact type",
+        """std::vector<Pt> a = { Pt(FT(192),FT(768)), Pt(FT(128),FT(688)), Pt(FT(160),FT(688)) };
+std::vector<Pt> b = { Pt(FT(160),FT(656)), Pt(FT(192),FT(608)), Pt(FT(320),FT(608)) };""",
+        ((128, 688, 192, 768), (160, 608, 320, 656)),
+    ),
+    Paste(
+        "arrows before boxes",
+        """[zones] P33 bbox -> (110, 106.5)-(196.5, 168.5)
+[zones] P18 bbox -> (116.3, 117)-(134.5, 173.5)""",
+        ((110, 106.5, 196.5, 168.5), (116.3, 117, 134.5, 173.5)),
+    ),
+    Paste(
+        "a type of Rust with a length",
+        """pub const A: [(f64, f64); 3] = [(0.0, 0.0), (4.0, 0.0), (0.0, 4.0)];
+pub const B: [(f64, f64); 3] = [(1.0, 1.0), (5.0, 1.0), (1.0, 5.0)];""",
+        ((0, 0, 4, 4), (1, 1, 5, 5)),
+    ),
+    Paste(
+        "a verbatim text of C#",
+        """var a = reader.Read(@"POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))");
+var b = reader.Read(@"POLYGON ((5 5, 6 5, 6 6, 5 5))");""",
+        ((0, 0, 4, 4), (5, 5, 6, 6)),
+    ),
+    Paste(
+        "iterators of C++",
+        """std::vector<P> u; u.emplace_back(0, 0); u.emplace_back(4, 0); u.emplace_back(0, 4);
+Polygon_2 pu(u.begin(), u.end());
+circle((9, 9), 1)""",
+        ((0, 0, 4, 4), (8, 8, 10, 10)),
+    ),
+    Paste(
+        "objects as pairs",
+        """const a = [{x: 0, y: 0}, {x: 4, y: 0}, {x: 0, y: 4}];
+const b = [{x: 1, y: 1}, {x: 5, y: 1}, {x: 1, y: 5}];
+const pa = polygon(a.map(p => [p.x, p.y]));
+const pb = polygon(b.map(({x, y}) => [x, y]));""",
+        ((0, 0, 4, 4), (1, 1, 5, 5)),
+    ),
+    Paste(
+        "objects with other pairs",
+        """const a = [{x: 0, y: 0}, {x: 4, y: 0}, {x: 0, y: 4}];
+const pa = polygon(a.map(p => [p.y, p.x]));""",
+        ((0, 0, 4, 4),),
+        says="a.map",
+    ),
+    Paste("a table with the column d", "cx,cy,d\n0,0,10\n12,0,10", ((-5, -5, 5, 5), (7, -5, 17, 5))),
+    Paste(
+        "a circle and an outline within it in one list",
+        "[((0, 0), 5), [(1, 1), (2, 1), (1, 2)]]",
+        ((-5, -5, 5, 5), (1, 1, 2, 2)),
+    ),
+    Paste(
+        "two outlines of a call",
+        "polygonClipping.intersection([[0, 0], [9, 0], [0, 9]], [[1, 1], [2, 1], [1, 2]])",
+        ((0, 0, 9, 9), (1, 1, 2, 2)),
     ),
 )

@@ -77,7 +77,7 @@ def measured_sentences() -> list[str]:
     of_others = prices_of_few_corners(run["rows"])
     found = [
         f"with 4-gons whose sides are at least {{{in_metres(LEAST_SIDE)}}} and which are at most "
-        f"{{{in_metres(MOST_ACROSS)}}} across. A gap",
+        f"{{{in_metres(MOST_ACROSS)}}} across. The gap",
         f"`satviz bench` measured medians of {{{min(of_others):.1f} to {max(of_others):.1f}}} times for the answers "
         "alone.",
         f"with steps of {{{STEP_ANGLES[0]} to {STEP_ANGLES[1]}}} radians, as in this chart",

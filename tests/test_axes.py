@@ -109,6 +109,13 @@ def test_a_normal_is_as_long_as_its_edge_unless_that_nearly_overflows_or_underfl
                 assert axis.direction == pytest.approx(first.direction, rel=1e-15)
 
 
+def test_a_normal_is_brought_near_1_however_far_apart_its_two_numbers_lie():
+    a = sv.Polygon([(0, 0), (1e300, 5e-324), (0, 1e300)])
+    found = [axis for choose in (axes.needed, axes.centers) for axis in choose(a, sv.Circle((-1e300, -5e-324), 1)).axes]
+    assert all(0.25 <= axis.length <= 2 for axis in found)
+    assert any(0 < axis.normal.x < 1e-300 for axis in found)
+
+
 SOURCES = [
     axes.Source("guess"),
     axes.Source("guess", "A", (0, 1)),

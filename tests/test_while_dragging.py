@@ -2,6 +2,7 @@
 
 import random
 import re
+from functools import lru_cache
 from math import cos, dist, pi, sin
 
 import pytest
@@ -74,6 +75,7 @@ WAYS = {}, {"pinned": 1}, {"mtv": True}, {"view": "truth"}, {"difference": True}
 LENGTH = rf"(?:gap \+|gap of |overlap |depth |distance |way out )({NUMBER})"
 
 
+@lru_cache(maxsize=200)  # two tests read each
 def anywhere(seed):
     """Return an explorer's state after random moves of both shapes, with one of the tools in use."""
     rng = random.Random(seed)

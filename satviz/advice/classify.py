@@ -193,7 +193,7 @@ def _number_rows(g: CornerColumns) -> Array:
 
 
 def _rows_fit_format(form: FloatFormat, rows: Array) -> NDArray[np.bool_]:
-    """Return which rows hold only numbers of the format."""
+    """Return a mask of the rows that hold only numbers of the format."""
     found: NDArray[np.bool_] = (form is FLOAT64) | (rows.astype(DTYPES[form.name]) == rows).all(axis=1)
     return found
 

@@ -35,7 +35,7 @@ def text(summary: InputSummary, results: "Sequence[ModelResult]", scope: Scope) 
     least, hits = best(results), for_hits(results)
     lines = [
         f"{named(least.model)}: right for {_all(summary)}",
-        *_first(least.model, summary),
+        *_line_on_boxes(least.model, summary),
         f"why      {reason(least.model, summary, scope)}",
         f"holds    {validity_sentence(scope, summary)}",
         f"shapes   {shapes(summary)}{' in these pairs' if summary.settled and summary.pairs else ''}",
@@ -176,7 +176,7 @@ def _search(summary: InputSummary) -> list[str]:
     return [found if name == "all pairs" else f"{found} instead of {every}"]
 
 
-def _first(model: Model, summary: InputSummary) -> list[str]:
+def _line_on_boxes(model: Model, summary: InputSummary) -> list[str]:
     """Return a list with the line on the test of bounding boxes before the model; [] if there is no such test."""
     if not model.after_boxes:
         return []

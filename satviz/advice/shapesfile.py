@@ -39,7 +39,8 @@ KINDS = {
     "radii": Kind("fiu", (), "(K,) real numbers, one radius for each row of centers"),
     "pairs": Kind("iu", (2,), "(P, 2) integers, the numbers of the two shapes of each pair"),
 }
-PACKED = zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED  # by numpy.savez and numpy.savez_compressed
+# the two ways in which numpy packs a file: savez and savez_compressed
+PACKED = zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED
 LIMITED = ("coords",), ("offsets",), ("centers", "radii"), ("pairs",)  # each group has MAX_NUMBERS in all, at most
 
 

@@ -21,10 +21,10 @@ from .engines import Engine, engine_of
 MAX_UNSPLIT_RATIO = 4.0
 # least cell sizes as factors of the farthest coordinate: cell numbers cannot overflow, nor run together
 WIDE, FINE = 2.0**-1000, 2.0**-48
-SAMPLE_BOXES = 1024  # boxes that tell how large all are and how densely they lie
-OUTLIER_SIZE = 64.0  # times the median size, above which a box is taken out
-OUTLIER_SPREAD = 64.0  # times the middle half of all boxes, beyond which a box is taken out
-MAX_OUTLIERS = 8  # boxes taken out; of more, grids of their own are made
+SAMPLE_BOXES = 1024  # boxes from which the sizes and the density of all are estimated
+OUTLIER_SIZE = 64.0  # a box larger than so many median sizes is taken out
+OUTLIER_SPREAD = 64.0  # a box further out than so many times the middle half of all boxes is taken out
+MAX_OUTLIERS = 8  # boxes taken out at most; more get grids of their own
 
 
 class BroadPhase(NamedTuple):

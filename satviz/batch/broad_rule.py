@@ -16,4 +16,4 @@ NAMES = "all pairs", "sort and sweep", "grid"
 MAX_ALL_PAIRS = 128  # boxes; above it sorting costs less than it saves
 MAX_SWEEP_NUMBA, MAX_SWEEP_NUMPY = 512, 4096  # boxes; above it a grid is faster where sizes are alike
 MAX_SWEEP_COMPARISONS = 160  # per box; above it several grids are faster
-MAX_CANDIDATES_PER_BOX = 48  # in one grid; above it a sweep or grids for each size are faster
+MAX_CANDIDATES_PER_BOX = 48  # candidates per box in one grid; above this a sweep, or a grid for each size, is faster

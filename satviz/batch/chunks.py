@@ -96,7 +96,7 @@ def _run_chunk(start: int, stop: int, job: Job) -> Any:
 
 
 def _pop_result(waiting: Waiting, progress: Callable[[int, int], None] | None, n: int) -> tuple[int, int, Any]:
-    """Wait for the oldest chunk, report progress, and return its start, stop and result."""
+    """Wait for the oldest chunk, report progress, and return (start, stop, result) of it."""
     start, stop, future = waiting.popleft()
     try:
         result = future.result()

@@ -113,5 +113,5 @@ def load_engine(name: str | None) -> Engine:
 
 
 def _column_kernels_of(module: Any) -> tuple[int, Kernel, Kernel, Kernel, Kernel]:
-    """Return a backend module's block size and its kernels for polygons, boxes, circles, circle and polygon."""
+    """Return (block, polygons, boxes, circles, circle_polygons) of a module: the first fields of an Engine."""
     return module.BLOCK_PAIRS, module.polygons, module.boxes, module.circles, module.circle_polygons

@@ -82,7 +82,7 @@ def whole_number_pairs(kinds: tuple[str, ...], seed: int) -> tuple[CheckPair, ..
 
 
 def _weight(pair: CheckPair) -> tuple[int, float]:
-    """Return how large a pair is to read: its corners, then its largest coordinate."""
+    """Return (number of corners, largest coordinate) of a pair, by which small pairs come first."""
     return sum(len(s.vertices) or 1 for s in pair[:2]), max(s.max_coordinate for s in pair[:2])
 
 

@@ -76,8 +76,9 @@ def _with(scene: Scene, which: int, ring: Numbers) -> Scene:
 
 
 def shrink(a: Shape, b: Shape) -> Generator[tuple[Shape, Shape], bool, tuple[Shape, Shape]]:
-    """Yield smaller pairs, get sent whether the function is wrong about each in the same way; return the smallest.
+    """Yield smaller pairs, and return the smallest one about which the function is wrong in the same way.
 
+    The caller sends for each yielded pair whether the function is wrong about it in the same way.
     A pair is yielded only if both shapes are valid; at most MAX_TRIES pairs are.
     """
     best, tried, seen = (numbers_of(a), numbers_of(b)), 0, set()

@@ -33,7 +33,7 @@ from .pairs import BOXES, CheckPair, kind_of, near_pairs, whole_number_pairs
 from .results import UNSTEADY, WRONG, Result, judge
 from .shrinking import shrink
 
-FIRST_PAIRS = 24  # from whose answers it is found out what the function returns
+FIRST_PAIRS = 24  # pairs from whose answers the kind of answer is inferred
 OF_EACH_TYPE = 4  # later answers of each type that count for that, too, since the first may all be False
 CHUNK = 32  # pairs that are asked at a time
 ASKED_TWICE = 12  # pairs that are asked a second time, to see whether the answer stays

@@ -147,7 +147,7 @@ def of_vertices(normal_of: Callable[[float, float], Vec], a: Ring, b: Ring) -> l
     return [normal_of(*p) for ring in (a, b) for p in ring]
 
 
-def one_for_equal_counts(a: Ring, b: Ring) -> list[Vec]:
+def normals_of_a_if_equal_counts(a: Ring, b: Ring) -> list[Vec]:
     """Return the normals of A alone where both rings have as many vertices, else of both."""
     return listed(a, b if len(a) != len(b) else ())
 
@@ -248,7 +248,7 @@ def twice_as_wide(ring: Ring, n: Vec) -> Interval:
 
 
 def a_before_b(a: Interval, b: Interval) -> float:
-    """Return how far A's maximum lies above B's minimum, which is no overlap where A lies above B."""
+    """Return A's maximum minus B's minimum, a wrong depth if A lies above B."""
     return a.hi - b.lo
 
 
@@ -280,7 +280,7 @@ def mean(ring: Ring) -> Vec:
 
 
 def sides(ring: Ring) -> tuple[float, float]:
-    """Return the width and the height of the bounding box."""
+    """Return (width, height) of the bounding box."""
     width, height = (max(axis) - min(axis) for axis in zip(*ring))
     return width, height
 
@@ -291,7 +291,7 @@ def middle_of_box(ring: Ring) -> Vec:
 
 
 def distances(ring: Ring) -> list[float]:
-    """Return how far each vertex is from the vertex mean."""
+    """Return the distance of each vertex from the vertex mean."""
     return [dist(mean(ring), vertex) for vertex in ring]
 
 
@@ -327,7 +327,7 @@ def _chosen_edges() -> Iterator[Variant]:
     yield opened, Written(partial(listed, cut_a=slice(-1))), "here for A alone"
     yield opened, Written(partial(listed, cut_b=slice(-1))), "here for B alone"
     yield "one-shapes-normals", Written(partial(listed, cut_a=slice(0))), "here those of B"
-    yield "same-shape", Written(one_for_equal_counts), "here for shapes with equally many corners"
+    yield "same-shape", Written(normals_of_a_if_equal_counts), "here for shapes with equally many corners"
     yield one, Written(lambda a, b: of_world(a, b)[:1]), "here on the x axis"
     yield one, Written(lambda a, b: listed(a, b)[:1]), "here on the normal of the first edge"
     yield one, Written(lambda a, b: listed(a, b)[-1:]), "here on the normal of the last edge"

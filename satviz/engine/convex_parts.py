@@ -194,7 +194,7 @@ class _Pieces:
         return rings
 
     def _cut(self, ring: Ring, u: int, v: int) -> tuple[Ring, Ring]:
-        """Cut a ring from vertex u to vertex v; return both pieces, without an end that became collinear."""
+        """Cut a ring between two vertices and return both pieces, without an end of the cut that became collinear."""
         i, j = sorted((ring.index(u), ring.index(v)))
         for end in (u, v):
             if self.home.get(end) is ring:  # it may be reflex still in the piece beyond an earlier cut
@@ -253,7 +253,7 @@ class _Pieces:
         return True
 
     def _extend_edge(self, ring: Ring, a: int, v: int) -> _LineEnd:
-        """Return where the edge from a to the reflex vertex v, extended beyond v, first meets the ring."""
+        """Return the _LineEnd where the edge from a to the reflex vertex v, extended beyond v, first meets the ring."""
         at = self.at
         (ax, ay), (vx, vy) = at[a], at[v]
         dx, dy = vx - ax, vy - ay

@@ -134,7 +134,7 @@ class Border(NamedTuple):
     hull: tuple[complex, ...]  # corners of a convex polygon that contains the piece
 
     def contains(self, point: complex, tolerance: float) -> bool:
-        """Return whether a point on the segment's line or the arc's circle is on the piece itself, or nearly."""
+        """Return whether a point of the segment's line, or of the arc's circle, is on the border, nearly."""
         seen = point - self.center
         after_p, before_q = _cross(self.p - self.center, seen), _cross(seen, self.q - self.center)
         return after_p >= -tolerance and before_q >= -tolerance

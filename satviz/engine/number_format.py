@@ -115,7 +115,7 @@ class Digits(NamedTuple):
         return text.replace("-", MINUS)
 
 
-USUAL_DIGITS = Digits()  # where no scene decides the format: three decimals, or more where three would show 0
+USUAL_DIGITS = Digits()  # the format if no scene decides it: three decimals, or more where three would show 0
 number, vector = USUAL_DIGITS.number, USUAL_DIGITS.vector
 
 

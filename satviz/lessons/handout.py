@@ -17,7 +17,7 @@ from ..pictures.number_lines import number_lines
 from ..pictures.playback import table_rows
 from ..pictures.sheet import MAX_ROWS
 from ..render.notebook import bundle
-from ..safe_write import MADE_BY
+from ..render.page import html_file
 from ..scenes.failing import NAMED
 from ..scenes.resolve import Resolved, SceneLike, resolve
 from ..scenes.scenefile import Scene
@@ -61,23 +61,9 @@ def handout(*what: SceneLike, paper: Paper = "A4", solutions: bool = False) -> s
     sheets = [sheets_of(each)[solutions] for each in what]
     title = " · ".join(sheet.title for sheet in sheets)
     style = f"@page {{ size: {paper}; margin: 16mm; }}\n{style_sheet()}"
-    lines = [
-        "<!doctype html>",
-        '<html lang="en">',
-        "<head>",
-        '<meta charset="utf-8">',
-        """<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'">""",
-        '<meta name="viewport" content="width=device-width, initial-scale=1">',
-        f'<meta name="generator" content="{MADE_BY}">',
-        f"<title>{escape(describe.printable(title))}</title>",
-        f"<style>\n{style}</style>",
-        "</head>",
-        '<body class="handout"><main>',
-        *(sheet.body for sheet in sheets),
-        "</main></body>",
-        "</html>",
-    ]
-    return "\n".join(lines) + "\n"
+    body = ['<body class="handout"><main>', *(sheet.body for sheet in sheets), "</main></body>"]
+    policy = "default-src 'none'; style-src 'unsafe-inline'"
+    return html_file(title, policy, [f"<style>\n{style}</style>"], body)
 
 
 def style_sheet() -> str:
@@ -161,7 +147,7 @@ def _lines(count: int) -> str:
 
 def _worksheet(trace: Trace, name: str) -> tuple[str, str]:
     """Return the HTML of a scene to compute by hand, and of its solution; a shortcut's scene is solved exactly."""
-    case, true = NAMED.get(name), trace.truth if trace.shortcut else trace
+    case, true = NAMED.get(name), trace.truth
     if not trace.shortcut and case:
         case = None
     whole = true.without_early_exit()

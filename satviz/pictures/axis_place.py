@@ -20,12 +20,12 @@ from ..engine.sat import AxisTest, Projection
 from ..engine.shapes import Shape
 from .float_geometry import Box, bounding_box, common_box, point_along, range_along, segments_cross
 
-CLEARANCE_PT = 34.0  # from the shapes to an axis, at least
+CLEARANCE_PT = 34.0  # least distance from the shapes to an axis
 LABEL_HEIGHT_PT = 18.0  # space for the label of a range
-OVERHANG_PT = 20.0  # by which an axis runs on beyond the ranges
+OVERHANG_PT = 20.0  # length by which an axis extends beyond the ranges
 MAX_ZERO_DISTANCE_PT = 45.0  # an axis is prolonged to coordinate 0 where that lies no further from the ranges
 WORLD_DISTANCES_PT = 20.0, 130.0  # the x axis and the y axis are drawn in their true places so far from the shapes
-TRACK_PT = 5.5  # from the axis to the bars: A's on the side of the shapes, B's on the other
+TRACK_PT = 5.5  # distance from the axis to the bars: A's on the side of the shapes, B's on the other side
 
 
 class AxisPlace(NamedTuple):
@@ -117,9 +117,9 @@ def both_sides(
 
 
 def _unit_and_slide(shapes: Sequence[Shape], n: Vec, lo: float, hi: float) -> tuple[float, float]:
-    """Return the scene units in a unit of the axis, and how far coordinate 0 is moved along the axis.
+    """Return (scene units in a unit of the axis, scene units by which coordinate 0 is moved along the axis).
 
-    They are 1 and 0 where the ranges, from lo to hi, lie near the shapes.  The ranges that a shortcut measures may lie
+    They are (1, 0) where the ranges, from lo to hi, lie near the shapes.  The ranges that a shortcut measures may lie
     far away or be much larger, and would not fit on the shapes' own scale.
     """
     x0, y0, x1, y1 = bounding_box(shapes)
@@ -132,7 +132,7 @@ def _unit_and_slide(shapes: Sequence[Shape], n: Vec, lo: float, hi: float) -> tu
 
 
 def _furthest(shapes: Sequence[Shape], direction: Vec) -> float:
-    """Return how far the shapes reach in a direction from the origin, in scene units."""
+    """Return the largest coordinate of the shapes along a unit direction from the origin, in scene units."""
     return max(range_along(shape, direction).hi for shape in shapes)
 
 

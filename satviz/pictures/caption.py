@@ -6,9 +6,10 @@ from ..engine.geometry import Vec
 from .letters import text_size, wrap_text
 from .marks import Mark, Picture
 
-MARGIN_PT = 12.0  # at both sides of a caption and below it
-MIN_STEP_MS, MS_PER_LETTER = 600, 7  # at speed 1, where a reader can stop and go back
-MIN_CAPTION_MS, MS_PER_CAPTION_LETTER = 300, 50  # in an animation: the time of a move, then 20 letters a second
+MARGIN_PT = 12.0  # space at both sides of a caption and below it
+MIN_STEP_MS, MS_PER_LETTER = 600, 7  # time of a step at speed 1, where a reader can stop and go back
+# time of a caption in an animation: that of a move, then 20 letters a second
+MIN_CAPTION_MS, MS_PER_CAPTION_LETTER = 300, 50
 
 
 def add_captions(pictures: Sequence[Picture], *, brief: bool = False) -> list[Picture]:

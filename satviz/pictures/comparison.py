@@ -19,7 +19,7 @@ from .claims import answers, heading, verdict_words
 from .comparison_panels import PANELS, PIECES
 from .default_panels import Panel, PanelSketch, claimed_tests, drawable_test, is_measured_correctly
 from .draw_steps import draw_other_parts, draw_test
-from .float_geometry import bounding_box, crossing_point
+from .float_geometry import bounding_box, crossing_point, mean_point
 from .insets import add_insets
 from .label_placer import LabelRequest
 from .labels import with_labels
@@ -28,15 +28,16 @@ from .letters import text_size, wrap_text
 from .marks import Mark, Picture
 from .panels import marks_moved_to
 from .sketch import RING_PT, Sketch
-from .stages import STAGES_BEFORE_AXIS, TEST_STAGES, Stage, Step, resolve_step, step_caption, step_sentence
+from .stages import STAGES_BEFORE_AXIS, Stage, Step, resolve_step, step_caption, step_sentence
 from .step_picture import LARGEST_PT
 
 CLAIMED, ACTUAL = "what the shortcut saw", "what is true"
 # a stage, and the later one whose labels leave space for what comes next, so that nothing jumps
-FULLER = {Stage.EDGE: Stage.NORMAL, Stage.NORMAL: Stage.AXIS} | dict.fromkeys(TEST_STAGES[2:-1], Stage.GAP)
+FULLER = step_picture.FULLER | {Stage.NORMAL: Stage.AXIS}
 # in points
 MAX_PANEL = 340.0, 300.0
-BETWEEN, HEAD, RIM = 20.0, 24.0, 16.0  # between the panels, for each one's heading, around the words above
+# space between the panels, for each panel's heading, and around the words above them
+BETWEEN, HEAD, RIM = 20.0, 24.0, 16.0
 BOTH_PANELS_WIDTH_PT = 2 * MAX_PANEL[0] + BETWEEN
 MIN_PANEL = 170.0  # a smaller panel has no space for its words
 AXES_RIM = 0.2  # space on all sides for the axes of the steps, as a factor of the shapes' size
@@ -74,7 +75,7 @@ def picture(
 
 
 def _panel_size(largest: tuple[float, float]) -> tuple[tuple[float, float], bool]:
-    """Return the largest width and height of a panel, and whether the panels stand one above the other.
+    """Return ((largest width, largest height) of a panel, whether the panels stand one above the other).
 
     On a canvas that is too small for both, the panels keep their least size, and the whole picture is shown smaller.
     """
@@ -238,7 +239,7 @@ def refused_picture(case: FailureCase, *, title: str = "", width: float = BOTH_P
     for name, ring in zip("AB", rings, strict=True):
         spots = [Vec(off.x + p.x * k, off.y + p.y * k) for p in ring]
         marks.append(Mark("outline", "outline", name, tuple(spots), owner=name))
-        inner = Vec(sum(p.x for p in spots) / len(spots), sum(p.y for p in spots) / len(spots))
+        inner = mean_point(spots)
         requests.append(LabelRequest("name", name, name, inner, owner=name, weight="title", inside=True))
         for i, spot in enumerate(spots):
             marks.append(Mark("vertex", "dot", name, (spot,), owner=name, number=i))

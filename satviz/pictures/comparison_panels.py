@@ -53,7 +53,8 @@ MAX_NOTED_AXES = 60  # axes tested, up to which there is space for words above t
 DOT_COUNT = 12  # dots that stand for many shapes
 MAX_AXES = 3  # axes that have space side by side
 ARROW_LENGTH = 74.0  # points
-FLOATS_CORNER_PT, FLOAT_STEP_PT = (16.0, 48.0), 26.0  # where the line of float64 numbers begins; between two of them
+# corner where the line of float64 numbers begins; distance of two numbers on it
+FLOATS_CORNER_PT, FLOAT_STEP_PT = (16.0, 48.0), 26.0
 MOVE = Vec(*map(float, FLIGHT))  # how far A flies in one frame
 
 
@@ -150,7 +151,7 @@ def _draw_neighbouring_floats(sketch: Sketch, landings: Sequence[tuple[str, floa
     step, start = ulp(least), Vec(x0 + units(FLOATS_CORNER_PT[0]), y0 + units(FLOATS_CORNER_PT[1]))
 
     def at(steps: float, up: float = 0.0) -> Vec:
-        """Return where the number `steps` steps above the least landing is drawn, `up` points above the line."""
+        """Return the point of the number `steps` steps above the least landing, `up` points above the line."""
         return Vec(start.x + units(FLOAT_STEP_PT) * (steps + 1.5), start.y + units(up))
 
     ticks = [at(k, up) for k in range(-1, 4) for up in (-5.0, 5.0)]

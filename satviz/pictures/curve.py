@@ -19,7 +19,7 @@ from .layout import Layout
 from .marks import Mark, Picture
 
 CURVE_WIDTH_PT, CURVE_HEIGHT_PT = 500.0, 204.0  # a scene unit of this picture is a point
-RIM_PT = 16.0  # to the left and right of the curve
+RIM_PT = 16.0  # space to the left and right of the curve
 BOTTOM_PT, TOP_PT = 30.0, 172.0  # heights of the curve's lower and upper limit above the lower rim
 TICK_HEIGHT_PT = 12.0  # height of the angles' numbers, which stand below the curve
 RING_RADIUS_PT = 6.0  # round the chosen angle's gap: an axis's dot shows inside it

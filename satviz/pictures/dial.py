@@ -11,7 +11,7 @@ from .marks import Mark, Picture
 SIZE_PT = 176.0, 160.0
 RADIUS_PT = 52.0
 TICKS = range(0, 360, 45)
-TICK_NAMES_PT = 12.0  # from the rim of the dial to the middle of an angle's text
+TICK_NAMES_PT = 12.0  # distance from the rim of the dial to the middle of an angle's text
 
 
 def dial(a: Shape, b: Shape, degree: float) -> Picture:

@@ -14,7 +14,7 @@ from .layout import NARROW_PT, Inset, Layout, limits_around
 from .marks import Mark
 
 MIN_SHAPE_PT = 8.0  # a shape whose larger side is shorter than this has an inset
-MIN_GAP_PT = 3.0  # and so has a gap or an overlap smaller than this
+MIN_GAP_PT = 3.0  # a gap or an overlap smaller than this has an inset
 MIN_NEEDLE_PT = 1.5  # and the short edge of an outline thinner than this
 BOX_PT, GAP_BOX_PT = 96.0, 48.0  # an inset's side; how high that of a gap is
 STRIP_PT = 124.0  # the width of the strip of insets beside the scene
@@ -62,7 +62,7 @@ def add_insets(layouts: Sequence[Layout], shapes: Sequence[tuple[str, Shape]]) -
 
 
 def _free_corner(layouts: Sequence[Layout], shapes: Sequence[Shape]) -> tuple[float, float] | None:
-    """Return the upper left corner of an inset's box, in scene units, in a corner of the canvas that nothing needs.
+    """Return (x, y) of the upper left corner of an inset's box, in scene units, in a free corner of the canvas.
 
     The lower corners come first; None if no corner is free.
     """

@@ -12,7 +12,7 @@ from .caption import caption_time_ms
 from .marks import Mark, Picture
 
 MOVE_FRAMES, MOVE_FRAME_MS = 6, 50  # pictures between two steps, and how long each is shown
-TURN_FRAME_MS = 90  # for each picture of an axis that turns
+TURN_FRAME_MS = 90  # time of each picture of an axis that turns
 MAX_MOVED_STEPS = 100  # a longer run jumps from step to step: its file would be too large
 
 

@@ -75,7 +75,7 @@ def number_line(run: Trace, test: AxisTest, layout: Layout, digits: Digits, name
 
 
 def _window(test: AxisTest, layout: Layout) -> tuple[float, float]:
-    """Return the coordinate at the left end of the line, and the points in a unit of it."""
+    """Return (coordinate at the left end of the line, points in a unit of the axis)."""
     (x0, y0, x1, y1), n, width = layout.limits, test.axis.direction, layout.size[0]
     ends = [end for side in (test.a, test.b) for end in side.interval]
     lo, hi = min(ends), max(ends)

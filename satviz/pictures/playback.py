@@ -38,7 +38,7 @@ MAX_STEPS = 600
 # two panels, one above the other; the second size is for panels whose words need more space
 NARROW_PANEL_SIZES_PT = (338.0, 680.0), (350.0, 700.0)
 MAX_NARROW_WIDTH_PT = 430.0  # a narrow playback that gets wider than this is left out
-MAX_NARROW_STEPS = 150  # and so is one of more steps
+MAX_NARROW_STEPS = 150  # a narrow playback of more steps is left out
 
 
 def playbacks(trace: Trace) -> list[dict[str, Any]]:
@@ -75,31 +75,19 @@ def playback(trace: Trace, largest: tuple[float, float] = LARGEST_PT) -> dict[st
     its row of the table (None without a test) and its lines of the code, from 0.  "rows": those of `table_rows`.
     ValueError for a scene that cannot be drawn, or a trace of more than 600 tests.
     """
-    every = playback_steps(trace)
-    marks: dict[Mark, int] = {}
-    found, begins = [], first_row_numbers(trace)
-    for step in every:
-        drawn = picture(trace, step, largest=largest)
-        ids = [marks.setdefault(mark, len(marks)) for mark in drawn.marks]
-        found.append(
-            {
-                "marks": ids,
-                "limits": list(drawn.limits),
-                "sentence": drawn.sentence,
-                "ms": reading_time_ms(drawn.sentence),
-                "row": None if step.test is None else begins[step.pair or 0] + step.test,
-                "code": _pseudocode_lines(trace, step),
-            }
-        )
+    every, begins = playback_steps(trace), first_row_numbers(trace)
+    pictures = [picture(trace, step, largest=largest) for step in every]
+    facts = [
+        {
+            "ms": reading_time_ms(drawn.sentence),
+            "row": None if step.test is None else begins[step.pair or 0] + step.test,
+            "code": _pseudocode_lines(trace, step),
+            "stage": step.stage.value,
+        }
+        for drawn, step in zip(pictures, every, strict=True)
+    ]
     proves = trace.choice.complete or any(pair.choice.complete for pair in trace.pairs)
-    return {
-        "satviz": "show 1",
-        "sentence": trace.sentence,
-        "relation": str(trace.relation),
-        "size": list(drawn.size),
-        **marks_data(marks),
-        "steps": [step | {"stage": s.stage.value} for step, s in zip(found, every, strict=True)],
-        "names": list(trace.names),
+    return _playback_data(trace, trace.sentence, pictures, facts) | {
         "rows": table_rows(trace),
         "asks": not trace.shortcut,  # a shortcut's pictures show the answer beside its claim
         "code": [line.format(end=PROVED if proves else NOT_PROVED) for line, _ in _pseudocode(trace)],
@@ -111,24 +99,30 @@ def picture_playback(trace: Trace, pictures: Sequence[Picture], *, turns: bool) 
 
     They show an axis that turns (`turns`), or how B - A comes about: each of these for as long as its words take.
     """
+    stage = "sweep" if turns else "difference"
+    times = (TURN_FRAME_MS if turns else reading_time_ms(drawn.sentence) for drawn in pictures)
+    facts: list[dict[str, Any]] = [{"ms": ms, "row": None, "code": [], "stage": stage} for ms in times]
+    found = _playback_data(trace, pictures[-1].sentence, pictures, facts)
+    return found | {"rows": [], "asks": False, "code": []}
+
+
+def _playback_data(
+    trace: Trace, sentence: str, pictures: Sequence[Picture], facts: Sequence[dict[str, Any]]
+) -> dict[str, Any]:
+    """Return what every playback has: its pictures, each with its own `facts`, and their marks, each stored once."""
     marks: dict[Mark, int] = {}
-    found: list[dict[str, Any]] = []
-    for drawn in pictures:
+    found = []
+    for drawn, own in zip(pictures, facts, strict=True):
         ids = [marks.setdefault(mark, len(marks)) for mark in drawn.marks]
-        step: dict[str, Any] = {"marks": ids, "limits": list(drawn.limits), "sentence": drawn.sentence}
-        step["ms"] = TURN_FRAME_MS if turns else reading_time_ms(drawn.sentence)
-        found.append(step | {"row": None, "code": [], "stage": "sweep" if turns else "difference"})
+        found.append({"marks": ids, "limits": list(drawn.limits), "sentence": drawn.sentence, **own})
     return {
         "satviz": "show 1",
-        "sentence": pictures[-1].sentence,
+        "sentence": sentence,
         "relation": str(trace.relation),
         "size": list(pictures[-1].size),
         **marks_data(marks),
         "steps": found,
         "names": list(trace.names),
-        "rows": [],
-        "asks": False,
-        "code": [],
     }
 
 

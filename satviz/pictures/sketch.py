@@ -30,11 +30,11 @@ RING_PT = 8.0  # the radius of a ring round a corner
 CROSS_PT = 4.5  # half of the side of a cross
 MIN_ARROW_PT, MIN_STRONG_PT = 14.0, 28.0  # a shorter edge is drawn without an arrow head, or with a thin arrow
 MIN_DOTTED_PT = 16.0  # a shorter overlap has no dots at its ends; half of it: a thin bracket
-CLEAR_OF_DOT_PT = 8.0  # from the tip of an arrow along a line to the dot at the line's end
+CLEAR_OF_DOT_PT = 8.0  # distance from the tip of an arrow along a line to the dot at the line's end
 RIGHT_ANGLE_PT = 7.0  # the side of the mark between an edge and its normal
-MIN_TICK_PT = 24.0  # between two ticks
+MIN_TICK_PT = 24.0  # least distance between two ticks
 ZERO_TICK_PT = 4.5  # half of the tick at coordinate 0
-MAX_LIST_LETTERS = 34  # in a line of the list of axes that were not tested
+MAX_LIST_LETTERS = 34  # letters in a line of the list of axes that were not tested
 MAX_LISTED_AXES, MAX_NARROW_LISTED_AXES = 8, 5  # on a wide canvas and on a telephone's
 GREY_NORMAL = 0.6  # how long the normal of an axis not tested is, in normals of a test
 MAX_GREY_NORMALS = 16  # more of them would fill the gap
@@ -315,7 +315,7 @@ class Sketch(ShapeSketch):
         """Return the indices of a lowest and a highest projected point; of ties those nearest the axis."""
 
         def coordinate_out(i: int) -> float:
-            """Return how far point i lies in the direction from the shapes to the axis."""
+            """Return the coordinate of point i in the direction from the shapes to the axis."""
             return side.points[i].x * place.out.x + side.points[i].y * place.out.y
 
         close = self.layout.units(0.5) / place.unit

@@ -108,7 +108,7 @@ def step_sentence(run: Trace, step: Step) -> str:
 
 
 def step_caption(run: Trace, step: Step) -> str:
-    """Return what a step shows in a few words, as `step_sentence` says it in full."""
+    """Return a caption of a few words for a step, as `step_sentence` says it in full."""
     stage, a_and_b = step.stage, " and ".join(run.names)
     if step.test is None:
         words = {Stage.SCENE: f"Do {a_and_b} collide?", Stage.PARTS: "Cut into convex parts"}

@@ -41,7 +41,7 @@ THEMES = {theme.name: theme for theme in (LIGHT, DARK)}
 
 # widths of lines in points
 OUTLINE_PT, STRONG_PT, BAR_PT, OVERLAP_BAR_PT, GUIDE_PT, SEGMENT_PT, AXIS_PT = 2.0, 4.0, 4.0, 5.0, 1.0, 1.5, 1.2
-LEADER_PT = 0.8  # from a label to what it names
+LEADER_PT = 0.8  # width of the line from a label to its anchor
 FILL_OPACITY, FAINT_OPACITY = 0.15, 0.55
 DOT_PT = 6.5  # a dot's width
 ARROW_HEAD_PT = 8.0, 6.0  # length and width

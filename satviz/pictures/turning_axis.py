@@ -59,7 +59,7 @@ def sweep(
 
 
 def _scale_and_center(shapes: tuple[Shape, Shape]) -> tuple[float, Vec]:
-    """Return the points in a scene unit, and the middle of the shapes, around which the axis turns."""
+    """Return (points in a scene unit, middle of the shapes, around which the axis turns)."""
     x0, y0, x1, y1 = bounding_box(shapes)
     return SHAPES_PT / (hypot(x1 - x0, y1 - y0) / 2), Vec((x0 + x1) / 2, (y0 + y1) / 2)
 
@@ -69,7 +69,7 @@ def _shape_marks(shapes: tuple[Shape, Shape]) -> list[Mark]:
     scale, center = _scale_and_center(shapes)
 
     def at(p: Vec) -> Vec:
-        """Return where a point of the scene is drawn."""
+        """Return the point of the canvas at which a point of the scene is drawn."""
         return Vec(STAGE_CENTER_PT[0] + (p.x - center.x) * scale, STAGE_CENTER_PT[1] + (p.y - center.y) * scale)
 
     marks = []

@@ -122,7 +122,7 @@ def save_chart(
 
 
 def share_of(fig: Figure, x: float, y: float) -> tuple[float, float]:
-    """Return a place given in points from the lower left corner as fractions of the figure's width and height."""
+    """Return (x, y), a place in points from the lower left corner, as fractions of the figure's width and height."""
     width, height = fig.get_size_inches() * 72
     return x / width, y / height
 

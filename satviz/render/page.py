@@ -55,9 +55,7 @@ def page(
     found = resolve(what, b)
     if found.refused:
         return _page_of_refused(found.refused)
-    trace = found.trace
-    if predict and trace.shortcut:
-        trace = trace.truth
+    trace = found.trace.truth if predict else found.trace
     drawn = turning_axis(trace) if sweep else difference_steps(trace) if difference else ()
     shows = [picture_playback(trace, drawn, turns=sweep)] if drawn else playbacks(trace)
     question = "Do A and B collide?"
@@ -98,6 +96,16 @@ def page(
 def _document(title: str, about: str, policy: str, body: Sequence[str]) -> str:
     """Return an HTML file with this title, description, content security policy and body."""
     style = (files(__package__) / "browser" / "page.css").read_text(encoding="utf-8")
+    head = [f"<style>\n{stylesheet()}\n{style}</style>"]
+    heading = f"<h1>{escape(describe.printable(title))}</h1>"
+    return html_file(title, policy, head, ['<body class="satviz"><main>', heading, *body, "</main></body>"], about)
+
+
+def html_file(title: str, policy: str, head: Sequence[str], body: Sequence[str], about: str = "") -> str:
+    """Return an HTML file: `head` and `body` are the last lines of its head, and all lines of its body with the tags.
+
+    `policy` is the content security policy, and `about` the description for search engines, "" for none.
+    """
     lines = [
         "<!doctype html>",
         '<html lang="en">',
@@ -106,14 +114,11 @@ def _document(title: str, about: str, policy: str, body: Sequence[str]) -> str:
         f'<meta http-equiv="Content-Security-Policy" content="{policy}">',
         '<meta name="viewport" content="width=device-width, initial-scale=1">',
         f'<meta name="generator" content="{MADE_BY}">',
-        f'<meta name="description" content="{escape(about)}">',
+        *([f'<meta name="description" content="{escape(describe.printable(about))}">'] if about else []),
         f"<title>{escape(describe.printable(title))}</title>",
-        f"<style>\n{stylesheet()}\n{style}</style>",
+        *head,
         "</head>",
-        '<body class="satviz"><main>',
-        f"<h1>{escape(describe.printable(title))}</h1>",
         *body,
-        "</main></body>",
         "</html>",
     ]
     return "\n".join(lines) + "\n"

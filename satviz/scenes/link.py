@@ -26,7 +26,8 @@ PAGE = "scene.html"  # the site's explorer
 VIEWS = "shortcut", "truth"
 GOALS = ONE_AXIS, TOUCH, BREAK = "one-axis", "touch", "break"  # of a challenge
 WHOLE_NUMBER = re.compile(r"[0-9]{1,6}")
-FORBIDDEN_LETTERS = set(" ?#\\\"'`<>")  # in a site's address: a query, a fragment, letters that must be escaped
+# letters that a site's address must not have: of a query, of a fragment, letters that must be escaped
+FORBIDDEN_LETTERS = set(" ?#\\\"'`<>")
 PAGE_ENDING = re.compile(r"\.html?$", re.IGNORECASE)
 DEGREE = re.compile(r"-?[0-9]{1,6}(\.[0-9]{1,12})?")
 

@@ -47,7 +47,7 @@ while asked["kind"] == "ask":
     asked = json.loads(live.answer("check", json.dumps({"kind": "outcomes", "outcomes": outcomes})))
 gc.collect()
 """
-TIMEOUT_SECONDS = 180  # for npm, and for Node
+TIMEOUT_SECONDS = 180  # the longest time that npm, or Node, may take
 
 
 class PythonMissing(Exception):

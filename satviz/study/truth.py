@@ -193,14 +193,14 @@ def _relation_by_distance(squared_distance: int | Fraction, squared_radius: int)
 
 
 def _integers(values: Sequence[float]) -> tuple[int, list[int]]:
-    """Return k and the integers value * 2**k; every float64 is an integer over a power of two."""
+    """Return (k, the integers value * 2**k); every float64 is an integer over a power of two."""
     ratios = [value.as_integer_ratio() for value in values]
     unit = max(den for _, den in ratios)
     return unit.bit_length() - 1, [num * (unit // den) for num, den in ratios]
 
 
 def _rings(a: Polygon, b: Polygon, move: tuple[float, float] = (0.0, 0.0)) -> tuple[int, tuple[list[Ints], list[Ints]]]:
-    """Return k and both outlines scaled to integers by 2**k, counter-clockwise, without repeated corners; b moved."""
+    """Return (k, outlines): both scaled to integers by 2**k, counter-clockwise, without repeated corners; b moved."""
     k, (dx, dy, *flat) = _integers([*move, *(c for v in (*a.vertices, *b.vertices) for c in v)])
     points = list(zip(flat[::2], flat[1::2], strict=True))
     n = len(a.vertices)
@@ -253,7 +253,7 @@ def _clipped(ring: Sequence[Ints], window: Sequence[Ints]) -> list[Homogeneous]:
 
 
 def _between(p: Homogeneous, s: int, q: Homogeneous, t: int) -> Homogeneous:
-    """Return where the segment p q crosses a line; s and t: signed sides of p and q, one positive, one negative."""
+    """Return the point where the segment p q crosses a line; s, t: signed sides of p and q, of opposite signs."""
     if s < 0:
         p, s, q, t = q, t, p, s
     x, y, w = (s * b - t * a for a, b in zip(p, q, strict=True))

@@ -128,7 +128,7 @@ def _has_concave_shape(shown: Scene) -> bool:
 
 
 def _rounded_line(direction: Vec) -> tuple[float, float]:
-    """Return a direction rounded to 9 digits, the same for its opposite, so that near-parallels are equal."""
+    """Return a direction (x, y) rounded to 9 digits, the same for its opposite, so that near-parallels are equal."""
     x, y = round(direction.x, 9) + 0.0, round(direction.y, 9) + 0.0
     return max((x, y), (0.0 - x, 0.0 - y))
 

@@ -120,9 +120,7 @@ def play(
     found = resolve(what, b)
     if found.refused:
         return refused_picture(found.refused)
-    trace = found.trace
-    if predict and trace.shortcut:
-        trace = trace.truth
+    trace = found.trace.truth if predict else found.trace
     if pen == "svg":
         return Player(trace, predict=predict, sweep=sweep, difference=difference, speed=speed)
     from .plain_controls import PlainPlayer

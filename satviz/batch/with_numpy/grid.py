@@ -53,7 +53,7 @@ def meeting_pairs(
 def _cell_ranges(
     bounds: Array, queries: Indices, stored: Indices, d: int, cell: float
 ) -> tuple[Indices, Indices, Indices]:
-    """Return for axis d the first and last cell that each query must search, and the cell of each stored box.
+    """Return for axis d (first cell and last cell that each query must search, cell of each stored box).
 
     A box that meets a query begins before the query ends, and not more than its own width before the
     query begins.  Numbers that would not fit, or lie so far out that those next to one another are many cells

@@ -30,7 +30,7 @@ from .region_of_axes import region_of_verdict
 from .region_of_pushes import overlaps, why_no_cells
 from .wrong_steps import is_closing_edge, measured_test, vertex_count
 
-FAR_APART = 5.0  # from this distance of their centers on, the case far-centers calls two shapes apart
+FAR_APART = 5.0  # the case far-centers calls two shapes apart if their centers are at least so far apart
 SHAPE_COUNT = 1000  # shapes in the case many-pairs
 MIN_SUPPORT_POINTS = 3  # GJK needs so many for a hit: a triangle around the origin
 
@@ -94,11 +94,11 @@ def region_of_few_evaluations(a: Shape, b: Shape, window: Window) -> RegionOrRea
     """Return the moves where SAT evaluates no more vertices than GJK, or why none is shown."""
     if why := why_no_cells(a, b):
         return why
-    axes, (ring,) = needed(a, b).axes, minkowski_difference(a, b)
+    axes = needed(a, b).axes
     sides = [side for side, _ in overlaps(a, b, axes[0])]
     found = [clip_to_half_plane(window_ring(window), Vec(-f.slope.x, -f.slope.y), -f.constant) for f in sides]
     if len(axes) <= MIN_SUPPORT_POINTS:
-        found.append(clip_to_window(ring, window))
+        found += hits_in_window(a, b, window)
     return wrong_number_region(a, b, window, found)
 
 
@@ -115,12 +115,15 @@ def corner_tests(a: Shape, b: Shape) -> list[AxisTest]:
         normals = [axis for axis in edge_normals(a, b).axes if axis.source.shape == edges_of]
         both = [(axis, project(a, axis), project(b, axis)) for axis in normals]
         for i in range(len((b if edges_of == "A" else a).core)):
-            alone = [(x, p, _at(q, i)) if edges_of == "A" else (x, _at(p, i), q) for x, p, q in both]
+            alone = [
+                (x, p, _projection_of_corner(q, i)) if edges_of == "A" else (x, _projection_of_corner(p, i), q)
+                for x, p, q in both
+            ]
             found.append(max((measured_test(*test) for test in alone), key=lambda test: test.gap))
     return found
 
 
-def _at(side: Projection, i: int) -> Projection:
+def _projection_of_corner(side: Projection, i: int) -> Projection:
     """Return the part of a projection that belongs to corner i alone, counted from 0."""
     return Projection(side.points[i : i + 1], side.landings[i : i + 1])
 
@@ -142,7 +145,10 @@ def least_clearance(a: Shape, b: Shape) -> AxisTest | None:
                 p, q = project(a, axis), project(b, axis)
                 (lo, hi), (low, high) = (p.interval, q.interval) if edges_of == "A" else (q.interval, p.interval)
                 end, gap = min((lo, low - lo), (hi, hi - high), key=itemgetter(1))
-                near = [_at(side, side.landings.index(end)) if end in side.landings else side for side in (p, q)]
+                near = [
+                    _projection_of_corner(side, side.landings.index(end)) if end in side.landings else side
+                    for side in (p, q)
+                ]
                 found.append(AxisTest(axis, near[0], near[1], gap))
         least = min(found, key=lambda test: test.gap, default=None)
         if least and least.gap > 0:

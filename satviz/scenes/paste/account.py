@@ -45,7 +45,8 @@ from .tree import parts_of
 MAX_PARTS = 50  # parts that are not understood and are collected; fewer are named
 MAX_ARGUMENTS = 200  # words and signs in a call in which the names of shapes are looked for
 MAX_ASIDE = 2  # numbers of a line of other things; three can be a shape
-_FIELD_LINE = re.compile("[nt]mnm?")  # by the kinds of tokens: a name or a text, a mark, a number
+# matches the first letters of the kinds of tokens: a name or a text, a mark, a number
+_FIELD_LINE = re.compile("[nt]mnm?")
 APPLIED = frozenset([*METHODS, *MOVES, *SHIFTS, *TURNS, *ADDERS, *ATTACHERS, *PENS, *PEN_STARTS, *SETTERS, *RESETS])
 MOVERS = frozenset([*MOVES, *SHIFTS, *TURNS, "scale", "transform", "settransform"]) - {"offset", "translation"}
 ASSIGNS = ("=", ":=", ":")
@@ -113,8 +114,8 @@ class Account:
         self.changed = changed
         self.aliases = aliases
         self.parts: list[Part] = []
-        self.counts: set[int] = set()  # where numbers end that count or name something
-        self.aside: set[int] = set()  # where numbers end that stand on lines of other things
+        self.counts: set[int] = set()  # the ends of numbers that count or name something
+        self.aside: set[int] = set()  # the ends of numbers on lines of other things
         self.nested = False  # within a text in quotes, whose numbers nobody else counts
         self.quoted = False  # whether a quote has opened a text of several lines
         self.session = session
@@ -224,7 +225,7 @@ class Account:
         return next((k for k in range(i - 1, -1, -1) if self.tokens[k].kind != LINE), -1)
 
     def span(self, i: int) -> tuple[int, int]:
-        """Return where the bracket that a token opens or closes begins and ends."""
+        """Return (start, end), as places in the text, of the bracket that a token opens or closes."""
         begin, end = (i, self.close.get(i, i)) if self.at(i).kind == OPEN else (self.open.get(i, i), i)
         return self.at(begin).start, self.at(end).end or len(self.text)
 
@@ -345,6 +346,8 @@ class Account:
             return after.text in (":", "|")
         if before.text == "#" and before.end == self.at(i).start and self.at(i - 2).kind not in (NUMBER, CLOSE):
             return True  # body#17
+        if before.text == ";" and after.text == "]" and not frame.data:
+            return True  # of a type of Rust: [(f64, f64); 3]
         if before.text == "{" and after.text == "}":
             return self.at(i).value == 0
         if before.text in ",(" and after.text in ",)" and "," in (before.text, after.text):
@@ -468,6 +471,8 @@ class Account:
                 self.miss(i, i + 2)
         elif self.at(i - 1).text in DECLARES:
             return  # (def a [[0 0] [4 0] [4 3]])
+        elif after.kind == OPEN and words(token.text) & OTHER_NUMBERS and not self.is_data(i + 1):
+            return  # velocity (5, 0)
         elif not (self.is_inside(token.text) or is_shape(token.text) or self.is_value(i)):
             self.miss(i, i)
 
@@ -490,7 +495,7 @@ class Account:
         return bool(last.lower() in INSIDE or words(last) & INSIDE or words(self.aliases.get(name, "")) & INSIDE)
 
     def line(self, token: Token) -> tuple[int, int]:
-        """Return where the line of a token begins and ends."""
+        """Return (start, end), as places in the text, of the line of a token."""
         end = self.text.find("\n", token.end)
         return self.text.rfind("\n", 0, token.start) + 1, end if end >= 0 else len(self.text)
 
@@ -636,7 +641,7 @@ class Account:
             self.miss(i - 1 if before.kind == NAME or (before.kind == NUMBER and before.text) else i, i + 1)
 
     def is_written(self, i: int) -> bool:
-        """Return whether a number of a shape, or a bracket or call with one that is no test, stands here."""
+        """Return whether token i is a number of a shape, or begins a bracket or call with one that is not a test."""
         while self.at(i).text == "new" or (self.at(i).kind == NAME and self.callee(i + 1) is self.at(i)):
             i += 1
         kind, bracket = self.at(i).kind, self.at(i).kind in (OPEN, CLOSE)

@@ -22,7 +22,7 @@ def other_names(name: str) -> Iterator[str]:
 
 
 def pairs_of_lists(fields: Mapping[str | int, Any]) -> Iterator[tuple[str, Group, Group]]:
-    """Yield (name, list of x, list of y) for the variables or keys that belong together; one can be too short."""
+    """Yield (name, list of x, list of y) for the variables or keys that belong together; their lengths can differ."""
     for name, value in fields.items():
         if is_flat(value, 1) and isinstance(name, str):
             other = next((fields[n] for n in other_names(name) if n in fields and is_flat(fields[n], 1)), None)

@@ -24,7 +24,7 @@ CHOICES: Mapping[str, tuple[str, ...]] = {
     Ask.TURN: (Form.Y_UP, Form.Y_DOWN),
     Ask.ORDER: (Form.WIDTH_FIRST, Form.HEIGHT_FIRST),
     Ask.PIVOT: (Form.AROUND_CENTER, Form.AROUND_CORNER, Form.AROUND_ORIGIN),
-    Ask.CORNERS: (Form.RELATIVE, Form.ABSOLUTE),
+    Ask.CORNERS: (Form.RELATIVE, Form.ABSOLUTE, Form.UNTURNED),
     Ask.ROUND: (Form.RADIUS, Form.DIAMETER),
     Ask.TWICE: (Form.EACH_VALUE, Form.LAST_VALUE),
     Ask.COMMAS: (Form.DECIMAL_COMMAS, Form.SEPARATORS),
@@ -68,7 +68,7 @@ class Read:
     named: bool = False  # it is known by its keys: width, height
     shift: Pt = ZERO  # the position that was added to its corners
     repeats: bool = False  # it stands in a call that tests two shapes, which may stand elsewhere as well
-    used: frozenset[int] = frozenset()  # where the numbers of the text end that stand in it
+    used: frozenset[int] = frozenset()  # the ends, in the text, of the numbers that the shape uses
 
     @property
     def is_circle(self) -> bool:
@@ -83,6 +83,7 @@ class Boxes(Points):
         super().__init__(text)
         self.chosen = chosen
         self.asked: dict[str, tuple[str, ...]] = {}
+        self.holes: set[int] = set()  # where outlines begin that may be holes of others
         self.doubts = False  # whether a part may be a shape or something else
         self.keeps = False  # a choice of a form is for the boxes whose form is asked, and for no others
 

@@ -84,7 +84,7 @@ class PastedShape:
 
     @property
     def usable(self) -> Shape | None:
-        """Return the shape, or the one that was probably meant."""
+        """Return the shape; if it was refused, the one that was probably meant, or None."""
         return self.shape or self.meant
 
 
@@ -114,8 +114,8 @@ def meant_order(read: Read) -> Polygon | None:
         return None
 
 
-def of_shape(each: PastedShape) -> Iterator[Finding]:
-    """Yield what is to be said of one shape."""
+def findings_of_shape(each: PastedShape) -> Iterator[Finding]:
+    """Yield the findings about one shape."""
     read, name = each.read, each.title
     if read.negative:
         yield Finding(
@@ -200,7 +200,7 @@ def _of_refused(each: PastedShape) -> Finding:
 
 
 def _crossing_words(each: PastedShape) -> str:
-    """Return which edges cross and where, by the names that pictures give to corners: a2a3."""
+    """Return words on the edges that cross and on the place, by the names of corners in pictures: a2a3."""
     met = crossing(each.read.points)
     if met is None:
         return each.refused.split(":")[0]

@@ -101,7 +101,7 @@ CHANGING_NUMBERS = listed(
 # Words in a key, or in the name of a call, whose numbers are none of a shape.
 OTHER_NUMBERS = listed(
     """
-    velocity speed axes force torque gravity mass inertia density friction restitution color colour fill stroke
+    velocity vel speed axes force torque gravity mass inertia density friction restitution color colour fill stroke
     alpha opacity window canvas screen viewport viewbox svg area count length index id label layer category mask group
     time timestamp step size_t sleep stiffness damping damp slop constraint render print printf println log assert
     prev previous impulse motion tolerance epsilon eps expected distance camera image version line error warn info
@@ -130,7 +130,20 @@ COMPARING = listed("return if elif while for")
 DRAWS = frozenset(["draw", "fill", "stroke", "plot", "print", "printf", "show", "render", "cv2.drawContours"])
 # Types around one number: np.float64(0.5) is 0.5.
 CASTS = frozenset(
-    ["np.float64", "np.float32", "np.int64", "np.int32", "numpy.float64", "Decimal", "double", "b2MakeRot"]
+    [
+        "FT",
+        "RT",
+        "Fraction",
+        "Float64",
+        "np.float64",
+        "np.float32",
+        "np.int64",
+        "np.int32",
+        "numpy.float64",
+        "Decimal",
+        "double",
+        "b2MakeRot",
+    ]
 )
 # Words before and after a number that counts or names something.
 LABELS = listed(
@@ -141,7 +154,7 @@ LABELS = listed(
 COUNTED = listed(
     """
     rows row corner corners point points vertex vertices verts pts edge edges shapes polygons circles boxes ms fps
-    times people users
+    times people users rectangles triangles pixel pixels bodies
     """
 )
 # Words that say that the numbers after them hold only sometimes, or several times.

@@ -61,20 +61,7 @@ class Keyed(Boxes):
                 raise Unreadable(lengths(*lists[0][1:]))
             outline = self.ring(joint)
         if outline is not None and len(outline) > 2:
-            shift, given = place or ZERO, places(*(place or ()))
-            if all(str(name).lower() == "centroid" for name in obj.fields if key(name) in ("center", "corner", "x")):
-                shift = ZERO  # where its corners are already
-            middle, size = centroid(outline), max(abs(c - outline[0][k]) for p in outline for k, c in enumerate(p))
-            if place and all(abs(c - p) * 1000 < size for c, p in zip(middle, place, strict=True)) and shift != ZERO:
-                shift = ZERO  # where its corners are already, as Matter prints them, and turned
-                given |= places(self.number(angle)) if angle is not None and self._is_number(angle) else set()
-                angle = None
-            sure = Form.RELATIVE if row and row.kind == Kind.RING else ""
-            if shift != ZERO and self._choose(Ask.CORNERS, CHOICES[Ask.CORNERS], sure=sure) == Form.ABSOLUTE:
-                shift = ZERO
-            made = self._outline(outline, obj, label, shift, " and a position" if shift != ZERO else "")
-            made = replace(made, used=made.used | given)
-            made = self._turned(made, angle, unit, shift) if angle is not None else made
+            made = self._outline_of_keys(obj, outline, place, label, row)
             return [moved(made, offset) if offset else made]
         radius = obj.get("radius", "diameter")
         sides = all(side in {str(k).lower() for k in obj.fields} for side in "ltrb")
@@ -114,6 +101,25 @@ class Keyed(Boxes):
                     found = [moved(s, place) for s in found]
                 inner += found
         return inner
+
+    def _outline_of_keys(self, obj: Obj, outline: list[Pt], place: Pt | None, label: str, row: Notation | None) -> Read:
+        """Return the polygon of an object with corners, and a position and an angle that they may have already."""
+        shift, used = place or ZERO, places(*(place or ()))
+        angle = obj.get("angle", "degrees", "radians")
+        turns = angle is not None and self._turns(angle)
+        if shift != ZERO:
+            names = {str(name).lower() for name in obj.fields if key(name) in ("center", "corner", "x")}
+            middle, size = centroid(outline), max(abs(c - outline[0][k]) for p in outline for k, c in enumerate(p))
+            there = all(abs(c - p) * 1000 < size for c, p in zip(middle, shift, strict=True))  # as Matter prints them
+            sure = Form.ABSOLUTE if there or names == {"centroid"} else ""
+            sure = Form.RELATIVE if row and row.kind == Kind.RING else sure
+            corners = self._choose(Ask.CORNERS, CHOICES[Ask.CORNERS] if turns else CHOICES[Ask.CORNERS][:2], sure=sure)
+            turns = turns and corners != Form.ABSOLUTE
+            shift = shift if corners == Form.RELATIVE else ZERO
+        made = self._outline(outline, obj, label, shift, " and a position" if shift != ZERO else "")
+        used |= places(self.number(angle)) if self._is_number(angle) else frozenset()
+        made = replace(made, used=made.used | used)
+        return self._turned(made, angle, unit_of(obj), place) if turns else made
 
     def _typed(self, obj: Obj, label: str) -> list[Read] | None:
         """Return the shapes of GeoJSON, of labelme, and of a triangle with the corners a, b and c; None for others."""

@@ -36,7 +36,8 @@ _ATTRIBUTE = re.compile(rf"([\w:-]+)[ \t\r\n]*=[ \t\r\n]*({_QUOTED})")
 # a line of path data alone, with a letter before its second pair
 _LINE = r"[ \t]*[Mm][ \t]*[-+.0-9][-+.,0-9eE \t]*[A-Za-z][-+.,0-9eE \tMmLlHhVvZzCcSsQqTtAa]*"
 _BARE = re.compile(rf"([\"'`])({PATH_DATA.pattern})\1|^()({_LINE})$", re.MULTILINE)
-_MOVED = re.compile(r"(?<!text-)(?:transform|rotate|scale|translate)\s*:(?!\s*none)")  # in a style
+# a transform in a style attribute
+_MOVED = re.compile(r"(?<!text-)(?:transform|rotate|scale|translate)\s*:(?!\s*none)")
 _MOVED_BY = re.compile(r"transform-(?:origin|box)|(?<!text-)(?:transform|rotate|scale|translate)\s*:")
 _GROUP = re.compile(rf"<(/?)g\b((?:[^<>\"']|{_QUOTED})*)>")
 _BETWEEN = re.compile(r"[\s,]*")
@@ -227,7 +228,10 @@ def _times(p: Affine, q: Affine) -> Affine:
 
 
 def _groups(text: str) -> tuple[list[int], list[tuple[Affine, bool]], list[tuple[int, int, list[Token]]]]:
-    """Return where the transform of the groups around changes, what it is there, and the groups that are understood."""
+    """Return (offsets at which the transform of the enclosing groups changes, (matrix, exact) from each on, parts).
+
+    `parts`: (start, end, []) of the tags whose transform is read.
+    """
     places, made = [0], [(IDENTITY, True)]
     parts: list[tuple[int, int, list[Token]]] = []
     stack = [made[0]]

@@ -24,7 +24,8 @@ class Form:
     X_THEN_Y, SIZE_CORNER = "x-then-y", "size-corner"
     DEGREES, RADIANS, RADIUS, DIAMETER = "degrees", "radians", "radius", "diameter"
     Y_UP, Y_DOWN, WIDTH_FIRST, HEIGHT_FIRST = "y-up", "y-down", "width-first", "height-first"
-    EACH_VALUE, LAST_VALUE, RELATIVE, ABSOLUTE = "each-value", "last-value", "relative", "absolute"
+    EACH_VALUE, LAST_VALUE = "each-value", "last-value"
+    RELATIVE, ABSOLUTE, UNTURNED = "relative", "absolute", "unturned"
     DECIMAL_COMMAS, SEPARATORS = "decimal-commas", "separators"
     AROUND_CENTER, AROUND_CORNER, AROUND_ORIGIN = "around-center", "around-corner", "around-origin"
     LEAVE_OUT = "leave-out"  # the shapes stand without what was not understood
@@ -174,6 +175,11 @@ TWO_SHAPES = {
     "circlerect": (("c2circle", 3), ("qrect", 4)),
     "rectangle_in_rectangle": (("rectd", 4), ("rectd", 4)),
 }
+# Names of tests with the points of two shapes: the notation of each, and how many points it has.
+TWO_OF_A_KIND = (
+    (re.compile(r"triangle", re.IGNORECASE), "triangle", 3),
+    (re.compile(r"aabb|box|rect", re.IGNORECASE), "box", 2),
+)
 
 # Keys of objects, and what is assigned to a variable's fields, without case, `_` and a leading `m`.
 KEYS = {
@@ -253,14 +259,15 @@ def notation(name: str) -> Notation | None:
     for ending in ("::new", "::from", ".new", "_t"):
         plain = plain.removesuffix(ending) if plain not in NAMES else plain
     words = parts_of(plain)[-MAX_WORDS:]
-    for candidate in (plain, *(".".join(words[i:]) for i in range(len(words))), words[-1].rstrip("!")):
+    last = words[-1].rstrip("!")
+    for candidate in (plain, *(".".join(words[i:]) for i in range(len(words))), last, last.rstrip("0123456789")):
         if candidate in NAMES:
             return NAMES[candidate]
     return None
 
 
 def key(name: str | int) -> str:
-    """Return what a key means, or "" for an unknown one."""
+    """Return the meaning of a key, or "" for an unknown one."""
     if isinstance(name, int):
         return ""
     plain = name.lower().replace("_", "").replace("-", "").replace(" ", "")

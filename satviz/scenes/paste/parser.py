@@ -6,6 +6,7 @@ lines such as `verts[0] = c2V(-1, 1);`.  What a name means stands in `notations.
 """
 
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import pairwise
 from typing import Any, NamedTuple
 
@@ -29,14 +30,15 @@ from .atoms import (
 )
 from .harmless import CASTS
 from .markup import all_tokens
-from .notations import UNREAD
+from .notations import UNREAD, key
 from .tokens import CLOSE, FIELD, LINE, MARK, MAX_CHARS, NAME, NUMBER, OPEN, OTHER, TEXT, Token, tokens
 from .tree import Bad, Group, Name, Num, Pair, parts_of
 
 MAX_ANGLE = 50  # characters of an angle in terms of pi
 MAX_DEPTH = 24
-MAX_WORDS_BETWEEN = 60  # between a shape and the word that separates it from the next one
+MAX_WORDS_BETWEEN = 60  # tokens between a shape and the word that separates it from the next one
 LEAST = 3  # corners of an outline
+SIZES = frozenset(["center", "corner", "size", "half", "offset"])  # what a word before two numbers of a shape means
 PAIRS = {"(": ")", "[": "]", "{": "}"}
 SEPARATORS = frozenset(["vs", "versus", "and", "against", "intersects", "overlaps", "touches", "collides"])
 ARROWS = frozenset(["->", "-->", "<->", "\u2192", "\u2194", "\u21d2"])
@@ -356,6 +358,10 @@ class _Parser:
         if all(isinstance(v, Num) for v in values):
             return Group(start, end, values, " ")
         if all(isinstance(v, Group) for v in values):
+            names = {v.name for v in values if is_pair(v)}
+            if len(names) == len(values) and any(len(name) > 1 and key(name) in SIZES for name in names):
+                pairs = [Pair(v.start, v.end, (v.name,), replace(v, name="")) for v in values]
+                return Group(start, end, pairs, "+")  # pos (0, 0) vel (5, 0) size (10, 10)
             return Group(start, end, values, " ")
         for word, group in pairwise(values):
             if isinstance(word, Name) and isinstance(group, Group) and group.name:
@@ -369,7 +375,7 @@ class _Parser:
         self.understood += [(atom.start, atom.end) for atom in atoms if isinstance(atom, Token) and atom.kind == OTHER]
 
     def joined(self, atoms: list[Any]) -> tuple[list[Any], list[str]]:
-        """Return the values among the atoms, each name joined with the brackets after it, and the operators."""
+        """Return (values, operators) of the atoms; a name and the brackets after it are one value."""
         values: list[Any] = []
         operators: list[str] = []
         i = 0

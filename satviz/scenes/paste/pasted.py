@@ -21,7 +21,7 @@ from .cleaned import cleaned
 from .findings import KINDS, Finding, PastedShape, listed
 from .notations import Ask, Form
 from .objects import as_text
-from .pair_findings import AnsweredPair, clear, of_pair
+from .pair_findings import AnsweredPair, clear, findings_of_pair
 from .parser import parse
 from .reading import Reader
 from .tree import Group
@@ -72,7 +72,8 @@ CHOICE_WORDS = {
     "around-corner": "turned around its corner",
     "around-origin": "turned around the origin (0, 0)",
     "relative": "corners relative to the position",
-    "absolute": "corners absolute already",
+    "absolute": "corners absolute already, and turned",
+    "unturned": "corners absolute already, but not turned by the angle yet",
     "radius": "the radius",
     "diameter": "the diameter",
     "each-value": "each value of a name",
@@ -107,7 +108,7 @@ class PasteQuestion(NamedTuple):
 
 @dataclass(frozen=True, slots=True, repr=False)
 class Pasted:
-    """Shapes out of a text, and what is to be said of them.
+    """Shapes out of a text, and the findings about them.
 
     `readings`: every shape as it was read, also those that are refused; `questions`: where two readings are possible;
     `pairs`: the pairs that are answered, the nearest first; `findings`: the diagnosis, the main one first.
@@ -168,7 +169,7 @@ class Pasted:
         return self.traces[0].sentence
 
     def others(self, number: int = 0) -> tuple[others.View, ...]:
-        """Return what other definitions say of a pair, by its number in `pairs`."""
+        """Return the answers of other definitions about a pair, by its number in `pairs`."""
         pair = self.pairs[number]
         return tuple(others.views(pair.trace.a, pair.trace.b, pair.lies, pair.gap))
 
@@ -320,9 +321,9 @@ def paste(what: Any, as_: str | Sequence[str] = ()) -> Pasted:
     if made.open:
         return replace(made, findings=tuple(notes))
     pairs = _pairs(shapes)
-    found = [finding for each in shapes for finding in findings.of_shape(each)]
+    found = [finding for each in shapes for finding in findings.findings_of_shape(each)]
     for pair in pairs[:MAX_TRACES]:
-        found += of_pair(pair, decimals=isinstance(what, str))
+        found += findings_of_pair(pair, decimals=isinstance(what, str))
     found = findings.merged([*found, *notes])
     if pairs and not missed and not any(KINDS.index(finding.kind) < KINDS.index("clear") for finding in found):
         found.append(clear(pairs[0]))
@@ -348,7 +349,7 @@ def _sentence(text: str, chosen: tuple[str, ...]) -> str:
 
 
 def _checked(reads: list[Read], reader: Reader) -> list[Read]:
-    """Return the shapes that were read; InvalidScene where there is none, or too much."""
+    """Return the shapes that were read; InvalidScene for none, or for more than MAX_SHAPES or MAX_VERTICES."""
     if not reads:
         raise InvalidScene(reader.problems[0] if reader.problems else NOTHING)
     if len(reads) > MAX_SHAPES:
@@ -379,7 +380,7 @@ def _named(reads: Sequence[Read], text: str) -> list[PastedShape]:
 
 
 def _questions(reader: Reader, root: Group, text: str, chosen: tuple[str, ...]) -> Iterator[PasteQuestion]:
-    """Yield what must be asked: each possible reading with the relation that it gives."""
+    """Yield the questions to the user: each possible reading with the relation that it gives."""
     keeps = reader.keeps or Ask.BOX_FORM in reader.asked
     for what, choices in reader.asked.items():
         if any(choice in chosen for choice in choices):

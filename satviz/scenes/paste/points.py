@@ -7,7 +7,7 @@ from typing import Any
 from .atoms import is_pair
 from .harmless import HARMLESS, TESTS
 from .names import Obj, Unreadable, short
-from .notations import LIST_WORDS, Kind, key, notation
+from .notations import LIST_WORDS, Kind, notation
 from .statements import Statements
 from .tree import Bad, Group, Name, Num, Pair, Value
 
@@ -250,9 +250,6 @@ class Points(Statements):
         if count < len(items):
             place = next(i for i, p in enumerate(found) if p is None)
             raise Unreadable(why or f"item {place} (counted from 0) of a list of corners is not a pair of numbers")
-        names = {item.name for item in items if isinstance(item, Group) and item.name}
-        if len(names) > 1 and any(key(name) in ("center", "size", "half", "offset", "corner") for name in names):
-            raise Unreadable("a word stands before each pair of numbers, so they are no corners: write x=, y=, w=, h=")
         return [p for p in found if p is not None]
 
     def _is_number(self, item: Any) -> bool:

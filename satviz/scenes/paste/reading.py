@@ -12,7 +12,7 @@ from .axis_lists import joined, lengths, pairs_of_lists
 from .boxes import CHOICES, Read, circle, moved, transformed
 from .calls import Calls
 from .cleaned import TYPE
-from .harmless import HARMLESS, OTHER_NUMBERS, words
+from .harmless import HARMLESS, OTHER_NUMBERS, TESTS, words
 from .names import Obj, Unreadable, is_block, short
 from .notations import (
     ANY_BOX,
@@ -21,10 +21,12 @@ from .notations import (
     MOVES,
     SHAPE_WORDS,
     TURNS,
+    TWO_OF_A_KIND,
     TWO_SHAPES,
     Ask,
     Form,
     Kind,
+    key,
     notation,
 )
 from .points import ZERO, Pt, angle_of
@@ -51,6 +53,8 @@ _ASIDE = re.compile(
     re.IGNORECASE,
 )
 _COMMENT = re.compile(r"//|#|--|/\*")
+_BOXES = re.compile(r"(?:boxes|rects|rectangles|aabbs|circles|balls)$", re.IGNORECASE)
+LEAST_FLAT = 5  # numbers in a list that are one shape: a box and its angle
 COPIES = frozenset(["clone", "copy", "deepcopy", "dup", "duplicate"])
 MAX_ABOVE = 400  # characters before a shape in which the line above it is looked for
 MAX_BESIDE = 200  # characters before and after a shape in which words about it are looked for
@@ -113,9 +117,7 @@ class Reader(Calls):
             for some, what in ((fields, "what a class begins with"), (beside, "one of something else")):
                 doubtful |= dict.fromkeys(some if len(some) < len(shapes) else (), what)
             doubtful |= {s: "a result" for s in shapes if _RESULT.fullmatch(s.label or self._above(s))}
-            doubtful |= {
-                s: "a hole of the one before" for (a, p), (b, s) in pairwise(kept) if a == b and self._is_hole(s, p)
-            }
+            doubtful |= {s: "a hole of the first outline of its list" for s in shapes if s.start in self.holes}
             doubtful |= {s: "a bounding box" for p, s in pairwise(shapes) if s.form and _bounds(p) == s.points}
         self.problems += [
             f"{short(self.text[s.start : s.end])}: a shape of its own, or {why}" for s, why in doubtful.items()
@@ -139,13 +141,6 @@ class Reader(Calls):
             self.text[max(0, shape.start - MAX_ABOVE) : shape.start].rstrip("` \t\n<").rpartition("\n")[2].strip("` \t")
         )
 
-    def _is_hole(self, shape: Read, outer: Read) -> bool:
-        """Return whether an outline stands behind another one in a list, and lies within its bounds: [[...], [...]]."""
-        if self.text[outer.end : shape.start].strip() != "," or shape.form or outer.form or shape.is_circle:
-            return False
-        (x0, y0), _, (x1, y1), _ = _bounds(outer)
-        return all(x0 <= x <= x1 and y0 <= y <= y1 for x, y in shape.points)
-
     def _is_bare(self, shape: Read) -> bool:
         """Return whether a box is a row of numbers without brackets and names."""
         return bool(shape.form) and not (shape.label or shape.keyed) and self.text[shape.start] in "-+.0123456789"
@@ -162,7 +157,7 @@ class Reader(Calls):
         return bool(_ASSIGNED.fullmatch(self.text, begin, value.start)) and not _SECTION.search(self.text, value.end)
 
     def _begin(self, value: Any) -> int:
-        """Return where a value, or the first field of an object, begins."""
+        """Return the place in the text where a value, or the first field of an object, begins."""
         if isinstance(value, Obj) and value.fields:
             return min(map(self._begin, (*value.fields.values(), *value.rest)))
         begin: int = value.start
@@ -201,7 +196,11 @@ class Reader(Calls):
             group = replace(group, items=given.items, name=name, methods=[])
         row = notation(group.name) if group.name else None
         kind = row.kind if row else ""
-        if two := TWO_SHAPES.get(group.name.lower().split(".")[-1]):
+        two = TWO_SHAPES.get(group.name.lower().split(".")[-1], ())
+        for pattern, name, count in TWO_OF_A_KIND if TESTS.search(group.name) and not row else ():
+            if pattern.search(group.name) and len(group.items) == 2 * count and all(map(self.point, group.items)):
+                two = ((name, count), (name, count))
+        if two:
             return self._two(group, two, label)
         if (plain := self._columns(group)) is not group:
             return self._plain(plain, label)
@@ -253,7 +252,7 @@ class Reader(Calls):
         at = 0
         for name, count in two:
             items, at = group.items[at : at + count], at + count
-            if len(items) == count and any(map(self._is_number, items)):
+            if len(items) == count and (name in ("box", "triangle") or any(map(self._is_number, items))):
                 found += self._group(Group(items[0].start, items[-1].end, items, "(", name), label)
         return [replace(shape, repeats=True) for shape in found]
 
@@ -341,6 +340,8 @@ class Reader(Calls):
             if is_block(group):
                 return [s for item in group.items for s in self.shapes(item, _label(item) or label)]
             return self._object(self.as_object(group), label)
+        if _BOXES.search(label) and not group.name and len(group.items) > LEAST_FLAT and holds_numbers(group):
+            raise Unreadable(f"{len(group.items)} numbers in one list: write each shape in a bracket of its own")
         if "circle" in group.name.lower() and (circles := self._centers_and_radii(group.items, label)):
             return circles
         outline = self.ring(group)
@@ -382,7 +383,11 @@ class Reader(Calls):
             if any(pairs.values()) and not all(pairs.values()):
                 place = next(k for k, is_point in pairs.items() if not is_point)
                 raise Unreadable(f"item {place} (counted from 0) of a list of corners is not a corner: write (x, y)")
-        return list(self._each(items, label))
+        found = list(self._each(items, label))
+        several = label.lower().endswith("s") and key(label) != "points" and label.lower() not in ("rings", "paths")
+        if group.bracket in ("[", "(", "{") and not group.name and not several:
+            self.holes |= set(_holes(found))
+        return found
 
     def _each(self, items: Sequence[Any], label: str) -> Iterator[Read]:
         """Yield the shapes of several values; a transform moves and turns the next shape.
@@ -423,6 +428,15 @@ def _bounds(shape: Read) -> tuple[Pt, ...]:
     """Return the corners of the bounding box of an outline; () for a box or a circle."""
     (x0, *_, x1), (y0, *_, y1) = (sorted(side) for side in zip(*(shape.points * 2), strict=True))
     return () if shape.form or shape.is_circle else ((x0, y0), (x1, y0), (x1, y1), (x0, y1))
+
+
+def _holes(rings: Sequence[Read]) -> Iterator[int]:
+    """Yield the start, in the text, of each outline that lies within the bounds of the first one: [[...], [...]]."""
+    if len(rings) > 1 and (bounds := _bounds(rings[0])):
+        (x0, y0), _, (x1, y1), _ = bounds
+        for ring in rings[1:]:
+            if _bounds(ring) and all(x0 <= x <= x1 and y0 <= y <= y1 for x, y in ring.points):
+                yield ring.start
 
 
 def _label(item: Any) -> str:

@@ -62,10 +62,10 @@ def _cells(line: TableCell, mark: str) -> list[TableCell]:
 
 
 def _table(lines: Sequence[TableCell], number: int) -> tuple[Table | None, int]:
-    """Return the table whose header is this line, or None, and the number of the line after it."""
+    """Return (table whose header is this line or None, number of the first line after it)."""
     header = lines[number]
     mark = next((m for m in _COLUMNS if m in header.text), " ")
-    names = ["id" if cell.text == "#" else cell.text for cell in _cells(header, mark)]
+    names = [{"#": "id", "d": "diameter"}.get(cell.text, cell.text) for cell in _cells(header, mark)]
     after = number + 1
     if len(names) < 2 or not all(_WORD.fullmatch(name) for name in names):
         return None, after

@@ -68,7 +68,7 @@ def over_processes(found: Mapping[str, Any], name: str, columns: Sequence[str] =
 
 
 def ratio_interval(own: Sequence[float], other: Sequence[float]) -> tuple[float, float, float]:
-    """Return the median, the least and the largest over the processes of the ratio of two times of one process.
+    """Return (median, least, largest) over the processes: the ratio of two times of one process.
 
     The median of all possible processes lies between the least and the largest unless all n processes fell on one side
     of it, so with a probability of 1 - 2 / 2**n.  A bootstrap of so few processes covers less than it says.

@@ -30,7 +30,7 @@ VECTORISED = (
     "SAT, satviz and the bounding shapes compute several pairs at a time; GJK and shapely go pair by pair. "
     "So the times compare these programs and not only the methods."
 )
-ENGINES = {"satviz numpy": "numpy", "satviz numba": "numba"}  # by their names in tables
+ENGINES = {"satviz numpy": "numpy", "satviz numba": "numba"}  # name in the tables: engine
 Answers = NDArray[Any]  # one for each pair: bool for hit or not, or int8 for the relation
 
 

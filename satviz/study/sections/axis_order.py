@@ -37,7 +37,7 @@ def most_parallel_first(axes: OrderedAxes, dx: float, dy: float) -> OrderedAxes:
 
 
 def center_direction(a: Shape, b: Shape) -> tuple[float, float]:
-    """Return the vector from A's centroid to B's."""
+    """Return the vector (dx, dy) from A's centroid to B's."""
     (ax, ay), (bx, by) = centroid(a), centroid(b)
     return bx - ax, by - ay
 

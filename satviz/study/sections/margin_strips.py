@@ -102,7 +102,7 @@ def count_touching(n: int, settings: Settings) -> list[JsonRow]:
 
 
 def _squares(a: CircleArrays, b: CircleArrays) -> Any:
-    """Return which circles hit, by the squares of their distance and of the sum of their radii, in float64."""
+    """Return a mask of the circles that hit, by the squares of distance and sum of the radii, in float64."""
     (dx, dy), reach = (a[0] - b[0]).T, a[1] + b[1]
     return dx * dx + dy * dy <= reach * reach
 
@@ -281,4 +281,4 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
 CHARTS = {"relative-margin": chart}
 
 
-TOUCH_AT = MARGIN_OCTAVES.start - 2.5  # where the field for exact touches stands, in octaves
+TOUCH_AT = MARGIN_OCTAVES.start - 2.5  # position of the field for exact touches, in octaves

@@ -33,8 +33,8 @@ from ..workloads.generators import Array, ngons, turn_rings, turned_boxes, unit_
 CONVEX, CONTAINED, CONCAVE = "convex, overlapping", "one in the other", "with a dent"
 ROUNDING, VISIBLE = 1e-9, 0.01  # shares of the least push: below, an error is rounding; above, it is seen
 TURNED = 1.0  # degrees, from which on a push goes in another direction
-LEAST_ERROR = 1e-17  # where errors of 0 are drawn
-OUTCOMES = {  # by name: (colour role, hatch)
+LEAST_ERROR = 1e-17  # the value at which errors of 0 are drawn
+OUTCOMES = {  # name: (colour role, hatch)
     "right": ("gap", ""),
     "overlap left by rounding": ("tolerance", "|||"),
     "more than 1 % too long": ("B", "///"),

@@ -24,7 +24,7 @@ from .mtv_by_method import Push, box_push, sat_push
 from .speed_against_accuracy import in_metres
 
 BOXES, FAR = 5, 1e6  # metres
-METHODS = {  # by test: (name, colour role)
+METHODS = {  # test: (name, colour role)
     "exact": ("satviz", "exact"), "float64": ("SAT, float64", "float"),
     "float32": ("SAT, float32", "tolerance"), "boxes": ("upright boxes", "shortcut"),
 }  # fmt: skip
