@@ -884,6 +884,28 @@ def test_the_paste_box_asks_a_question_and_uses_the_answer():
         assert model.answer({"kind": "paste", "text": text, "as": [answer["choice"]]})["relation"] == answer["gives"]
 
 
+CLEAR = "a = [(0,0),(4,0),(4,4)]\nb = [(2,2),(6,2),(6,6)]"
+
+
+@pytest.mark.parametrize("more", [" zork 3", "; circle((3, 3), 1); zork 3"])
+def test_the_answer_without_what_is_not_understood_stands_below_the_question(more):
+    pasted, left_out = sv.paste(CLEAR + more), sv.paste(CLEAR + more, "leave-out")
+    assert pasted.open and not pasted.shapes and not pasted.traces and not pasted.pairs
+    question, answer = str(pasted).split("\n\nWithout it:\n")
+    assert question.count("Not understood") == 1 and "clearly" not in answer
+    assert answer.strip().startswith(left_out.sentence)
+    assert pasted.without.shapes == left_out.shapes and pasted.data()["without"]["sentence"] == left_out.sentence
+    assert str(pasted.without.pairs[0].trace) in answer and "What other definitions say" in answer
+
+
+def test_there_is_no_answer_below_a_question_with_one_shape_or_with_another_question():
+    assert sv.paste("a = [(0,0),(4,0),(4,4)] zork 3").without is None
+    box = "new Box({x: 115, y: 152}, 100, 100); circle((100, 100), 50) zork 3"
+    assert [q.what for q in sv.paste(box).questions if q.matters] == ["rest", "box"]
+    assert sv.paste(box).without is None and sv.paste(box, "corner-size").without is not None
+    assert sv.paste(CLEAR).without is None
+
+
 def test_another_pair_of_several_is_shown():
     model = ExplorerModel(sv.scene("triangles"))
     text = "circle((0,0),2) circle((3,0),2) circle((5,0),2)"
