@@ -580,8 +580,8 @@ class Account:
         if (after.text in ASSIGNS and before.kind != CLOSE) or (before.kind == LINE and after.text == "{"):
             return  # {.x = 1}, or a rule of CSS
         k = self.before(i)
-        behind = self.at(k).kind in (NUMBER, TEXT) or (self.at(k).kind == CLOSE and (frame.data or self.is_data(k)))
-        if not behind:
+        follows = self.at(k).kind in (NUMBER, TEXT) or (self.at(k).kind == CLOSE and (frame.data or self.is_data(k)))
+        if not follows:
             return
         if after.kind == OPEN and self.callee(i + 1):
             rows = name.lower() != "reshape" or self.at(self.close[i + 1] - 1).text in ("2", ",")
@@ -654,9 +654,9 @@ class Account:
     def transposes(self, i: int) -> bool:
         """Return whether a quote stands after data; it can open or close a text of several lines as well."""
         token, before, after = self.at(i), self.at(i - 1), self.at(i + 1)
-        behind = before.end == token.start and before.kind in (CLOSE, NAME, NUMBER, FIELD)
-        opens, self.quoted = self.quoted, not behind
-        if opens or not behind or (after.kind == NAME and token.end == after.start):
+        follows = before.end == token.start and before.kind in (CLOSE, NAME, NUMBER, FIELD)
+        opens, self.quoted = self.quoted, not follows
+        if opens or not follows or (after.kind == NAME and token.end == after.start):
             return False
         row = before.kind == NUMBER and self.holds(before.start, before.end)
         return self.is_variable(before) or row or (before.kind == CLOSE and self.is_data(i - 1))
