@@ -339,7 +339,7 @@ def paste(what: Any, as_: str | Sequence[str] = ()) -> Pasted:
 
 
 def _answered(asked: Pasted, *, decimals: bool, sure: bool) -> Pasted:
-    """Return the pairs and the diagnosis of shapes, with the notes that they have; `sure`: nothing that matters was left out."""
+    """Return the pairs and the diagnosis of shapes, with their notes; `sure`: nothing that matters is left out."""
     pairs = _pairs(asked.readings)
     found = [finding for each in asked.readings for finding in findings.findings_of_shape(each)]
     for pair in pairs[:MAX_TRACES]:
