@@ -5,7 +5,7 @@ import reprlib
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import NoReturn
+from typing import Any, NoReturn
 
 from . import __version__, commands
 from .checking.answers import EXPECTED as RETURNED
@@ -262,21 +262,12 @@ def _parser() -> argparse.ArgumentParser:
         help="a chapter (2 or 2-sat), a scene's name, a scene file or a link",
     )
     handout.add_argument("--paper", choices=PAPERS, default="A4", help="(default: A4)")
-    handout.add_argument(
-        "--out", type=_folder, default=Path("satviz-handout"), metavar="DIR", help="(default: satviz-handout)"
-    )
+    _add_folder(handout, "--out", "satviz-handout")
     handout.add_argument("--force", action="store_true", help="overwrite files that satviz did not make")
     handout.set_defaults(run=commands.handout)
 
     notebook = command.add_parser("notebook", help="copy the walkthrough's notebooks and open them in JupyterLab")
-    notebook.add_argument(
-        "out",
-        nargs="?",
-        type=_folder,
-        default=Path("satviz-notebooks"),
-        metavar="DIR",
-        help="(default: satviz-notebooks)",
-    )
+    _add_folder(notebook, "out", "satviz-notebooks", nargs="?")
     notebook.add_argument("--no-open", action="store_true", help="copy them, but do not open them")
     notebook.add_argument("--force", action="store_true", help="overwrite notebooks that were changed")
     notebook.set_defaults(run=commands.notebook)
@@ -300,9 +291,7 @@ def _parser() -> argparse.ArgumentParser:
 
     study = command.add_parser("study", help="chart speed against accuracy, and what exactness costs")
     study.add_argument("--quick", action="store_true", help="make fewer and smaller runs, half a minute, and no PNG")
-    study.add_argument(
-        "--out", type=_folder, default=Path("satviz-study"), metavar="DIR", help="the folder (default: satviz-study)"
-    )
+    _add_folder(study, "--out", "satviz-study", "the folder ")
     study.add_argument("--seed", type=SEED, default=1, metavar="N", help="seed of all random numbers (default: 1)")
     study.add_argument(
         "--executor",
@@ -313,16 +302,12 @@ def _parser() -> argparse.ArgumentParser:
     study.set_defaults(run=commands.study)
 
     reference = command.add_parser("reference", help="write a reference of all public names, with examples")
-    reference.add_argument(
-        "--out", type=_folder, default=Path("satviz-reference"), metavar="DIR", help="(default: satviz-reference)"
-    )
+    _add_folder(reference, "--out", "satviz-reference")
     reference.add_argument("--force", action="store_true", help="overwrite files that satviz did not make")
     reference.set_defaults(run=commands.reference)
 
     site = command.add_parser("site", help="write the site: drag scenes and read the chapters in any browser")
-    site.add_argument(
-        "out", nargs="?", type=_folder, default=Path("satviz-site"), metavar="DIR", help="(default: satviz-site)"
-    )
+    _add_folder(site, "out", "satviz-site", nargs="?")
     site.add_argument("--open", action="store_true", help="serve it on this machine and open it, until Ctrl-C")
     site.add_argument("--zip", action="store_true", help="write DIR.zip, a package for a learning platform, instead")
     site.add_argument("--url", default="", metavar="URL", help="the site's future address, for sitemap and previews")
@@ -337,6 +322,12 @@ def _parser() -> argparse.ArgumentParser:
     twice = "--json lists the failing scenes too: leave out --failing"
     scenes.set_defaults(run=commands.scenes, clash=lambda args: twice if args.json and args.failing else None)
     return parser
+
+
+def _add_folder(parser: argparse.ArgumentParser, name: str, default: str, about: str = "", **more: Any) -> None:
+    """Add the folder that a command writes to; `more` are further arguments of `add_argument`."""
+    words = f"{about}(default: {default})"
+    parser.add_argument(name, type=_folder, default=Path(default), metavar="DIR", help=words, **more)
 
 
 def _add_scene_options(parser: argparse.ArgumentParser) -> None:

@@ -3852,4 +3852,75 @@ const pa = polygon(a.map(p => [p.y, p.x]));""",
         "polygonClipping.intersection([[0, 0], [9, 0], [0, 9]], [[1, 1], [2, 1], [1, 2]])",
         ((0, 0, 9, 9), (1, 1, 2, 2)),
     ),
+    # -- boxes by the names of their calls, and what stands beside shapes
+    Paste(
+        "boxes of Skia, MFC, egui, Unity and arcade",
+        """auto a = SkRect::MakeLTRB(0, 0, 4, 4);
+auto b = SkRect::MakeXYWH(4, 1, 2, 2);
+CRect c(4, 1, 6, 3);
+let d = Rect::from_two_pos(pos2(4.0, 1.0), pos2(6.0, 3.0));
+let e = Rect::from_min_size(pos2(0.0, 0.0), vec2(4.0, 4.0));
+var f = Rect.MinMaxRect(0, 0, 4, 4);
+g = arcade.LRBT(10, 60, 20, 40)
+arcade.draw_rectangle_filled(35, 25, 50, 30, arcade.color.RED)""",
+        (
+            (0, 0, 4, 4),
+            (4, 1, 6, 3),
+            (4, 1, 6, 3),
+            (4, 1, 6, 3),
+            (0, 0, 4, 4),
+            (0, 0, 4, 4),
+            (10, 20, 60, 40),
+            (10, 10, 60, 40),
+        ),
+    ),
+    Paste(
+        "circles in a list by that name",
+        "circles = [(0, 0, 5), (10, 0, 5), (20, 0, 5)]",
+        ((-5, -5, 5, 5), (5, -5, 15, 5), (15, -5, 25, 5)),
+    ),
+    Paste(
+        "a list of points with three numbers", "items = [(0, 0, 5), (10, 0, 5), (20, 9, 5)]", (), says="three numbers"
+    ),
+    Paste(
+        "half sizes in JSON",
+        '[{"x":0,"y":0,"halfWidth":5,"halfHeight":5},{"x":10,"y":0,"halfWidth":5,"halfHeight":5}]',
+        ((-5, -5, 5, 5), (5, -5, 15, 5)),
+    ),
+    Paste(
+        "variables min and max",
+        """let min = Point2::new(1.5, 3.0);
+let max = Point2::new(7.0, 11.0);
+let c = Circle::new(Point2::new(0.0, 0.0), 1.0);""",
+        ((1.5, 3, 7, 11), (-1, -1, 1, 1)),
+    ),
+    Paste(
+        "the polyline of an object of Tiled",
+        '{"polyline": [{"x":0,"y":0},{"x":4,"y":0},{"x":0,"y":3}], "x":32, "y":24}',
+        ((32, 24, 36, 27),),
+    ),
+    Paste(
+        "what a test gives",
+        """a = Circle(0, 0, 5)
+b = Circle(3, 0, 5)
+let toi = query::time_of_impact(&a, &b);
+overlaps(a, b) = 1.35""",
+        ((-5, -5, 5, 5), (-2, -5, 8, 5)),
+    ),
+    Paste(
+        "numbers in a sentence",
+        "[[0,0],[4,0],[0,4]]\n[[5,5],[9,5],[5,9]]\nthe result should only be 1 polygon, not 2",
+        ((0, 0, 4, 4), (5, 5, 9, 9)),
+    ),
+    Paste(
+        "a polygon of three points with three numbers",
+        "a = Polygon(Vec3(0, 0, 1), Vec3(4, 0, 1), Vec3(0, 4, 1))",
+        ((0, 0, 4, 4),),
+    ),
+    Paste(
+        "a box that is not understood",
+        "bbox: (110, 106) if c else d\ncircle((0, 0), 5)",
+        ((-5, -5, 5, 5),),
+        says="bbox 110, 106",
+    ),
 )

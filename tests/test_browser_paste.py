@@ -104,6 +104,20 @@ def test_an_ambiguous_paste_gives_a_question_with_both_answers(desk, width):
 
 
 @WIDTHS
+def test_the_diagnosis_without_what_is_not_understood_stands_below_the_question(desk, width):
+    before = desk.model.state()
+    desk.paste("a = [(0,0),(4,0),(4,4)]\nb = [(4,0),(8,0),(8,4)] zork 3")
+    desk.page.locator(".sv-findings").wait_for()
+    asked, heading, answer = desk.page.locator(".sv-verdict").all_inner_texts()
+    assert asked.startswith("Not understood") and heading == "Without it:" and answer.startswith("A and B touch")
+    assert "they share border points" in desk.text(".sv-findings") and "send it on" not in desk.text(".sv-answer")
+    assert desk.model.state() == before
+    desk.page.locator(".sv-question button").click()
+    settled(desk.page)
+    assert str(desk.model.trace.relation) == "touching" and "send it on" in desk.text(".sv-answer")
+
+
+@WIDTHS
 def test_an_error_keeps_the_text_and_the_scene_and_markup_stays_text(desk, width):
     before = desk.model.state()
     bad = "<img src=x onerror='document.title = 1'> \u05de\u05e8\u05d5\u05d1\u05e2"

@@ -643,6 +643,11 @@ def test_a_text_that_is_cut_off_gives_a_finding():
     assert any("never closed" in str(f) for f in sv.paste(f"{SQUARE} [(0,0),(1,0),(0,1)").findings)
 
 
+def test_shapes_of_three_dimensions_are_told_nothing_clear():
+    text = "a = Polygon(P(0, 0, {}), P(4, 0, 1), P(0, 4, 1))\nb = Polygon(P(9, 9, 1), P(8, 9, 1), P(9, 8, 1))"
+    assert found(sv.paste(text.format(1)))[0] == "clear" and "clear" not in found(sv.paste(text.format(5)))
+
+
 # -- a fuzz of the reader
 
 ALPHABET = "()[]{},;:=.-+*/ \n'\"`0123456789eExXfnaN_#<>!&|\\\u2212\u0663\u00b2"
@@ -882,6 +887,28 @@ def test_the_paste_box_asks_a_question_and_uses_the_answer():
     (question,) = model.answer({"kind": "paste", "text": text})["pasted"]["questions"]
     for answer in question["answers"]:
         assert model.answer({"kind": "paste", "text": text, "as": [answer["choice"]]})["relation"] == answer["gives"]
+
+
+CLEAR = "a = [(0,0),(4,0),(4,4)]\nb = [(2,2),(6,2),(6,6)]"
+
+
+@pytest.mark.parametrize("more", [" zork 3", "; circle((3, 3), 1); zork 3"])
+def test_the_answer_without_what_is_not_understood_stands_below_the_question(more):
+    pasted, left_out = sv.paste(CLEAR + more), sv.paste(CLEAR + more, "leave-out")
+    assert pasted.open and not pasted.shapes and not pasted.traces and not pasted.pairs
+    question, answer = str(pasted).split("\n\nWithout it:\n")
+    assert question.count("Not understood") == 1 and "clearly" not in answer
+    assert answer.strip().startswith(left_out.sentence)
+    assert pasted.without.shapes == left_out.shapes and pasted.data()["without"]["sentence"] == left_out.sentence
+    assert str(pasted.without.pairs[0].trace) in answer and "What other definitions say" in answer
+
+
+def test_there_is_no_answer_below_a_question_with_one_shape_or_with_another_question():
+    assert sv.paste("a = [(0,0),(4,0),(4,4)] zork 3").without is None
+    box = "new Box({x: 115, y: 152}, 100, 100); circle((100, 100), 50) zork 3"
+    assert [q.what for q in sv.paste(box).questions if q.matters] == ["rest", "box"]
+    assert sv.paste(box).without is None and sv.paste(box, "corner-size").without is not None
+    assert sv.paste(CLEAR).without is None
 
 
 def test_another_pair_of_several_is_shown():

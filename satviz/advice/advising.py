@@ -152,7 +152,7 @@ class Recommendation:
         return next((k for k in range(self.given.numbered) if self.given.indices(k) == pair), None)
 
     def _scope_holds(self) -> bool:
-        """Return whether the scope, worked out again with integers, is at least the claimed one."""
+        """Return whether the scope, computed again with integers, is at least the claimed one."""
         pairs = [self.given.shapes_of(k) for k in range(self.given.pairs)]
         again = self.given._replace(moved_bound=lambda: moved_bound(pairs), common_unit=lambda: common_unit_of(pairs))
         found = scope_of(self.model, self.summary, again)

@@ -52,7 +52,7 @@ def part_radii(shapes: Shapes) -> Array:
 
 
 def is_circle(shapes: Shapes) -> NDArray[np.bool_]:
-    """Return which shapes are circles."""
+    """Return a mask of the shapes that are circles."""
     found: NDArray[np.bool_] = shapes.count[shapes.starts[:-1]] == 1
     return found
 

@@ -74,7 +74,7 @@ def relate(
 
 
 def hits(a: Shapes, b: Shapes, pairs: ArrayLike | None = None, **options: Unpack[RelateOptions]) -> NDArray[np.bool_]:
-    """Return which pairs share a point (touching counts), as bool; the arguments are those of `relate`."""
+    """Return a mask of the pairs that share a point (touching counts); the arguments are those of `relate`."""
     hit: NDArray[np.bool_] = relate(a, b, pairs, **options) != APART
     return hit
 

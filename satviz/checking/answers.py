@@ -78,7 +78,7 @@ class Other:
 
 
 def plain(raw: Any, depth: int = 3) -> Any:
-    """Return what a function returned as a copy in plain values, which can be compared, sent and shown.
+    """Return a copy of a function's answer in plain values, which can be compared, sent and shown.
 
     These are None, bool, Relation, finite numbers, short texts, and tuples of them, nested no deeper than `depth`.
     An array or a list becomes a tuple, a fraction a float, {"x", "y"} or an object with x and y a pair, and

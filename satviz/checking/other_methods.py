@@ -57,7 +57,7 @@ def with_circle(gap_of: Callable[[Shape, Vec, float], float], a: Shape, b: Shape
 
 
 def nearest_corner(shape: Shape, center: Vec, radius: float) -> float:
-    """Return how far the nearest corner of a polygon is from a circle, less than 0 inside."""
+    """Return the distance of a circle from the nearest corner of a polygon; negative if the corner is inside."""
     return min(dist(vertex, center) for vertex in shape.vertices) - radius
 
 

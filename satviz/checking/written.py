@@ -248,7 +248,7 @@ def twice_as_wide(ring: Ring, n: Vec) -> Interval:
 
 
 def a_before_b(a: Interval, b: Interval) -> float:
-    """Return how far A's maximum lies above B's minimum, which is no overlap where A lies above B."""
+    """Return A's maximum minus B's minimum, a wrong depth if A lies above B."""
     return a.hi - b.lo
 
 
@@ -291,7 +291,7 @@ def middle_of_box(ring: Ring) -> Vec:
 
 
 def distances(ring: Ring) -> list[float]:
-    """Return how far each vertex is from the vertex mean."""
+    """Return the distance of each vertex from the vertex mean."""
     return [dist(mean(ring), vertex) for vertex in ring]
 
 

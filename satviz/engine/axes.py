@@ -364,7 +364,7 @@ def exact_dots(a: Shape, b: Shape, axis: Axis) -> ExactDots:
 
 
 def _hull_corners(ring: Sequence[Vec]) -> list[int]:
-    """Return which corners are on the convex hull, counter-clockwise, by Andrew's monotone chain with exact signs."""
+    """Return the corner numbers of the convex hull, counter-clockwise, by Andrew's monotone chain with exact signs."""
     order = sorted(range(len(ring)), key=ring.__getitem__)
 
     def chain(ids: Sequence[int]) -> list[int]:

@@ -253,7 +253,7 @@ class _Pieces:
         return True
 
     def _extend_edge(self, ring: Ring, a: int, v: int) -> _LineEnd:
-        """Return where the edge from a to the reflex vertex v, extended beyond v, first meets the ring."""
+        """Return the _LineEnd where the edge from a to the reflex vertex v, extended beyond v, first meets the ring."""
         at = self.at
         (ax, ay), (vx, vy) = at[a], at[v]
         dx, dy = vx - ax, vy - ay

@@ -50,7 +50,7 @@ _PLAIN = {
 
 
 def axis_name(axis: Axis, shapes: tuple[Shape, Shape], names: ShapeNames) -> str:
-    """Return where an axis comes from: "normal of B's edge v1v3"."""
+    """Return the source of an axis in words: "normal of B's edge v1v3"."""
     kind, role, ids = axis.source
     if kind == WORLD:
         return f"the {'xy'[ids[0]]} axis"
@@ -377,7 +377,7 @@ def join_words(words: list[str]) -> str:
 
 
 def shape_in_words(shape: Shape, name: str, numbers: Digits | None = None) -> str:
-    """Return what a shape is: "A is a triangle", "B is a circle of radius 1 around (2, 2)"."""
+    """Return a sentence about a shape: "A is a triangle", "B is a circle of radius 1 around (2, 2)"."""
     if shape.core_is_point:
         numbers = numbers or digits_for_shapes(shape)
         return f"{name} is a circle of radius {numbers.number(shape.radius)} around {numbers.vector(shape.core[0])}"

@@ -47,7 +47,7 @@ class AxisTest(NamedTuple):
 
     @property
     def source(self) -> Source:
-        """Return where the axis comes from."""
+        """Return the source of the axis."""
         return self.axis.source
 
     @property

@@ -17,9 +17,9 @@ from ..pictures.number_lines import number_lines
 from ..pictures.playback import table_rows
 from ..pictures.sheet import MAX_ROWS
 from ..render.notebook import bundle
-from ..safe_write import MADE_BY
+from ..render.page import html_file
 from ..scenes.failing import NAMED
-from ..scenes.resolve import SceneLike, resolve
+from ..scenes.resolve import Resolved, SceneLike, resolve
 from ..scenes.scenefile import Scene
 from .chapter_text import Chapter, chapters
 from .questions import Question, questions
@@ -61,23 +61,9 @@ def handout(*what: SceneLike, paper: Paper = "A4", solutions: bool = False) -> s
     sheets = [sheets_of(each)[solutions] for each in what]
     title = " · ".join(sheet.title for sheet in sheets)
     style = f"@page {{ size: {paper}; margin: 16mm; }}\n{style_sheet()}"
-    lines = [
-        "<!doctype html>",
-        '<html lang="en">',
-        "<head>",
-        '<meta charset="utf-8">',
-        """<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'">""",
-        '<meta name="viewport" content="width=device-width, initial-scale=1">',
-        f'<meta name="generator" content="{MADE_BY}">',
-        f"<title>{escape(describe.printable(title))}</title>",
-        f"<style>\n{style}</style>",
-        "</head>",
-        '<body class="handout"><main>',
-        *(sheet.body for sheet in sheets),
-        "</main></body>",
-        "</html>",
-    ]
-    return "\n".join(lines) + "\n"
+    body = ['<body class="handout"><main>', *(sheet.body for sheet in sheets), "</main></body>"]
+    policy = "default-src 'none'; style-src 'unsafe-inline'"
+    return html_file(title, policy, [f"<style>\n{style}</style>"], body)
 
 
 def style_sheet() -> str:
@@ -95,7 +81,7 @@ def sheets_of(what: SceneLike) -> tuple[Sheet, Sheet]:
     if chapter:
         return chapter_sheets(chapter)
     given = resolve(what)
-    name, title = (given.given.name, _title_of(given.given)) if isinstance(given.given, Scene) else ("", COLLIDE)
+    name, title = (given.given.name, _title_of(given)) if isinstance(given.given, Scene) else ("", COLLIDE)
     asked, solved = _worksheet(given.trace, name)
     return _sheet(title, asked), _sheet(f"{title}{SOLUTIONS}", solved)
 
@@ -112,7 +98,7 @@ def chapter_sheets(chapter: Chapter) -> tuple[Sheet, Sheet]:
     for name in WORKSHEETS.get(chapter.title.split()[0], ()):
         resolved = resolve(name)
         one, other = _worksheet(resolved.trace, name)
-        heading = f"<h2>{escape(_title_of(resolved.scene))}</h2>"
+        heading = f"<h2>{escape(_title_of(resolved))}</h2>"
         asked.append(f'<section class="by-hand">{heading}{one}</section>')
         solved.append(f'<section class="by-hand">{heading}{other}</section>')
     found, exercises = questions(chapter)
@@ -130,11 +116,12 @@ def _sheet(title: str, body: str) -> Sheet:
     return Sheet(title, f'<article class="{kind}"><header><h1>{escape(title)}</h1>{name}</header>{body}</article>')
 
 
-def _title_of(scene: Scene) -> str:
+def _title_of(found: Resolved) -> str:
     """Return the title of a worksheet's scene, or a question if the title would give away the answer."""
+    scene = found.scene
     if scene.name in NAMED:
         return "Is the claim right?"
-    named = scene.title and scene.title != scene.name and not scene.record().false_hit
+    named = scene.title and scene.title != scene.name and not found.trace.false_hit
     return describe.printable(scene.title) if named else COLLIDE
 
 
@@ -160,7 +147,7 @@ def _lines(count: int) -> str:
 
 def _worksheet(trace: Trace, name: str) -> tuple[str, str]:
     """Return the HTML of a scene to compute by hand, and of its solution; a shortcut's scene is solved exactly."""
-    case, true = NAMED.get(name), trace.truth if trace.shortcut else trace
+    case, true = NAMED.get(name), trace.truth
     if not trace.shortcut and case:
         case = None
     whole = true.without_early_exit()

@@ -5,7 +5,8 @@ Colours become CSS variables.  Styles become attributes, because the pages' secu
 
 import re
 
-from ..pictures import DARK, LIGHT, Theme
+from ..pictures import DARK, LIGHT
+from ..render.script import colour_variables, theme_colours
 
 _STYLE = re.compile(r' style="([^"]*)"')
 _COLOUR = re.compile(r"#[0-9a-f]{6}\b")
@@ -17,13 +18,7 @@ _INDENT = re.compile(r"\n +")
 _STYLE_ELEMENT = re.compile(r"\s*<defs>\s*<style[^>]*>[^<]*</style>\s*</defs>")
 
 
-def _colours(theme: Theme) -> dict[str, str]:
-    """Return the colours of a theme, keyed by the names of their CSS variables without the prefix."""
-    roles = {f"text-{role}": theme.text.get(role, colour) for role, colour in theme.roles.items()}
-    return {"paper": theme.paper, **theme.roles, **roles}
-
-
-_VARIABLES = {colour.lower(): role for role, colour in reversed(_colours(LIGHT).items())}
+_VARIABLES = {colour.lower(): role for role, colour in reversed(theme_colours(LIGHT).items())}
 
 
 def themed_svg(svg: str) -> str:
@@ -49,7 +44,7 @@ def _with_variables(text: str) -> str:
 
 def themed_svg_file(svg: bytes) -> bytes:
     """Return an SVG file with the colours of both themes in it, so that it follows the reader's theme by itself."""
-    light, dark = (" ".join(f"--sv-{role}: {colour};" for role, colour in _colours(t).items()) for t in (LIGHT, DARK))
+    light, dark = map(colour_variables, (LIGHT, DARK))
     rules = f":root {{ {light} }} @media (prefers-color-scheme: dark) {{ :root {{ {dark} }} }}"
     text = svg.decode().replace("*{stroke-linejoin", f"{rules} *{{stroke-linejoin", 1)
     return _STYLE.sub(lambda match: f' style="{_with_variables(match[1])}"', text).encode()

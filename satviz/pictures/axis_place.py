@@ -132,7 +132,7 @@ def _unit_and_slide(shapes: Sequence[Shape], n: Vec, lo: float, hi: float) -> tu
 
 
 def _furthest(shapes: Sequence[Shape], direction: Vec) -> float:
-    """Return how far the shapes reach in a direction from the origin, in scene units."""
+    """Return the largest coordinate of the shapes along a unit direction from the origin, in scene units."""
     return max(range_along(shape, direction).hi for shape in shapes)
 
 

@@ -19,7 +19,7 @@ from .claims import answers, heading, verdict_words
 from .comparison_panels import PANELS, PIECES
 from .default_panels import Panel, PanelSketch, claimed_tests, drawable_test, is_measured_correctly
 from .draw_steps import draw_other_parts, draw_test
-from .float_geometry import bounding_box, crossing_point
+from .float_geometry import bounding_box, crossing_point, mean_point
 from .insets import add_insets
 from .label_placer import LabelRequest
 from .labels import with_labels
@@ -28,12 +28,12 @@ from .letters import text_size, wrap_text
 from .marks import Mark, Picture
 from .panels import marks_moved_to
 from .sketch import RING_PT, Sketch
-from .stages import STAGES_BEFORE_AXIS, TEST_STAGES, Stage, Step, resolve_step, step_caption, step_sentence
+from .stages import STAGES_BEFORE_AXIS, Stage, Step, resolve_step, step_caption, step_sentence
 from .step_picture import LARGEST_PT
 
 CLAIMED, ACTUAL = "what the shortcut saw", "what is true"
 # a stage, and the later one whose labels leave space for what comes next, so that nothing jumps
-FULLER = {Stage.EDGE: Stage.NORMAL, Stage.NORMAL: Stage.AXIS} | dict.fromkeys(TEST_STAGES[2:-1], Stage.GAP)
+FULLER = step_picture.FULLER | {Stage.NORMAL: Stage.AXIS}
 # in points
 MAX_PANEL = 340.0, 300.0
 # space between the panels, for each panel's heading, and around the words above them
@@ -239,7 +239,7 @@ def refused_picture(case: FailureCase, *, title: str = "", width: float = BOTH_P
     for name, ring in zip("AB", rings, strict=True):
         spots = [Vec(off.x + p.x * k, off.y + p.y * k) for p in ring]
         marks.append(Mark("outline", "outline", name, tuple(spots), owner=name))
-        inner = Vec(sum(p.x for p in spots) / len(spots), sum(p.y for p in spots) / len(spots))
+        inner = mean_point(spots)
         requests.append(LabelRequest("name", name, name, inner, owner=name, weight="title", inside=True))
         for i, spot in enumerate(spots):
             marks.append(Mark("vertex", "dot", name, (spot,), owner=name, number=i))

@@ -151,7 +151,7 @@ def _draw_neighbouring_floats(sketch: Sketch, landings: Sequence[tuple[str, floa
     step, start = ulp(least), Vec(x0 + units(FLOATS_CORNER_PT[0]), y0 + units(FLOATS_CORNER_PT[1]))
 
     def at(steps: float, up: float = 0.0) -> Vec:
-        """Return where the number `steps` steps above the least landing is drawn, `up` points above the line."""
+        """Return the point of the number `steps` steps above the least landing, `up` points above the line."""
         return Vec(start.x + units(FLOAT_STEP_PT) * (steps + 1.5), start.y + units(up))
 
     ticks = [at(k, up) for k in range(-1, 4) for up in (-5.0, 5.0)]

@@ -70,7 +70,7 @@ def difference_steps(what: SceneLike | Shape, b: Shape | None = None, *, title: 
 
 
 def _scene(truth: Trace) -> _Scene:
-    """Return what the steps of an exact run share; both shapes are moved next to the origin if they lie far from it."""
+    """Return the facts that all steps of an exact run share; shapes far from the origin are moved next to it."""
     x0, y0, x1, y1 = bounding_box([truth.a, truth.b])
     far = MAX_FAR_SIZES * max(x1 - x0, y1 - y0)
     # along an axis on which they lie near it, a move could round: then the moved shapes might have another relation

@@ -80,7 +80,7 @@ def segments_cross(s: tuple[Point, Point], t: tuple[Point, Point]) -> bool:
 
 
 def crossing_point(s: tuple[Vec, Vec], t: tuple[Vec, Vec]) -> Vec | None:
-    """Return where two segments cross in a point inside both; None if they do not."""
+    """Return the point inside both segments where they cross; None if they do not."""
     if not segments_cross(s, t):
         return None
     (p, q), (u, v) = s, t

@@ -171,7 +171,7 @@ class LabelPlacer:
         self.boxes.append((x - w, y - h, x + w, y + h))
 
     def kept_spot(self, request: LabelRequest) -> Vec | None:
-        """Return where the same label stands in another step; None if no step has it or that spot is not free."""
+        """Return the spot of the same label in another step; None if no step has it or that spot is not free."""
         for label in self.kept:
             if (label.part, label.owner, label.axis, label.number, label.text) == (*request.key, request.text):
                 (x, y), (w, h) = self._in_points(label.points[0]), text_size(label.text, label.weight)
@@ -270,7 +270,7 @@ class LabelPlacer:
                     number += 1
 
     def _leader_end(self, request: LabelRequest, at: Vec) -> Vec | None:
-        """Return where a line from the anchor meets the label's box; None if the label is near and needs no line."""
+        """Return the point where a line from the anchor meets the label's box; None if the label is near its anchor."""
         w, h = (self.layout.units(c / 2 + 1) for c in text_size(request.text, request.weight))
         a = request.anchor
         part = clip_segment(a.x, a.y, at.x, at.y, at.x - w, at.y - h, at.x + w, at.y + h)
@@ -291,7 +291,7 @@ class LabelPlacer:
         return any(clip_segment(*line, *box) and not _is_dot(box) for box in self.boxes[:-1])
 
     def _keep(self, request: LabelRequest) -> Vec | None:
-        """Return where the same label stands in another step, and take that place; None if it is not free."""
+        """Return the spot of the same label in another step, and take that place; None if it is not free."""
         at = self.kept_spot(request)
         if at is not None:
             w, h = text_size(request.text, request.weight)

@@ -48,7 +48,7 @@ class Inset(NamedTuple):
         return Vec((self.box[0] + self.box[2]) / 2, (self.box[1] + self.box[3]) / 2)
 
     def at(self, p: Vec) -> Vec:
-        """Return where in the inset's box the scene's point p is shown, magnified."""
+        """Return the point in the inset's box that shows the scene's point p, magnified."""
         middle = self.center
         return Vec(middle.x + (p.x - self.spot.x) * self.times, middle.y + (p.y - self.spot.y) * self.times)
 
@@ -256,7 +256,7 @@ def place_axis_within(
     rim = layout.units(OVERHANG_PT)
 
     def distance_outside(p: Vec) -> float:
-        """Return how far p lies outside the canvas less its rim, in scene units; 0 inside."""
+        """Return the distance of p from the canvas without its rim, in scene units; 0 inside."""
         return max(x0 + rim - p.x, p.x - x1 + rim, y0 + rim - p.y, p.y - y1 + rim, 0.0)
 
     def total_outside(place: AxisPlace) -> float:

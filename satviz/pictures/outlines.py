@@ -5,6 +5,7 @@ from itertools import pairwise
 from math import isfinite
 
 from ..engine.geometry import Vec
+from .float_geometry import mean_point
 from .label_placer import LabelRequest
 from .labels import with_labels
 from .layout import Layout
@@ -33,7 +34,7 @@ def outlines_picture(name: str, ring: Sequence[Vec], crossing: Vec | None, meant
 
     role = name if name in ("A", "B") else "ink"
     spots = [spot(p) for p in ring]
-    middle = Vec(sum(p.x for p in spots) / len(spots), sum(p.y for p in spots) / len(spots))
+    middle = mean_point(spots)
     marks = [Mark("outline", "outline", role, tuple(spots), owner=name)]
     around = [spot(p) for p in meant]
     for number, (p, q) in enumerate(pairwise([*around, *around[:1]])):

@@ -9,13 +9,11 @@ from ..engine.geometry import Relation
 from ..engine.trace import Trace
 from .caption import reading_time_ms
 from .comparison import picture
-from .difference_steps import difference_steps
 from .layout import NARROW_SIZE_PT
 from .marks import Mark, Picture, marks_data
 from .moves import TURN_FRAME_MS
-from .stages import Stage, Step, steps
+from .stages import Stage, Step, steps_of
 from .step_picture import LARGEST_PT
-from .turning_axis import sweep
 
 # the loop as pseudo-code: each line with the stages during which it is marked
 PSEUDOCODE = (
@@ -63,7 +61,7 @@ def narrow_playbacks(trace: Trace) -> list[dict[str, Any]]:
     largest = next((size for size in sizes if picture(trace, largest=size).size[0] <= size[0]), sizes[-1])
     if (
         picture(trace, largest=largest).size[0] > MAX_NARROW_WIDTH_PT
-        or len(steps(trace.without_early_exit())) > MAX_NARROW_STEPS
+        or len(steps_of(trace.without_early_exit())) > MAX_NARROW_STEPS
     ):
         return []
     return [playback(run, largest) for run in _distinct_runs(trace)]
@@ -77,69 +75,54 @@ def playback(trace: Trace, largest: tuple[float, float] = LARGEST_PT) -> dict[st
     its row of the table (None without a test) and its lines of the code, from 0.  "rows": those of `table_rows`.
     ValueError for a scene that cannot be drawn, or a trace of more than 600 tests.
     """
-    every = playback_steps(trace)
-    marks: dict[Mark, int] = {}
-    found, begins = [], first_row_numbers(trace)
-    for step in every:
-        drawn = picture(trace, step, largest=largest)
-        ids = [marks.setdefault(mark, len(marks)) for mark in drawn.marks]
-        found.append(
-            {
-                "marks": ids,
-                "limits": list(drawn.limits),
-                "sentence": drawn.sentence,
-                "ms": reading_time_ms(drawn.sentence),
-                "row": None if step.test is None else begins[step.pair or 0] + step.test,
-                "code": _pseudocode_lines(trace, step),
-            }
-        )
+    every, begins = playback_steps(trace), first_row_numbers(trace)
+    pictures = [picture(trace, step, largest=largest) for step in every]
+    facts = [
+        {
+            "ms": reading_time_ms(drawn.sentence),
+            "row": None if step.test is None else begins[step.pair or 0] + step.test,
+            "code": _pseudocode_lines(trace, step),
+            "stage": step.stage.value,
+        }
+        for drawn, step in zip(pictures, every, strict=True)
+    ]
     proves = trace.choice.complete or any(pair.choice.complete for pair in trace.pairs)
-    return {
-        "satviz": "show 1",
-        "sentence": trace.sentence,
-        "relation": str(trace.relation),
-        "size": list(drawn.size),
-        **marks_data(marks),
-        "steps": [step | {"stage": s.stage.value} for step, s in zip(found, every, strict=True)],
-        "names": list(trace.names),
+    return _playback_data(trace, trace.sentence, pictures, facts) | {
         "rows": table_rows(trace),
         "asks": not trace.shortcut,  # a shortcut's pictures show the answer beside its claim
         "code": [line.format(end=PROVED if proves else NOT_PROVED) for line, _ in _pseudocode(trace)],
     }
 
 
-def sweep_playback(trace: Trace) -> dict[str, Any]:
-    """Return the pictures of an axis that turns (`sv.sweep`) as a playback, which has no table and no code."""
-    return _playback_of_pictures(trace, sweep(trace), "sweep", TURN_FRAME_MS)
+def picture_playback(trace: Trace, pictures: Sequence[Picture], *, turns: bool) -> dict[str, Any]:
+    """Return pictures of a trace's shapes as a playback, which has no table and no code.
+
+    They show an axis that turns (`turns`), or how B - A comes about: each of these for as long as its words take.
+    """
+    stage = "sweep" if turns else "difference"
+    times = (TURN_FRAME_MS if turns else reading_time_ms(drawn.sentence) for drawn in pictures)
+    facts: list[dict[str, Any]] = [{"ms": ms, "row": None, "code": [], "stage": stage} for ms in times]
+    found = _playback_data(trace, pictures[-1].sentence, pictures, facts)
+    return found | {"rows": [], "asks": False, "code": []}
 
 
-def difference_playback(trace: Trace) -> dict[str, Any]:
-    """Return the pictures of how B - A comes about as a playback, which has no table and no code."""
-    return _playback_of_pictures(trace, difference_steps(trace), "difference")
-
-
-def _playback_of_pictures(
-    trace: Trace, pictures: Sequence[Picture], stage: str, frame_ms: int | None = None
+def _playback_data(
+    trace: Trace, sentence: str, pictures: Sequence[Picture], facts: Sequence[dict[str, Any]]
 ) -> dict[str, Any]:
-    """Return pictures as a playback; each is shown for `frame_ms` milliseconds, or as long as its words take."""
+    """Return what every playback has: its pictures, each with its own `facts`, and their marks, each stored once."""
     marks: dict[Mark, int] = {}
-    found: list[dict[str, Any]] = []
-    for drawn in pictures:
+    found = []
+    for drawn, own in zip(pictures, facts, strict=True):
         ids = [marks.setdefault(mark, len(marks)) for mark in drawn.marks]
-        step: dict[str, Any] = {"marks": ids, "limits": list(drawn.limits), "sentence": drawn.sentence}
-        step["ms"] = reading_time_ms(drawn.sentence) if frame_ms is None else frame_ms
-        found.append(step | {"row": None, "code": [], "stage": stage})
+        found.append({"marks": ids, "limits": list(drawn.limits), "sentence": drawn.sentence, **own})
     return {
         "satviz": "show 1",
-        "sentence": pictures[-1].sentence,
+        "sentence": sentence,
         "relation": str(trace.relation),
         "size": list(pictures[-1].size),
         **marks_data(marks),
         "steps": found,
         "names": list(trace.names),
-        "rows": [],
-        "asks": False,
-        "code": [],
     }
 
 
@@ -148,7 +131,7 @@ def playback_steps(trace: Trace) -> list[Step]:
 
     ValueError where even those are more than 600.
     """
-    every = steps(trace)
+    every = steps_of(trace)
     if len(every) > MAX_STEPS:
         every = [step for step in every if step.test is None or step.stage is Stage.GAP]
     if len(every) > MAX_STEPS:

@@ -239,7 +239,7 @@ def _thumbnail_marks(row: Row, number: int, middle: float, weight: str) -> list[
     scale = 0.86 * min(THUMBNAIL_PT[0] / ((x1 - x0) or 1.0), THUMBNAIL_PT[1] / ((y1 - y0) or 1.0))
 
     def at(p: Vec) -> Vec:
-        """Return where in the thumbnail the scene's point p is drawn, in points of the sheet."""
+        """Return the point in the thumbnail, in points of the sheet, that shows the scene's point p."""
         return Vec(corner.x + (p.x - center.x) * scale, corner.y + (p.y - center.y) * scale)
 
     marks = []

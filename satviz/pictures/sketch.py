@@ -315,7 +315,7 @@ class Sketch(ShapeSketch):
         """Return the indices of a lowest and a highest projected point; of ties those nearest the axis."""
 
         def coordinate_out(i: int) -> float:
-            """Return how far point i lies in the direction from the shapes to the axis."""
+            """Return the coordinate of point i in the direction from the shapes to the axis."""
             return side.points[i].x * place.out.x + side.points[i].y * place.out.y
 
         close = self.layout.units(0.5) / place.unit

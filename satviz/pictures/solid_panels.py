@@ -46,7 +46,7 @@ def solid_panel(*, actual: bool) -> Panel:
         middle = (wide - PLAN_PT) / 2, high / 2 - 8
 
         def at(p: Vec3) -> Vec:
-            """Return where a point in space is drawn, in points."""
+            """Return the point of the panel, in points, at which a point in space is drawn."""
             x, y = _seen(p)
             return Vec(middle[0] + (x - (x0 + x1) / 2) * scale, middle[1] + (y - (y0 + y1) / 2) * scale)
 

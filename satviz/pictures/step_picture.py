@@ -14,6 +14,7 @@ from .sketch import Sketch
 from .stages import STAGES_BEFORE_AXIS, TEST_STAGES, Stage, Step, resolve_step, step_caption, step_sentence
 
 LARGEST_PT = MAX_WIDTH_PT, MAX_HEIGHT_PT
+FULLER = {Stage.EDGE: Stage.NORMAL} | dict.fromkeys(TEST_STAGES[2:-1], Stage.GAP)  # a stage, and one with more labels
 
 
 def picture(
@@ -86,10 +87,9 @@ def _labels_to_keep(trace: Trace, step: Step, largest: tuple[float, float], by_i
 
     The other arguments are those of `picture`.
     """
-    fuller = {Stage.EDGE: Stage.NORMAL} | dict.fromkeys(TEST_STAGES[2:-1], Stage.GAP)
     if step.stage is Stage.VERDICT or step.stage is Stage.SCENE:
         return ()
-    stage = fuller.get(step.stage)
+    stage = FULLER.get(step.stage)
     there = step._replace(stage=stage) if stage else Step(Stage.SCENE, None, step.pair)
     layout = step_layouts(trace, largest, by_itself)[_layout_number(trace, there)]
     return _draw_step(trace, there, layout, _labels_to_keep(trace, there, largest, by_itself), "").labels

@@ -69,7 +69,7 @@ def _shape_marks(shapes: tuple[Shape, Shape]) -> list[Mark]:
     scale, center = _scale_and_center(shapes)
 
     def at(p: Vec) -> Vec:
-        """Return where a point of the scene is drawn."""
+        """Return the point of the canvas at which a point of the scene is drawn."""
         return Vec(STAGE_CENTER_PT[0] + (p.x - center.x) * scale, STAGE_CENTER_PT[1] + (p.y - center.y) * scale)
 
     marks = []

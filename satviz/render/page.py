@@ -17,7 +17,7 @@ from ..pictures.claims import heading
 from ..pictures.comparison import refused_picture
 from ..pictures.difference_steps import difference_steps
 from ..pictures.layout import NARROW_SIZE_PT
-from ..pictures.playback import difference_playback, narrow_playbacks, playbacks, sweep_playback
+from ..pictures.playback import narrow_playbacks, picture_playback, playbacks
 from ..pictures.turning_axis import sweep as turning_axis
 from ..safe_write import MADE_BY
 from ..scenes.failing import FailureCase
@@ -55,11 +55,9 @@ def page(
     found = resolve(what, b)
     if found.refused:
         return _page_of_refused(found.refused)
-    trace = found.trace
-    if predict and trace.shortcut:
-        trace = trace.truth
-    own = sweep_playback if sweep else difference_playback if difference else None
-    shows = [own(trace)] if own else playbacks(trace)
+    trace = found.trace.truth if predict else found.trace
+    drawn = turning_axis(trace) if sweep else difference_steps(trace) if difference else ()
+    shows = [picture_playback(trace, drawn, turns=sweep)] if drawn else playbacks(trace)
     question = "Do A and B collide?"
     about = describe.printable(question if predict else trace.sentence)
     title = " ".join(heading(trace)) if trace.shortcut else title or question
@@ -67,9 +65,8 @@ def page(
     script_hash = b64encode(sha256(script.encode()).digest()).decode()
     policy = f"default-src 'none'; style-src 'unsafe-inline'; script-src 'sha256-{script_hash}'; "
     policy += "img-src blob:; base-uri 'none'"  # the save menu makes a PNG from a blob
-    show = {"predict": predict, "speed": speed, "shows": shows, "narrow": [] if own else narrow_playbacks(trace)}
+    show = {"predict": predict, "speed": speed, "shows": shows, "narrow": [] if drawn else narrow_playbacks(trace)}
     data = json.dumps(show, separators=(",", ":"), ensure_ascii=False).replace("<", "\\u003c")
-    drawn = turning_axis(trace) if sweep else difference_steps(trace) if difference else ()
     first, last = (drawn[i] if drawn else picture(trace, i) for i in (0, -1))
     sentences = list(dict.fromkeys(s["sentence"] for s in shows[0]["steps"]))
     pictures = [f"<figure>{inline_svg(one, stem=stem)}</figure>" for one, stem in ((first, "first"), (last, "last"))]
@@ -99,6 +96,16 @@ def page(
 def _document(title: str, about: str, policy: str, body: Sequence[str]) -> str:
     """Return an HTML file with this title, description, content security policy and body."""
     style = (files(__package__) / "browser" / "page.css").read_text(encoding="utf-8")
+    head = [f"<style>\n{stylesheet()}\n{style}</style>"]
+    heading = f"<h1>{escape(describe.printable(title))}</h1>"
+    return html_file(title, policy, head, ['<body class="satviz"><main>', heading, *body, "</main></body>"], about)
+
+
+def html_file(title: str, policy: str, head: Sequence[str], body: Sequence[str], about: str = "") -> str:
+    """Return an HTML file: `head` and `body` are the last lines of its head, and all lines of its body with the tags.
+
+    `policy` is the content security policy, and `about` the description for search engines, "" for none.
+    """
     lines = [
         "<!doctype html>",
         '<html lang="en">',
@@ -107,14 +114,11 @@ def _document(title: str, about: str, policy: str, body: Sequence[str]) -> str:
         f'<meta http-equiv="Content-Security-Policy" content="{policy}">',
         '<meta name="viewport" content="width=device-width, initial-scale=1">',
         f'<meta name="generator" content="{MADE_BY}">',
-        f'<meta name="description" content="{escape(about)}">',
+        *([f'<meta name="description" content="{escape(describe.printable(about))}">'] if about else []),
         f"<title>{escape(describe.printable(title))}</title>",
-        f"<style>\n{stylesheet()}\n{style}</style>",
+        *head,
         "</head>",
-        '<body class="satviz"><main>',
-        f"<h1>{escape(describe.printable(title))}</h1>",
         *body,
-        "</main></body>",
         "</html>",
     ]
     return "\n".join(lines) + "\n"

@@ -42,7 +42,7 @@ def _collect(path: str, found: dict[str, str]) -> None:
 @cache
 def stylesheet() -> str:
     """Return the style sheet, with the colours of both themes as variables."""
-    light, dark = (_variables(theme) for theme in (LIGHT, DARK))
+    light, dark = (f"{colour_variables(theme)} color-scheme: {theme.name};" for theme in (LIGHT, DARK))
     rules = [f".satviz {{ {light} }}", f"@media (prefers-color-scheme: dark) {{ .satviz {{ {dark} }} }}"]
     # A widget follows the theme of the page around it, which can differ from the system's.
     for theme, own in ("light", light), ("dark", dark):
@@ -51,9 +51,12 @@ def stylesheet() -> str:
     return "\n".join([*rules, (files(__package__) / "browser" / "satviz.css").read_text(encoding="utf-8")])
 
 
-def _variables(theme: Theme) -> str:
-    """Return the CSS declarations of a theme: a variable for each colour, and the colour scheme."""
-    scheme = {"light": "light", "dark": "dark"}[theme.name]
-    colours = [("paper", theme.paper), *theme.roles.items()]
-    colours += [(f"text-{role}", theme.text.get(role, colour)) for role, colour in theme.roles.items()]
-    return " ".join(f"--sv-{name}: {colour};" for name, colour in colours) + f" color-scheme: {scheme};"
+def theme_colours(theme: Theme) -> dict[str, str]:
+    """Return the colours of a theme, keyed by the names of their CSS variables without the prefix."""
+    texts = {f"text-{role}": theme.text.get(role, colour) for role, colour in theme.roles.items()}
+    return {"paper": theme.paper, **theme.roles, **texts}
+
+
+def colour_variables(theme: Theme) -> str:
+    """Return the CSS declarations of a variable for each colour of a theme."""
+    return " ".join(f"--sv-{name}: {colour};" for name, colour in theme_colours(theme).items())

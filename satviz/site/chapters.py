@@ -273,12 +273,10 @@ class _WidgetFinder:
 
     def widget(self, i: int) -> Widget | None:
         """Return the explorer, the player or the slider that cell i shows; None if it shows none."""
-        *before, last = ast.parse(self.sources[i]).body or [ast.Pass()]
-        call = last.value if isinstance(last, ast.Expr) else None
-        function = ast.unparse(call.func) if isinstance(call, ast.Call) else ""
-        if not isinstance(call, ast.Call) or function not in ("sv.play", "sv.explore", "slide"):
+        call, function = self._last_call(i)
+        if call is None or function not in ("sv.play", "sv.explore", "slide"):
             return None
-        self._run_for(call, i, before)
+        self._run_for(call, i)
         what, *more = [eval(ast.unparse(argument), self.names) for argument in call.args]
         if function == "slide":
             return Widget(_slider_html(what, *more), answers=False)
@@ -289,28 +287,33 @@ class _WidgetFinder:
 
     def narrow_picture(self, i: int) -> Picture | None:
         """Return the picture that cell i shows, drawn for a telephone; None if it shows none of a run or a curve."""
-        *before, last = ast.parse(self.sources[i]).body or [ast.Pass()]
-        call = last.value if isinstance(last, ast.Expr) else None
-        narrowed = NARROWED.get(ast.unparse(call.func)) if isinstance(call, ast.Call) else None
-        if not isinstance(call, ast.Call) or narrowed is None:
+        call, function = self._last_call(i)
+        narrowed = NARROWED.get(function)
+        if call is None or narrowed is None:
             return None
-        self._run_for(call, i, before)
+        self._run_for(call, i)
         keywords = {word.arg: eval(ast.unparse(word.value), self.names) for word in call.keywords if word.arg}
         arguments = [eval(ast.unparse(argument), self.names) for argument in call.args]
-        drawn: Picture = eval(ast.unparse(call.func), self.names)(*arguments, **keywords, **narrowed)
+        drawn: Picture = eval(function, self.names)(*arguments, **keywords, **narrowed)
         return drawn
 
-    def _run_for(self, call: ast.Call, i: int, before: list[ast.stmt]) -> None:
-        """Run the cells up to cell i, and what stands `before` its call, if the call uses names of the notebook."""
-        if any(isinstance(node, ast.Name) and node.id != "sv" for each in call.args for node in ast.walk(each)):
-            self._run([*self.sources[self.next_to_run : i], *map(ast.unparse, before)])
-            self.next_to_run = i + 1
+    def _last_call(self, i: int) -> tuple[ast.Call | None, str]:
+        """Return the call that is the last line of cell i and its function; (None, "") if that is no call."""
+        last = (ast.parse(self.sources[i]).body or [ast.Pass()])[-1]
+        call = last.value if isinstance(last, ast.Expr) else None
+        return (call, ast.unparse(call.func)) if isinstance(call, ast.Call) else (None, "")
 
-    def _run(self, sources: list[str]) -> None:
-        """Run the code of these cells and keep the names that it defines, without its printed output."""
-        for source in sources:
-            with redirect_stdout(io.StringIO()):
-                exec(source, self.names)
+    def _run_for(self, call: ast.Call, i: int) -> None:
+        """Run the cells up to cell i, and what stands before its call, if the call uses names of the notebook.
+
+        The names that they define are kept, and what they print is not.
+        """
+        if any(isinstance(node, ast.Name) and node.id != "sv" for each in call.args for node in ast.walk(each)):
+            before = ast.parse(self.sources[i]).body[:-1]
+            for source in (*self.sources[self.next_to_run : i], *map(ast.unparse, before)):
+                with redirect_stdout(io.StringIO()):
+                    exec(source, self.names)
+            self.next_to_run = i + 1
 
 
 def _slider_html(draw: Callable[[float], Any], least: float, most: float, begin: float) -> str:

@@ -10,6 +10,7 @@ from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
 from ..lessons.chapter_text import Chapter
 from ..pictures import Picture, picture
+from ..pictures.layout import limits_around
 from ..render.files import encode
 from ..safe_write import MADE_BY
 from ..scenes.named import names
@@ -62,9 +63,7 @@ def social_card(name: str) -> Picture:
     drawn = picture(name, largest=CARD_PT)
     (x0, y0, x1, y1), (width, height) = drawn.limits, CARD_PT
     scale = min(drawn.scale, width / (x1 - x0), height / (y1 - y0))
-    x, y = (x0 + x1) / 2, (y0 + y1) / 2
-    dx, dy = width / scale / 2, height / scale / 2
-    return drawn._replace(size=CARD_PT, limits=(x - dx, y - dy, x + dx, y + dy))
+    return drawn._replace(size=CARD_PT, limits=limits_around(((x0 + x1) / 2, (y0 + y1) / 2), CARD_PT, scale))
 
 
 def social_pictures(chapters: Sequence[Chapter]) -> Iterator[tuple[str, bytes]]:

@@ -7,22 +7,14 @@ from ..checking.page import MESSAGES, PageCheck
 from ..checking.reading import ReaderPython
 from ..engine.geometry import InvalidScene
 from ..pictures.playback import narrow_playbacks, playbacks
-from ..scenes.article import SCENES
 from ..scenes.embedding import EmbedOptions, parse_query
-from ..scenes.failing import FAILURE_CASES, REFUSED
 from ..scenes.link import BREAK, DEFAULT_VIEW, TOUCH, ViewOptions, fragment, parse_fragment
 from ..scenes.scenefile import Scene
 from ..scenes.strictjson import require_type
-from ..widgets.explorer_model import ExplorerModel
-from ..widgets.goals import GOAL_NAMES
+from ..widgets.explorer_model import OFFERED, ExplorerModel
 
 _models: dict[str, ExplorerModel] = {}  # the key is the place on the page
 _check, _reader = PageCheck(), ReaderPython()  # the latter is used in the worker of the reader's code alone
-CHOICES = {
-    "presets": [s.name for s in SCENES],
-    "failing": [row.name for row in FAILURE_CASES if row.how != REFUSED],
-    "challenges": GOAL_NAMES,
-}
 
 
 def answer(place: str, text: str) -> str:
@@ -70,7 +62,7 @@ def _open(place: str, content: dict[str, Any]) -> dict[str, Any]:
     except ValueError as error:
         return {"kind": "refused", "why": str(error)}
     _models[place] = model
-    return {"kind": "opened", "title": scene.title, "first": model.state(), "pose": pose, "width": width, **CHOICES}
+    return {"kind": "opened", "title": scene.title, "first": model.state(), "pose": pose, "width": width, **OFFERED}
 
 
 def _player_data(scene: Scene, shown: ViewOptions, options: EmbedOptions) -> dict[str, Any]:
@@ -79,8 +71,7 @@ def _player_data(scene: Scene, shown: ViewOptions, options: EmbedOptions) -> dic
     "range" holds the first and the last step if only these are played.
     """
     predict = shown.predict or options.predict
-    trace = scene.record()
-    trace = trace.truth if predict and trace.shortcut else trace
+    trace = scene.record().truth if predict else scene.record()
     shows = playbacks(trace)
     first, last = options.steps or (0, len(shows[0]["steps"]) - 1)
     if last >= len(shows[0]["steps"]):

@@ -14,6 +14,7 @@ from ..pictures import Picture, picture
 from ..pictures.layout import NARROW_SIZE_PT
 from ..pictures.playback import NARROW_PANEL_SIZES_PT
 from ..render.files import encode
+from ..render.page import html_file
 from ..safe_write import MADE_BY
 from ..scenes.article import SCENES
 from ..scenes.failing import FAILURE_CASES, REFUSED
@@ -100,21 +101,13 @@ def html_page(
     links += [(f"{REFERENCE}/satviz.html", "Reference")] if info.reference else []
     here = ' aria-current="page"'
     nav = "".join(f'<a href="{to}"{here if to == path and to != "index.html" else ""}>{name}</a>' for to, name in links)
-    lines = [
-        "<!doctype html>",
-        '<html lang="en">',
-        "<head>",
-        '<meta charset="utf-8">',
-        f'<meta http-equiv="Content-Security-Policy" content="{policy}">',
-        '<meta name="viewport" content="width=device-width, initial-scale=1">',
-        f'<meta name="generator" content="{MADE_BY}">',
-        f'<meta name="description" content="{escape(describe.printable(description))}">',
-        f"<title>{escape(title)}</title>",
+    head = [
         *hosting.head_lines(info.chapters, info.url, path, title, describe.printable(description)),
         f'<link rel="stylesheet" href="site.css?{info.version}">',
         '<link rel="icon" href="icon.svg" type="image/svg+xml">',
         f'<script defer src="site.js?{info.version}"></script>',
-        "</head>",
+    ]
+    lines = [
         f'<body class="satviz site {kind}"{python}>{first}',
         '<a class="skip" href="#main">to the text</a>',
         f'<header><nav aria-label="site">{nav}</nav></header>',
@@ -122,9 +115,8 @@ def html_page(
         f"<footer><p>This site was {MADE_BY} {__version__}. Its answers are exact. "
         f'Shapes that touch count as a hit. The <a href="{GLOSSARY}">glossary</a> explains the terms.</p></footer>',
         "</body>",
-        "</html>",
     ]
-    return ("\n".join(lines) + "\n").encode()
+    return html_file(title, policy, head, lines, description).encode()
 
 
 def front_page(info: SiteInfo) -> bytes:

@@ -54,7 +54,7 @@ def player(trace: Trace, *, predict: bool = False) -> str:
 
     This picture is the last step; with `predict` it is the first step, which does not show the answer.
     """
-    trace = trace.truth if predict and trace.shortcut else trace
+    trace = trace.truth if predict else trace
     shows = playbacks(trace)
     sentences = "".join(f"<li>{escape(step['sentence'])}</li>" for step in shows[0]["steps"])
     show = {"shows": shows, "narrow": narrow_playbacks(trace), "predict": predict, "link": fragment_of_trace(trace)}

@@ -31,6 +31,7 @@ from .methods import (
     installed_engines,
     true_relations,
 )
+from .methods.libraries import tree_pairs
 from .methods.scene_methods import FrameJob, FrameSample, scene_methods
 from .workloads.generators import (
     BOX_LAYOUTS,
@@ -284,7 +285,7 @@ def _time_collisions(
 
     jobs = _engine_jobs(make_and_collide)
     if shapely_make:
-        jobs["shapely"] = lambda: _tree_pairs(shapely_make(), "intersects")
+        jobs["shapely"] = lambda: tree_pairs(shapely_make(), predicate="intersects")
     answers = {label: job() for label, job in jobs.items()}
     right = answers.get("shapely")
     for row in _time_jobs("scenes", work, 0, jobs, 1, "ms", plan.rounds):
@@ -308,15 +309,6 @@ def _shapely_polygons(coords: NDArray[np.float64], offsets: NDArray[np.int64]) -
     )
 
 
-def _tree_pairs(geometries: Any, predicate: str | None) -> NDArray[np.intp]:
-    """Return the (K, 2) pairs that shapely's STRtree finds; without a predicate those whose boxes meet."""
-    import shapely
-
-    i, j = shapely.STRtree(geometries).query(geometries, predicate=predicate)
-    once = i < j
-    return np.stack([i[once], j[once]], axis=1)
-
-
 def _bench_broad_phase(plan: BenchPlan) -> Iterator[TimingRow]:
     """Time finding the pairs of boxes that meet, by satviz's grids and by STRtree, checked by their number alone."""
     for work, make in BOX_LAYOUTS.items():
@@ -326,7 +318,7 @@ def _bench_broad_phase(plan: BenchPlan) -> Iterator[TimingRow]:
             if is_installed("shapely"):
                 import shapely
 
-                jobs["shapely"] = partial(_tree_pairs, shapely.box(*boxes.T), None)
+                jobs["shapely"] = partial(tree_pairs, shapely.box(*boxes.T))
             found = {label: len(job()) for label, job in jobs.items()}
             right = found.get("shapely")
             for row in _time_jobs("broad phase", work, n, jobs, 1, "ms", plan.rounds):
@@ -389,7 +381,7 @@ def _bench_uneven(plan: BenchPlan) -> Iterator[TimingRow]:
     if is_installed("shapely"):
         import shapely
 
-        right = {work: _tree_pairs(shapely.polygons(boxes), "intersects") for work, boxes in works.items()}
+        right = {work: tree_pairs(shapely.polygons(boxes), predicate="intersects") for work, boxes in works.items()}
     for row in _time_jobs("arrays", f"{plan.pairs:,} boxes, all collisions", 0, jobs, 1, "ms", min(plan.rounds, 5)):
         yield _with_wrong_pairs(row, answers[row.method], right.get(row.method.partition(", ")[2]))
 

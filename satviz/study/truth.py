@@ -253,7 +253,7 @@ def _clipped(ring: Sequence[Ints], window: Sequence[Ints]) -> list[Homogeneous]:
 
 
 def _between(p: Homogeneous, s: int, q: Homogeneous, t: int) -> Homogeneous:
-    """Return where the segment p q crosses a line; s and t: signed sides of p and q, one positive, one negative."""
+    """Return the point where the segment p q crosses a line; s, t: signed sides of p and q, of opposite signs."""
     if s < 0:
         p, s, q, t = q, t, p, s
     x, y, w = (s * b - t * a for a, b in zip(p, q, strict=True))

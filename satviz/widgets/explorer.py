@@ -9,13 +9,10 @@ from ..engine.shapes import Shape
 from ..engine.shortcut import Shortcut
 from ..pictures.comparison import refused_picture
 from ..render.script import javascript
-from ..scenes.article import SCENES
-from ..scenes.failing import FAILURE_CASES, REFUSED
 from ..scenes.resolve import EXPECT_SCENE, resolve
 from ..scenes.scenefile import Scene, with_axes
 from .base import TraceWidget
-from .explorer_model import ExplorerModel
-from .goals import GOAL_NAMES
+from .explorer_model import OFFERED, ExplorerModel
 
 
 class Explorer(TraceWidget):
@@ -28,9 +25,9 @@ class Explorer(TraceWidget):
     _model: ExplorerModel
     _esm = javascript("explore")
     first = traitlets.Dict().tag(sync=True)
-    presets = traitlets.List([s.name for s in SCENES]).tag(sync=True)
-    failing = traitlets.List([case.name for case in FAILURE_CASES if case.how != REFUSED]).tag(sync=True)
-    challenges = traitlets.Dict(GOAL_NAMES).tag(sync=True)
+    presets = traitlets.List(OFFERED["presets"]).tag(sync=True)
+    failing = traitlets.List(OFFERED["failing"]).tag(sync=True)
+    challenges = traitlets.Dict(OFFERED["challenges"]).tag(sync=True)
 
     def __init__(self, shown: Scene, goal: str | None = None) -> None:
         model = ExplorerModel(shown, goal)

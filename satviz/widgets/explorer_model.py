@@ -32,11 +32,13 @@ from ..pictures.label_placer import LabelMemory
 from ..pictures.minkowski import difference
 from ..pictures.number_line import number_line
 from ..pictures.playback import first_row_numbers, table_rows
+from ..scenes.article import SCENES
+from ..scenes.failing import FAILURE_CASES, REFUSED
 from ..scenes.link import BREAK, ViewOptions, fragment
 from ..scenes.named import scene
 from ..scenes.scenefile import Scene, shape_data, shape_from
 from ..scenes.strictjson import require_type
-from .goals import ChallengeResult, challenge_start, evaluate_goal
+from .goals import GOAL_NAMES, ChallengeResult, challenge_start, evaluate_goal
 from .paste_model import read_paste
 from .player_model import PlayerModel
 from .snapping import snapped
@@ -49,6 +51,11 @@ NO_TOUCH = (
 HIDDEN_MAP = "When you have broken the shortcut, or give up, a map shows where it is wrong."
 SHORTCUT, TRUTH = "shortcut", "truth"
 NEEDED, EVERY_NORMAL = "needed", "edge-normals"  # choices of axes
+OFFERED: dict[str, Any] = {  # what an explorer lists
+    "presets": [s.name for s in SCENES],
+    "failing": [case.name for case in FAILURE_CASES if case.how != REFUSED],
+    "challenges": GOAL_NAMES,
+}
 
 
 class DrawnScene(NamedTuple):

@@ -45,7 +45,7 @@ def clearance_kernel(va: int, vb: int) -> Callable[..., None]:
 
 @compiled
 def classify(gap: float, error_bound: float) -> int:
-    """Return what a gap proves, given its error bound: APART, OVERLAPPING, or UNDECIDED within the bound."""
+    """Return the relation that a gap proves: APART, OVERLAPPING, or UNDECIDED within its error bound."""
     return APART if gap > error_bound else OVERLAPPING if gap < -error_bound else UNDECIDED
 
 

@@ -59,6 +59,7 @@
  * @property {PastedQuestion[]} [questions]
  * @property {PastedFinding[]} [findings]
  * @property {PastedPair[]} [pairs]
+ * @property {Pasted} [without] The answer without what was not understood, where only that is asked.
  * @property {number} [pair] The pair that the explorer shows.
  * @property {string} [note] What the picture calls the shapes of the pair.
  * @property {Picture} [refused] An outline that crosses itself.

@@ -61,18 +61,24 @@ export class PasteBox {
 
   /** @param {Pasted} pasted */
   *parts(pasted) {
-    const { sentence = "", questions = [], findings = [], shapes = [], pairs = [], refused } = pasted;
+    const { sentence = "", questions = [], findings = [], shapes = [], pairs = [], refused, without } = pasted;
     yield element("p", { class: "sv-verdict" }, sentence);
-    for (const question of questions) yield this.question(question, sentence, pasted.open ?? false);
+    for (const question of without ? questions.slice(0, 1) : questions) yield this.question(question, sentence, pasted.open ?? false);
     if (refused) yield drawn(refused);
+    if (without) {
+      yield element("p", { class: "sv-verdict" }, "Without it:");
+      yield* this.parts(without);
+      return;
+    }
+    const whole = pasted.json !== undefined; // and not an answer below a question
     if (findings.length) yield element("ul", { class: "sv-findings" }, ...findings.map(finding));
-    if (pairs.length > 1) yield element("div", { class: "sv-controls", role: "group", "aria-label": "pairs" }, ...pairs.map((pair, i) => this.pairButton(pair, i, pasted.pair ?? 0)), element("span", { class: "sv-note" }, pasted.note ?? ""));
+    if (whole && pairs.length > 1) yield element("div", { class: "sv-controls", role: "group", "aria-label": "pairs" }, ...pairs.map((pair, i) => this.pairButton(pair, i, pasted.pair ?? 0)), element("span", { class: "sv-note" }, pasted.note ?? ""));
     yield fold("how it was read", element("ul", {}, ...shapes.map(read)));
     const shown = pairs[pasted.pair ?? 0];
     if (!shown) return;
     const rows = shown.others.map(({ definition, answer, why }) => element("tr", {}, element("th", { scope: "row" }, definition), element("td", {}, answer), element("td", {}, why)));
     yield fold("what other definitions say", element("table", { class: "sv-others" }, element("tbody", {}, ...rows)));
-    yield fold("send it on", this.bundle(pasted));
+    if (whole) yield fold("send it on", this.bundle(pasted));
   }
 
   /**

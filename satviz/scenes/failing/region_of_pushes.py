@@ -22,6 +22,7 @@ from .move_space import (
     Window,
     clip_to_half_plane,
     clip_to_window,
+    hits_in_window,
     minkowski_difference,
     subtract,
     twice_area,
@@ -102,8 +103,7 @@ def region_of_depth(
         return why
     claimed = [one for axis in choose(a, b).axes for one in measure(a, b, axis)]
     true = [side for axis in needed(a, b).axes for side, _ in overlaps(a, b, axis)]
-    (ring,) = minkowski_difference(a, b)
-    inside = clip_to_window(ring, window)
+    (inside,) = hits_in_window(a, b, window)
     right = [one for one in claimed if any(_is_same(one, other) for other in true)]
     wrong = subtract(inside, [_where_least(inside, one, [*claimed, *true]) for one in right])
     return wrong_number_region(a, b, window, wrong)
@@ -113,8 +113,7 @@ def region_of_every_overlap(a: Shape, b: Shape, window: Window) -> RegionOrReaso
     """Return the moves for which two polygons overlap, where a wrong push is right on a line at most; or why none."""
     if why := why_no_cells(a, b):
         return why
-    (ring,) = minkowski_difference(a, b)
-    return wrong_number_region(a, b, window, [clip_to_window(ring, window)])
+    return wrong_number_region(a, b, window, hits_in_window(a, b, window))
 
 
 def region_of_push_to_mean(a: Shape, b: Shape, window: Window) -> RegionOrReason:
@@ -122,9 +121,8 @@ def region_of_push_to_mean(a: Shape, b: Shape, window: Window) -> RegionOrReason
     if why := why_no_cells(a, b):
         return why
     p, q = vertex_mean(a), vertex_mean(b)
-    wrong = []
-    for ring, _, n in _push_cells(a, b, window):
-        wrong.append(clip_to_half_plane(ring, n, n.x * (p.x - q.x) + n.y * (p.y - q.y)))
+    cells = _push_cells(a, b, window)
+    wrong = (clip_to_half_plane(ring, n, n.x * (p.x - q.x) + n.y * (p.y - q.y)) for ring, _, n in cells)
     return wrong_number_region(a, b, window, wrong)
 
 
@@ -167,8 +165,7 @@ def region_of_pieces(
 def _push_cells(a: Shape, b: Shape, window: Window) -> Iterator[PushRegion]:
     """Yield the moves for which the shapes meet, cut into cells: one for each edge of A - B that is nearest there."""
     every = [side for axis in needed(a, b).axes for side in overlaps(a, b, axis)]
-    (ring,) = minkowski_difference(a, b)
-    inside = clip_to_window(ring, window)
+    (inside,) = hits_in_window(a, b, window)
     for length, direction in every:
         if cell := _where_least(inside, length, [other for other, _ in every]):
             yield PushRegion(cell, length, direction)

@@ -94,11 +94,11 @@ def region_of_few_evaluations(a: Shape, b: Shape, window: Window) -> RegionOrRea
     """Return the moves where SAT evaluates no more vertices than GJK, or why none is shown."""
     if why := why_no_cells(a, b):
         return why
-    axes, (ring,) = needed(a, b).axes, minkowski_difference(a, b)
+    axes = needed(a, b).axes
     sides = [side for side, _ in overlaps(a, b, axes[0])]
     found = [clip_to_half_plane(window_ring(window), Vec(-f.slope.x, -f.slope.y), -f.constant) for f in sides]
     if len(axes) <= MIN_SUPPORT_POINTS:
-        found.append(clip_to_window(ring, window))
+        found += hits_in_window(a, b, window)
     return wrong_number_region(a, b, window, found)
 
 

@@ -34,7 +34,7 @@ class Calls(Keyed):
         """Return (arguments of a call that can describe a shape, its named arguments), without null, options and ()."""
         named = self.as_object(group)
         kept = []
-        if group.name.startswith("cv2."):  # the points, then a color and a thickness
+        if group.name.startswith(("cv2.", "cv::")):  # the points, then a color and a thickness
             color = next((i for i, v in enumerate(named.rest) if isinstance(v, Group) and len(v.items) > 2), None)
             named.rest = named.rest[:color] if color and color > 1 else named.rest
         while len(named.rest) > 1 and self._is_style(named.rest[-1]):

@@ -44,7 +44,7 @@ class Where(NamedTuple):
 
 
 def where(a: Exact, b: Exact) -> Where | None:
-    """Return how two valid shapes lie, exactly; None for concave outlines with too many corners."""
+    """Return the exact relation of two valid shapes; None for concave outlines with too many corners."""
     p, q = _integers(a, b)
     if not (p.convex and q.convex) and len(p.ring) * len(q.ring) > MAX_EDGE_PAIRS:
         return None
@@ -68,7 +68,7 @@ class Crossing(NamedTuple):
 
 
 def crossing(points: Sequence[Pt]) -> Crossing | None:
-    """Return where two edges of an outline cross; None where none do, or it has over 300 corners."""
+    """Return the point where two edges of an outline cross; None if none do, or for more than 300 corners."""
     edges = list(cyclic_pairs(points)) if len(points) <= 300 else []
     for i, (a, b) in enumerate(edges):
         for j, (r, s) in enumerate(edges[:i]):

@@ -200,7 +200,7 @@ def _of_refused(each: PastedShape) -> Finding:
 
 
 def _crossing_words(each: PastedShape) -> str:
-    """Return which edges cross and where, by the names that pictures give to corners: a2a3."""
+    """Return words on the edges that cross and on the place, by the names of corners in pictures: a2a3."""
     met = crossing(each.read.points)
     if met is None:
         return each.refused.split(":")[0]

@@ -73,7 +73,7 @@ def _with_numbers(shape: Shape, change: Callable[[float], float]) -> Shape:
 
 
 def views(a: Shape, b: Shape, lies: Where, gap: float) -> list[View]:
-    """Return what a pair is by other definitions: open boundaries, OGC, float32, whole numbers, tolerances.
+    """Return the answers of other definitions about a pair: open boundaries, OGC, float32, whole numbers, tolerances.
 
     gap: the largest gap of its axes, negative for an overlap.
     """

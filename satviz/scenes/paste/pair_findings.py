@@ -33,8 +33,8 @@ class AnsweredPair(NamedTuple):
     gap: float  # the largest gap of the axes: negative for an overlap
 
 
-def of_pair(pair: AnsweredPair, *, decimals: bool) -> Iterator[Finding]:
-    """Yield what is to be said of a pair; `decimals`: the numbers are decimals of a text, not float64 of a program."""
+def findings_of_pair(pair: AnsweredPair, *, decimals: bool) -> Iterator[Finding]:
+    """Yield the findings about a pair; `decimals`: the numbers are decimals of a text, not float64 of a program."""
     a, b, relation = pair.a, pair.b, pair.lies.relation
     p, q = pair.trace.a, pair.trace.b
     both = (a.name, b.name)

@@ -21,7 +21,7 @@ from .cleaned import cleaned
 from .findings import KINDS, Finding, PastedShape, listed
 from .notations import Ask, Form
 from .objects import as_text
-from .pair_findings import AnsweredPair, clear, of_pair
+from .pair_findings import AnsweredPair, clear, findings_of_pair
 from .parser import parse
 from .reading import Reader
 from .tree import Group
@@ -108,10 +108,11 @@ class PasteQuestion(NamedTuple):
 
 @dataclass(frozen=True, slots=True, repr=False)
 class Pasted:
-    """Shapes out of a text, and what is to be said of them.
+    """Shapes out of a text, and the findings about them.
 
     `readings`: every shape as it was read, also those that are refused; `questions`: where two readings are possible;
-    `pairs`: the pairs that are answered, the nearest first; `findings`: the diagnosis, the main one first.
+    `pairs`: the pairs that are answered, the nearest first; `findings`: the diagnosis, the main one first; `without`:
+    the answer without what was not understood, where only that is asked and two shapes are left.
     """
 
     text: str
@@ -120,6 +121,7 @@ class Pasted:
     questions: tuple[PasteQuestion, ...]
     pairs: tuple[AnsweredPair, ...]
     findings: tuple[Finding, ...]
+    without: "Pasted | None" = None
 
     @property
     def open(self) -> bool:
@@ -169,7 +171,7 @@ class Pasted:
         return self.traces[0].sentence
 
     def others(self, number: int = 0) -> tuple[others.View, ...]:
-        """Return what other definitions say of a pair, by its number in `pairs`."""
+        """Return the answers of other definitions about a pair, by its number in `pairs`."""
         pair = self.pairs[number]
         return tuple(others.views(pair.trace.a, pair.trace.b, pair.lies, pair.gap))
 
@@ -200,17 +202,17 @@ class Pasted:
     def __str__(self) -> str:
         return self.report()
 
-    def report(self, *, sentence: bool = True) -> str:
-        """Return everything as text; `sentence=False` leaves out the answer, for a caller that shows it already."""
-        return "\n".join(self._lines(sentence))
+    def report(self, *, sentence: bool = True, shapes: bool = True) -> str:
+        """Return everything as text; False leaves out the answer in one sentence, or how the shapes were read."""
+        return "\n".join(self._lines(sentence, self.readings if shapes else ()))
 
-    def _lines(self, sentence: bool) -> Iterator[str]:
-        """Yield the lines of the report; `sentence`: with the answer in one sentence."""
-        for each in self.readings:
+    def _lines(self, sentence: bool, readings: Sequence[PastedShape]) -> Iterator[str]:
+        """Yield the lines of the report; `sentence`: with the answer in one sentence; `readings`: shapes to name."""
+        for each in readings:
             yield f"{each.title}: {each.said}{', refused' if not each.shape else ''}"
             yield f"    read from: {each.excerpt}"
         about_rest = [question for question in self.questions if sentence and question.what == "rest"]
-        for question in self.questions:
+        for question in self.questions[:1] if self.without else self.questions:
             yield ""
             # the answer's sentence is this question with a remedy: it is said once
             yield str(question._replace(asks=self.sentence) if question in about_rest else question)
@@ -219,7 +221,11 @@ class Pasted:
         if sentence and not about_rest:
             yield ""
             yield number_format.ascii_minus(self.sentence)
-        if self.findings:
+        if self.without:
+            yield ""
+            yield "Without it:"
+            yield self.without.report(shapes=False)
+        elif self.findings:
             yield ""
             yield "What lies behind it:"
             yield from (f"- {number_format.ascii_minus(str(finding))}" for finding in self.findings)
@@ -243,6 +249,7 @@ class Pasted:
         return {
             "sentence": self.sentence,
             "open": self.open,
+            **({"without": self.without.data()} if self.without else {}),
             "shapes": [
                 {
                     "name": each.name,
@@ -305,30 +312,43 @@ def paste(what: Any, as_: str | Sequence[str] = ()) -> Pasted:
         reader.keeps = Ask.BOX_FORM in bare.asked
     reads = _checked(reader.read(tree.root), reader)
     shapes = _named(reads, written)
-    questions = tuple(_questions(reader, tree.root, text, chosen))
+    questions = list(_questions(reader, tree.root, text, chosen))
+    about_rest: list[PasteQuestion] = []
     missed, harmless = rest(tree, reads, text, reader, session=">>>" in written or "In [" in written)
     notes = []
     if missed := [*reader.problems[:5], *missed]:
         if Form.LEAVE_OUT in chosen:
             notes = [Finding("left-out", (), f"Left out, as chosen: {_shorten(missed)}.")]
         else:
-            questions = (_about_the_rest(missed, tree.root, text, chosen, reader), *questions)
+            about_rest = [_about_the_rest(missed, tree.root, text, chosen, reader)]
     remarks = (*changes, *reader.remarks, *tree.remarks)
     notes += [Finding("note", (), f"{remark[0].upper()}{remark[1:]}.") for remark in remarks]
     if harmless:
         notes.append(Finding("left-out", (), f"Left out, since it belongs to no shape: {harmless}."))
-    made = Pasted(written, chosen, tuple(shapes), questions, (), ())
-    if made.open:
-        return replace(made, findings=tuple(notes))
-    pairs = _pairs(shapes)
-    found = [finding for each in shapes for finding in findings.findings_of_shape(each)]
+    made = Pasted(written, chosen, tuple(shapes), (*about_rest, *questions), (), tuple(notes))
+    if about_rest:
+        rest_left = replace(made, chosen=(*chosen, Form.LEAVE_OUT), questions=tuple(questions))
+        if rest_left.open or len(shapes) < 2:
+            return made
+        try:
+            return replace(made, without=_answered(rest_left, decimals=isinstance(what, str), sure=False))
+        except InvalidScene:  # too many corners for a trace
+            return made
+    sure = not missed and len(reader.thirds) < 2  # else the shapes are of three dimensions
+    return made if made.open else _answered(made, decimals=isinstance(what, str), sure=sure)
+
+
+def _answered(asked: Pasted, *, decimals: bool, sure: bool) -> Pasted:
+    """Return the pairs and the diagnosis of shapes, with their notes; `sure`: nothing that matters is left out."""
+    pairs = _pairs(asked.readings)
+    found = [finding for each in asked.readings for finding in findings.findings_of_shape(each)]
     for pair in pairs[:MAX_TRACES]:
-        found += of_pair(pair, decimals=isinstance(what, str))
-    found = findings.merged([*found, *notes])
-    if pairs and not missed and not any(KINDS.index(finding.kind) < KINDS.index("clear") for finding in found):
+        found += findings_of_pair(pair, decimals=decimals)
+    found = findings.merged([*found, *asked.findings])
+    if pairs and sure and not any(KINDS.index(finding.kind) < KINDS.index("clear") for finding in found):
         found.append(clear(pairs[0]))
     found.sort(key=lambda finding: KINDS.index(finding.kind))
-    return replace(made, pairs=tuple(pairs), findings=tuple(found))
+    return replace(asked, pairs=tuple(pairs), findings=tuple(found))
 
 
 def _choices(as_: str | Sequence[str]) -> tuple[str, ...]:
@@ -380,7 +400,7 @@ def _named(reads: Sequence[Read], text: str) -> list[PastedShape]:
 
 
 def _questions(reader: Reader, root: Group, text: str, chosen: tuple[str, ...]) -> Iterator[PasteQuestion]:
-    """Yield what must be asked: each possible reading with the relation that it gives."""
+    """Yield the questions to the user: each possible reading with the relation that it gives."""
     keeps = reader.keeps or Ask.BOX_FORM in reader.asked
     for what, choices in reader.asked.items():
         if any(choice in chosen for choice in choices):

@@ -106,6 +106,7 @@ class Points(Statements):
         """Note that third coordinates were left out."""
         self.remark("a third coordinate was left out: the shapes are read in x and y")
         self.counts |= {value.end for value in thirds}
+        self.thirds |= {self.number(value) for value in thirds if self._is_number(value)}
 
     def vector(self, value: Any) -> Pt | None:
         """Return the value of a key as a point or a size, also of (x, y, z) and {width, height}; else None."""
@@ -127,7 +128,11 @@ class Points(Statements):
         x, y = obj.get("x"), obj.get("y")
         if obj.twice and (x is not None or y is not None):
             raise Unreadable(f"the key {obj.twice} is given twice: keep one of them")
-        if x is None or y is None or obj.get("radius", "width", "half", "size", "points") is not None:
+        if (
+            x is None
+            or y is None
+            or obj.get("radius", "diameter", "width", "half", "halfwidth", "size", "points") is not None
+        ):
             return None
         return self.number(x), self.number(y)
 

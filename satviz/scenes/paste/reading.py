@@ -157,7 +157,7 @@ class Reader(Calls):
         return bool(_ASSIGNED.fullmatch(self.text, begin, value.start)) and not _SECTION.search(self.text, value.end)
 
     def _begin(self, value: Any) -> int:
-        """Return where a value, or the first field of an object, begins."""
+        """Return the place in the text where a value, or the first field of an object, begins."""
         if isinstance(value, Obj) and value.fields:
             return min(map(self._begin, (*value.fields.values(), *value.rest)))
         begin: int = value.start
@@ -298,9 +298,10 @@ class Reader(Calls):
         """
         for name, arguments in group.methods:
             plain = name.lower()
-            if not (found or plain in HARMLESS):
+            passed = plain in HARMLESS or TESTS.search(plain)
+            if not (found or passed):
                 continue
-            if plain in HARMLESS and any(isinstance(v, Group) for v in arguments.items):
+            if passed and any(isinstance(v, Group) for v in arguments.items):
                 found = [*found, *self._each(arguments.items, "")]  # a.intersects(b)
                 continue
             if plain == "affine":  # the transforms of SVG
@@ -317,7 +318,7 @@ class Reader(Calls):
                 found = [self._turned(s, arguments.items[0], TURNS[plain], p) for s, p in zip(found, at, strict=True)]
                 continue
             numbers = [v for v in arguments.items if self._is_number(v)]
-            if plain not in HARMLESS and not words(plain) & OTHER_NUMBERS and numbers:
+            if not passed and not words(plain) & OTHER_NUMBERS and numbers:
                 if self.resolve(numbers[0]).turn is None:
                     self.number(numbers[0])  # says why it is none
                 raise Unreadable(f".{name}(...) is not evaluated: write the result")
@@ -340,6 +341,9 @@ class Reader(Calls):
             if is_block(group):
                 return [s for item in group.items for s in self.shapes(item, _label(item) or label)]
             return self._object(self.as_object(group), label)
+        threes = all(isinstance(v, Group) and len(v.items) == 3 and holds_numbers(v) for v in group.items)
+        if re.search("circle|balls|dis[ck]s", label, re.IGNORECASE) and group.items and threes and not group.name:
+            return [s for v in group.items for s in self._circle(replace(v, name="c2circle"), "")]  # of (x, y, r)
         if _BOXES.search(label) and not group.name and len(group.items) > LEAST_FLAT and holds_numbers(group):
             raise Unreadable(f"{len(group.items)} numbers in one list: write each shape in a bracket of its own")
         if "circle" in group.name.lower() and (circles := self._centers_and_radii(group.items, label)):
@@ -431,7 +435,7 @@ def _bounds(shape: Read) -> tuple[Pt, ...]:
 
 
 def _holes(rings: Sequence[Read]) -> Iterator[int]:
-    """Yield where outlines begin that lie within the bounds of the first one: [[...], [...]]."""
+    """Yield the start, in the text, of each outline that lies within the bounds of the first one: [[...], [...]]."""
     if len(rings) > 1 and (bounds := _bounds(rings[0])):
         (x0, y0), _, (x1, y1), _ = bounds
         for ring in rings[1:]:

@@ -146,7 +146,7 @@ class Statements(Names):
         return self.text[value.start : value.end].strip("\"'") if isinstance(value, Value) else ""
 
     def _indent(self, item: Any) -> int:
-        """Return how far a line `key: value` is indented, or -1 for any other line."""
+        """Return the indentation of a line `key: value`, or -1 for any other line."""
         begin = self.text.rfind("\n", 0, item.start) + 1 if isinstance(item, Pair) else -1
         found = _KEY.match(self.text, begin) if begin >= 0 else None
         return len(found[1]) if found and found.end(1) == item.start else -1
@@ -363,7 +363,7 @@ class Statements(Names):
         sized = bool(has & {"size", "half"}) or {"width", "height"} <= has or {"halfwidth", "halfheight"} <= has
         placed = {"x", "y"} <= has or "center" in has or {"x0", "y0"} <= has
         round_ = "radius" in has or "diameter" in has
-        corners = {"x0", "y0", "x1", "y1"} <= has or {"corner", "opposite"} <= has
+        corners = {"x0", "y0", "x1", "y1"} <= has or {"corner", "opposite"} <= has or {"min", "max"} <= has
         outline = "points" in has and bool(has & {"center", "angle", "degrees", "radians", "offset"}) and not round_
         if (placed and (sized or round_)) or corners or outline:
             self.runs.append(Run(run, "" if owner.isdigit() else owner))

@@ -47,6 +47,15 @@ def shapely_hits(a: Any, b: Any) -> NDArray[np.bool_]:
     return np.asarray(shapely.intersects(a, b))
 
 
+def tree_pairs(geometries: Any, **query: Any) -> NDArray[np.intp]:
+    """Return the (K, 2) pairs that shapely's STRtree finds; `query`: its options, without which boxes have to meet."""
+    import shapely
+
+    i, j = shapely.STRtree(geometries).query(geometries, **query)
+    once = i < j
+    return np.stack([i[once], j[once]], axis=1)
+
+
 def geometry_list(side: Side) -> list[Any]:
     """Return the shapes as a list of shapely geometries; each circle as (point, radius)."""
     found = shapely_geometries(side)

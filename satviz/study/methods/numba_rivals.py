@@ -356,7 +356,7 @@ def _edge_clears_lowest(x: Array, y: Array, p: Array, q: Array, i: int) -> bool:
 
 @compiled
 def _edge_rise(p: Array, q: Array, i: int, v: int, nx: float, ny: float) -> float:
-    """Return how far the edge from corner v to the next rises along (nx, ny); negative where it falls."""
+    """Return the component of the edge from corner v to the next along (nx, ny)."""
     w = v + 1 if v + 1 < p.shape[0] else 0
     return float(nx * (p[w, i] - p[v, i]) + ny * (q[w, i] - q[v, i]))
 

@@ -14,6 +14,7 @@ from ..harness.machine import is_installed
 from ..workloads.generators import Side
 from ..workloads.moving import Frame, MovingScene
 from . import installed_engines
+from .libraries import tree_pairs
 
 FindPairs = Callable[[Frame], Any]  # returns (K, 2) indices, or a set of pairs
 # the largest number of shapes for which a slow method is timed
@@ -34,13 +35,16 @@ def scene_methods(scene: MovingScene) -> dict[str, FindPairs]:
     """Return the methods that take the shapes of this scene and are installed here, by their names in the table."""
     found: dict[str, FindPairs] = {name: partial(_satviz_pairs, engine=engine) for name, engine in installed_engines()}
     if len(scene.shapes) > 1:  # with shapes of one kind, making a new batch is as fast as moving it
-        found |= {f"{name}, moved": MovedBatch(scene, engine).pairs for name, engine in installed_engines()}
+        for name, engine in installed_engines():
+            found[f"{name}, moved"] = partial(_moved_pairs, shapes=batch_of(scene.frames[0].sides), engine=engine)
     counts = set(scene.frames[0].padded.counts.tolist())
     kind = counts.pop() if len(counts) == 1 else 0  # 1 for circles, 0 where it varies
     if is_installed("numba"):
+        from .scene_rivals import colliding_pairs, short_sweep
+
         for name, sweep in (("brute force", False), ("sort and sweep", True)):
-            found[name] = partial(_numba_pairs, kind=kind, sweep=sweep)
-        found["short sweep"] = partial(_short_sweep_pairs, kind=kind)
+            found[name] = partial(_pairs_of_padded, find=partial(colliding_pairs, kind=kind, sweep=sweep))
+        found["short sweep"] = partial(_pairs_of_padded, find=short_sweep(kind))
     if is_installed("shapely"):
         if kind == 1:
             found["STRtree"] = _tree_coin_pairs
@@ -67,29 +71,14 @@ def _satviz_pairs(frame: Frame, engine: str) -> NDArray[np.intp]:
     return batch.colliding_pairs(made, engine=engine)
 
 
-class MovedBatch:
-    """A batch that is made once and then given each frame's coordinates, from an array of all corners."""
-
-    def __init__(self, scene: MovingScene, engine: str) -> None:
-        self.shapes, self.engine = batch_of(scene.frames[0].sides), engine
-
-    def pairs(self, frame: Frame) -> NDArray[np.intp]:
-        """Move the batch to the coordinates of a frame and return the (K, 2) pairs that satviz finds."""
-        return batch.colliding_pairs(batch.move(self.shapes, frame.corners), engine=self.engine)
+def _moved_pairs(frame: Frame, shapes: batch.Shapes, engine: str) -> NDArray[np.intp]:
+    """Move a batch, which is made only once, to the corners of a frame; return the (K, 2) pairs that satviz finds."""
+    return batch.colliding_pairs(batch.move(shapes, frame.corners), engine=engine)
 
 
-def _numba_pairs(frame: Frame, kind: int, sweep: bool) -> NDArray[np.int64]:
-    """Return the (K, 2) pairs that `scene_rivals.colliding_pairs` finds; `kind` and `sweep` as there."""
-    from .scene_rivals import colliding_pairs
-
-    return colliding_pairs(*frame.padded, kind=kind, sweep=sweep)
-
-
-def _short_sweep_pairs(frame: Frame, kind: int) -> NDArray[np.int64]:
-    """Return the (K, 2) pairs that `scene_rivals.short_sweep` finds; `kind` as in `colliding_pairs` there."""
-    from .scene_rivals import short_sweep
-
-    return short_sweep(kind)(*frame.padded)
+def _pairs_of_padded(frame: Frame, find: Callable[..., NDArray[np.int64]]) -> NDArray[np.int64]:
+    """Return the (K, 2) pairs that a method of `scene_rivals` finds in a frame's padded arrays."""
+    return find(*frame.padded)
 
 
 def _tree_pairs(frame: Frame, prepared: bool) -> NDArray[np.intp]:
@@ -115,10 +104,7 @@ def _tree_coin_pairs(frame: Frame) -> NDArray[np.intp]:
     """Return the pairs of coins of one radius that shapely finds: centers within two radii."""
     import shapely
 
-    points = shapely.points(frame.centers)
-    i, j = shapely.STRtree(points).query(points, predicate="dwithin", distance=2 * frame.padded.radii[0])
-    once = i < j
-    return np.stack([i[once], j[once]], axis=1)
+    return tree_pairs(shapely.points(frame.centers), predicate="dwithin", distance=2 * frame.padded.radii[0])
 
 
 def _kd_tree_pairs(frame: Frame) -> NDArray[np.intp]:

@@ -102,7 +102,7 @@ def count_touching(n: int, settings: Settings) -> list[JsonRow]:
 
 
 def _squares(a: CircleArrays, b: CircleArrays) -> Any:
-    """Return which circles hit, by the squares of their distance and of the sum of their radii, in float64."""
+    """Return a mask of the circles that hit, by the squares of distance and sum of the radii, in float64."""
     (dx, dy), reach = (a[0] - b[0]).T, a[1] + b[1]
     return dx * dx + dy * dy <= reach * reach
 

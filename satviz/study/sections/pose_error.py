@@ -113,7 +113,7 @@ def _added_up(angle: float) -> dict[int, float]:
 
 
 def _by_angle(at: tuple[float, float], totals: dict[int, float], dtype: Any) -> dict[int, tuple[Any, Any]]:
-    """Return where the point is after each number of STEPS: the first corner turned once by the angle of all steps.
+    """Return the place of the point after each number of STEPS: the first corner turned once by the angle of all steps.
 
     totals: this angle in float64; its cosine and sine are rounded to the format of the corners.
     """

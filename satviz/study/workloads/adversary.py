@@ -288,7 +288,7 @@ def _deciding_edge(a: Rings, b: Rings) -> tuple[Array, Array, Array]:
 
 
 def _convex(rings: Rings) -> NDArray[np.bool_]:
-    """Return which outlines are counter-clockwise and convex, and clearly so."""
+    """Return a mask of the outlines that are clearly convex and counter-clockwise."""
     edges = np.roll(rings, -1, axis=1) - rings
     after, lengths = np.roll(edges, -1, axis=1), np.sqrt((edges * edges).sum(axis=2))
     bends = edges[..., 0] * after[..., 1] - edges[..., 1] * after[..., 0]
@@ -296,7 +296,7 @@ def _convex(rings: Rings) -> NDArray[np.bool_]:
 
 
 def _in_the_scene(rings: Rings) -> NDArray[np.bool_]:
-    """Return which 4-gons belong to the scene of 1 km: its size, sides of 1 m or more, at most 14 m across."""
+    """Return a mask of the 4-gons that belong to the scene of 1 km: sides of 1 m or more, at most 14 m across."""
     squares = [((np.roll(rings, -k, axis=1) - rings) ** 2).sum(axis=2) for k in (1, 2)]
     small = np.maximum(*squares).max(axis=1) <= MOST_ACROSS**2
     return np.asarray(

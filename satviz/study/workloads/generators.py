@@ -175,11 +175,6 @@ def _even_places_and_sizes(rng: np.random.Generator, n: int) -> tuple[Array, Arr
     return rng.uniform(0, np.sqrt(n) * 1.5, (n, 2)), rng.uniform(0.3, 1, (n, 2))
 
 
-def _even_boxes(rng: np.random.Generator, n: int) -> Array:
-    """Return (n, 4) boxes with sizes from 0.3 to 1, spread evenly."""
-    return _boxes_at(*_even_places_and_sizes(rng, n))
-
-
 def _boxes_of_many_sizes(rng: np.random.Generator, n: int) -> Array:
     """Return boxes spread evenly whose sizes differ up to a thousandfold."""
     at, size = _even_places_and_sizes(rng, n)
@@ -203,7 +198,7 @@ def _boxes_with_one_far_away(rng: np.random.Generator, n: int) -> Array:
 
 # generators of (N, 4) boxes; the number of pairs that meet grows like N
 BOX_LAYOUTS: dict[str, Callable[[np.random.Generator, int], Array]] = {
-    "even": _even_boxes,
+    "even": lambda rng, n: _boxes_at(*_even_places_and_sizes(rng, n)),
     "sizes thousandfold": _boxes_of_many_sizes,
     "all in one cell": _tiny_boxes_beside_a_large_one,
     "one at 1e300": _boxes_with_one_far_away,
