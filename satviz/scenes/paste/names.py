@@ -52,6 +52,7 @@ class Names:
         self.loose: list[Any] = []  # values without a name
         self.used: set[int] = set()  # values that another one refers to by name
         self.remarks: list[str] = []
+        self.thirds: set[Fraction | None] = set()  # third coordinates, which were left out
         self.problems: list[str] = []  # lines on parts that could not be read
         self.parts: list[tuple[int, int]] = []  # spans of a known form, such as: from 0 to 2 * pi
         self.named: list[tuple[int, int]] = []  # spans that a problem quotes
