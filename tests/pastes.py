@@ -3944,4 +3944,10 @@ overlaps(a, b) = 1.35""",
         "a = Polygon(Vec3(0, 0, 1), Vec3(4, 0, 1), Vec3(0, 4, 1))",
         ((0, 0, 4, 4),),
     ),
+    Paste(
+        "a box that is not understood",
+        "bbox: (110, 106) if c else d\ncircle((0, 0), 5)",
+        ((-5, -5, 5, 5),),
+        says="bbox 110, 106",
+    ),
 )

@@ -76,7 +76,8 @@ def rest(tree: Tree, reads: Sequence[Read], text: str, reader: Names, *, session
     missed += [(len(text), remark) for remark in tree.remarks if account.is_cut()]
     for _, group in groupby(left, key=_key_of_point):
         row = list(group)
-        if all(_is_harmless(each) or each.end in account.aside for each in row):
+        wanted = "bbox" in words(row[0].key) and '"bbox"' not in text  # of GeoJSON it is no shape of its own
+        if not wanted and all(_is_harmless(each) or each.end in account.aside for each in row):
             harmless += [each for each in row if each.key != "satviz"]  # the format of a scene file
         else:
             missed.append((row[0].start, _named(row, text)))
