@@ -349,12 +349,11 @@ def paste(what: Any, as_: str | Sequence[str] = ()) -> Pasted:
             return replace(made, without=_answered(rest_left, decimals=isinstance(what, str), sure=False))
         except InvalidScene:  # too many corners for a trace
             return made
-    sure = not missed and len(reader.thirds) < 2  # else the shapes are of three dimensions
-    return made if made.open else _answered(made, decimals=isinstance(what, str), sure=sure)
+    return made if made.open else _answered(made, decimals=isinstance(what, str), sure=not missed)
 
 
 def _answered(asked: Pasted, *, decimals: bool, sure: bool) -> Pasted:
-    """Return the pairs and the diagnosis of shapes, with their notes; `sure`: nothing that matters is left out."""
+    """Return the pairs and the diagnosis of shapes, with their notes; `sure`: nothing was missed."""
     pairs = _pairs(asked.readings)
     found = [finding for each in asked.readings for finding in findings.findings_of_shape(each)]
     for pair in pairs[:MAX_TRACES]:

@@ -104,7 +104,6 @@ class Points(Statements):
 
     def _leave_out(self, thirds: Sequence[Any]) -> None:
         """Note that third coordinates were left out."""
-        self.thirds |= {value.value for value in map(self.resolve, thirds) if isinstance(value, Num)}
         self.counts |= {value.end for value in thirds}
         self.thirds |= {self.number(value) for value in thirds if self._is_number(value)}
 
