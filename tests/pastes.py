@@ -3658,7 +3658,7 @@ var b = new Phaser.Geom.Circle(160, 100, 50);""",
         "a rectangle with a position and no size",
         "rectangle position (10, 10), circle position (50, 20), radius 4",
         ((46, 16, 54, 24),),
-        says="10, 10",
+        says="rectangle position 10, 10",
     ),
     Paste(
         "words before pairs of numbers",
@@ -3678,7 +3678,7 @@ wall: center (10, 0) velocity (0, 0) size (10, 10)""",
         "Vec2::new(20.0, 20.0))",
         ((120, 250, 200, 300), (222, 284, 242, 304)),
         as_="center-size",
-        says="third coordinate",
+        says="A third coordinate was left out",
         asks=True,
     ),
     Paste(
@@ -3726,6 +3726,33 @@ circle((11, 3), 1)""",
         ((9, 0, 10, 2), (10, 2, 12, 4)),
         as_="unturned, degrees",
         asks=True,
+    ),
+    Paste(
+        "rows of x, y and r under the name of circles",
+        "circles = [(0, 0, 5), (10, 0, 5)]",
+        ((-5, -5, 5, 5), (5, -5, 15, 5)),
+    ),
+    Paste(
+        "three numbers that are indices",
+        """vertices = [(0,0),(4,0),(4,4),(0,4)]
+triangles = [(0,1,2),(0,2,3)]
+circle((9, 9), 1)""",
+        ((0, 0, 4, 4), (8, 8, 10, 10)),
+        says="corners in the place of indices",
+    ),
+    Paste(
+        "a polygon of two corners",
+        """new SAT.Polygon(new SAT.V(50,50), [new SAT.V(0,0), new SAT.V(10,0)])
+new SAT.Circle(new SAT.V(0,0), 10)""",
+        ((-10, -10, 10, 10),),
+        says="two corners are a segment",
+    ),
+    Paste(
+        "triangles in space",
+        """ConvexPolygon((Point(0, 0, 0), Point(4, 0, 190), Point(0, 4, 190)))
+ConvexPolygon((Point(9, 0, 0), Point(13, 0, 190), Point(9, 4, 190)))""",
+        ((0, 0, 4, 4), (9, 0, 13, 4)),
+        says="The third coordinates differ and were left out",
     ),
     *(
         Paste(f"flat lists of {name}", f"{name} = [0, 0, 4, 4, 2, 2, 6, 6]", (), says="in one list")

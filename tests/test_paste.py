@@ -911,6 +911,20 @@ def test_there_is_no_answer_below_a_question_with_one_shape_or_with_another_ques
     assert sv.paste(CLEAR).without is None
 
 
+def test_no_test_is_called_wrong_where_third_coordinates_differ():
+    text = "ConvexPolygon((Point(0, 0, {}), Point(4, 0, 1), Point(0, 4, 1))) circle((9, 9), 1)"
+    flat, slanted = (sv.paste(text.format(z)).findings for z in (1, 190))
+    assert [f.kind for f in flat] == ["clear", "note"]
+    assert [f.kind for f in slanted] == ["third-coordinate"] and "is wrong" not in str(slanted)
+
+
+def test_a_position_that_is_left_out_is_named_in_the_answer():
+    (question,) = sv.paste("[(0,0),(4,0),(4,4)] circle((9, 9), 1); rectangle position (10, 10)").questions
+    assert question.answers[0].meaning == "the shapes as read, without this position"
+    (question,) = sv.paste("[(0,0),(4,0),(4,4)] circle((9, 9), 1); zork 10").questions
+    assert question.answers[0].meaning == "the shapes as read, without it"
+
+
 def test_another_pair_of_several_is_shown():
     model = ExplorerModel(sv.scene("triangles"))
     text = "circle((0,0),2) circle((3,0),2) circle((5,0),2)"

@@ -104,7 +104,6 @@ class Points(Statements):
 
     def _leave_out(self, thirds: Sequence[Any]) -> None:
         """Note that third coordinates were left out."""
-        self.remark("a third coordinate was left out: the shapes are read in x and y")
         self.counts |= {value.end for value in thirds}
         self.thirds |= {self.number(value) for value in thirds if self._is_number(value)}
 
@@ -247,7 +246,10 @@ class Points(Statements):
         count = sum(p is not None for p in found)
         threes = [v for v in map(self.resolve, items) if isinstance(v, Group) and len(v.items) == 3 and not v.name]
         if count == 0 and len(threes) == len(items) > 1 and all(isinstance(n, Num) for v in threes for n in v.items):
-            raise Unreadable("each point has three numbers: satviz is about two dimensions, so leave out the third")
+            raise Unreadable(
+                "three numbers in each bracket, and satviz is about two dimensions: write circles as "
+                "circle((x, y), r), corners without their z, and corners in the place of indices"
+            )
         if count < max(2, len(items) // 2) and not (why and len(items) > 2):
             return None
         if count == 2 and len(items) == 3 and self._is_number(items[2]):

@@ -18,6 +18,7 @@ from .tree import Bad, Group, Name, Num, Pair
 
 MIN_SAID = 12  # characters of a part that says enough without its line
 MARKUP = re.compile(r"<(?:svg|rect|circle|polygon|ellipse)\b")
+PLACED = frozenset(["center", "corner", "size", "offset"])
 MAX_NAMED = 6  # keys that are named in a line, and numbers without a key
 
 
@@ -152,6 +153,8 @@ def _walk(tree: Tree, value: Any, name: str) -> Iterator[Left]:
     elif isinstance(value, Group):
         row = notation(value.name) if value.name else None
         inside = value.name if value.name and not (row and row.kind == Kind.POINT) else name
+        if len(value.name) > 1 and key(value.name) in PLACED:  # rectangle position (1, 2)
+            inside = f"{value.before} {value.name}".strip()
         for inner in value.items:
             yield from _walk(tree, inner, inside)
         for method, arguments in value.methods:
