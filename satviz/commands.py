@@ -20,11 +20,11 @@ from .terminal import interrupts_ignored, out, out_json, say, stop_if_interrupte
 if TYPE_CHECKING:
     from .pictures import Picture
     from .pictures.moves import Animation
-    from .scenes.failing import FailureCase
+    from .scenes.resolve import Resolved
     from .scenes.scenefile import Scene
 
     Pictures = Callable[[], Sequence[Picture]]  # draws the pictures of a file when they are needed
-    Job = tuple[Path, Callable[[], bytes]]  # a file, and what makes its content
+    File = tuple[str, str, Callable[[], Sequence[Picture] | Animation | str]]  # stem, format, what makes its content
 
 MAX_STEP_FILES = 120  # a longer run is drawn as one sheet unless --steps asks for a file of each step
 MAX_STEM = 80  # letters of a handout's file name
@@ -38,27 +38,26 @@ class Failed(Exception):
     """The work itself failed: `main` prints its message in one line and returns exit code 1."""
 
 
-def _load(args: argparse.Namespace) -> "Scene":
-    """Return the scene that the command line names, with its --axes and --every-axis; Refused for an unknown name."""
+def _resolve(name: str, axes: str | None = None, every_axis: bool = False) -> "Resolved":
+    """Return what a built-in name, a file's path or a link stands for, with other axes; Refused for an unknown name."""
     from dataclasses import replace
 
-    found = _scene_named(args.scene)
-    return replace(found, axes=args.axes or found.axes, every_axis=args.every_axis or found.every_axis)
-
-
-def _scene_named(name: str) -> "Scene":
-    """Return the scene of a built-in name, a file's path or a link; Refused for an unknown name."""
     from .scenes.link import parse_fragment
-    from .scenes.named import did_you_mean, names, scene
-    from .scenes.scenefile import load
+    from .scenes.named import did_you_mean, names
+    from .scenes.resolve import Resolved, resolve
+    from .scenes.scenefile import Scene, load
 
+    given: Scene | str = name
     if name.startswith(("http://", "https://")):
-        return parse_fragment(name.partition("#")[2])[0]
-    is_file = any(c in name for c in "./\\") or os.path.exists(name)
-    known = names()
-    if name not in known and not is_file:
-        raise Refused(f"there is no scene and no file {name!r}{did_you_mean(name, known)}")
-    return scene(name) if name in known else load(name)
+        given = parse_fragment(name.partition("#")[2])[0]
+    elif name not in (known := names()):
+        if not any(c in name for c in "./\\") and not os.path.exists(name):
+            raise Refused(f"there is no scene and no file {name!r}{did_you_mean(name, known)}")
+        given = load(name)
+    found = resolve(given)
+    if not isinstance(scene := found.given, Scene):
+        return found
+    return Resolved(replace(scene, axes=axes or scene.axes, every_axis=every_axis or scene.every_axis))
 
 
 def figures(args: argparse.Namespace) -> int:
@@ -79,7 +78,7 @@ def figures(args: argparse.Namespace) -> int:
         """Return a list of the figure's one picture."""
         return [figure.picture()]
 
-    return _write(args, [_job(args, f.stem, form, partial(draw, f)) for f in wanted for form in forms])
+    return _write(args, [(f.stem, form, partial(draw, f)) for f in wanted for form in forms])
 
 
 class _Drawable(NamedTuple):
@@ -95,35 +94,30 @@ class _Drawable(NamedTuple):
 def draw(args: argparse.Namespace) -> int:
     """Draw steps of a scene, or of a long run its contact sheet, in each format; print its link and its frame."""
     from .render.formats import FORMATS, STILL_FORMATS
-    from .scenes.named import refused_case
 
-    case = refused_case(args.scene)
+    found = _resolve(args.scene, args.axes, args.every_axis)
+    _print_link_and_frame(args, found)
     forms = [form for form in dict.fromkeys(args.format) if form not in ("link", "embed")]
-    if case and len(forms) == len(set(args.format)):
-        drawable = _drawable_refused(args, case)
-    else:
-        scene = _load(args)  # says why a refused case has no link
-        _print_link_and_frame(args, scene)
-        if not forms:
-            return 0
-        drawable = _drawable_run(args, scene)
-    jobs: list[Job] = []
+    if not forms:
+        return 0
+    drawable = _drawable_refused(args, found) if found.refused else _drawable_run(args, found)
+    files: list[File] = []
     for form in forms:
         if form == "html":
-            jobs.append((args.out / f"{drawable.name}.html", partial(_page, drawable)))  # a page has both themes
+            files.append((drawable.name, form, partial(_page, drawable)))
         elif FORMATS[form].animated:
-            jobs.append(_job(args, drawable.name, form, drawable.frames))
+            files.append((drawable.name, form, drawable.frames))
         else:
-            jobs += [_job(args, stem, form, make) for stem, make in drawable.stills]
-    done = _write(args, jobs)
+            files += [(stem, form, make) for stem, make in drawable.stills]
+    done = _write(args, files)
     if drawable.note and set(forms) & set(STILL_FORMATS):
         out(drawable.note)
     return done
 
 
-def _print_link_and_frame(args: argparse.Namespace, scene: "Scene") -> None:
+def _print_link_and_frame(args: argparse.Namespace, found: "Resolved") -> None:
     """Print the link of a scene and the HTML of a frame with it, each if its format is asked for."""
-    from .pictures import steps
+    from .pictures.stages import step_range
     from .render.embed import embed
     from .scenes.link import link
     from .widgets.goals import evaluate_goal
@@ -131,15 +125,15 @@ def _print_link_and_frame(args: argparse.Namespace, scene: "Scene") -> None:
     if not {"link", "embed"} & set(args.format):
         return
     if args.goal:
-        evaluate_goal(args.goal, scene)  # refuses a goal that the scene cannot have
-    asked = _steps_of(args, len(steps(scene.record()))) if args.step else None
+        evaluate_goal(args.goal, found.scene)  # refuses a goal that the scene cannot have
+    asked = step_range(found.trace, args.step) if args.step else None
     first, last = asked or (None, None)
     if "link" in args.format:
-        _print_link(args, link(scene, site=args.site or "", step=first, predict=args.predict, goal=args.goal))
+        _print_link(args, link(found, site=args.site or "", step=first, predict=args.predict, goal=args.goal))
     if "embed" in args.format:
         part = asked if first != last else None
         frame = embed(
-            scene, site=args.site, play=args.play or first is not None, predict=args.predict, challenge=args.goal,
+            found, site=args.site, play=args.play or first is not None, predict=args.predict, challenge=args.goal,
             steps=part, theme=args.theme, show=args.show, step=None if part else first,
         )  # fmt: skip
         out(frame.rstrip("\n"))
@@ -152,52 +146,46 @@ def _print_link(args: argparse.Namespace, address: str) -> None:
         say("this address is relative to a site: add the site with --site URL, or serve one with satviz site --open")
 
 
-def _steps_of(args: argparse.Namespace, count: int) -> tuple[int, int]:
-    """Return the first and the last step to draw, from 0, in a run of `count` steps; Refused for one beyond them."""
-    first, last = (step % count if step < 0 else step for step in args.step or (0, -1))
-    if last >= count:
-        raise Refused(f"the run has no step {last}: its steps are 0 to {count - 1}")
-    return first, last
-
-
-def _drawable_refused(args: argparse.Namespace, case: "FailureCase") -> _Drawable:
+def _drawable_refused(args: argparse.Namespace, found: "Resolved") -> _Drawable:
     """Return the drawing of a scene whose outlines are refused; Refused for options that need a run."""
-    from .pictures.comparison import refused_picture
+    from .pictures import picture
     from .pictures.moves import animation
     from .render.page import page
 
     options = "axes", "every_axis", "sheet", "step", "steps", "sweep", "difference", "predict"
     if any(getattr(args, name) for name in options):
         raise Refused(
-            f"{case.name} has no run, since its outlines are refused: leave out --axes, --every-axis, "
+            f"{args.scene} has no run, since its outlines are refused: leave out --axes, --every-axis, "
             "--sheet, --step, --steps, --sweep, --difference and --predict"
         )
-    drawn = refused_picture(case)
+    drawn = picture(found)
     return _Drawable(
-        case.name,
-        [(case.name, lambda: [drawn])],
+        args.scene,
+        [(args.scene, lambda: [drawn])],
         lambda: animation([drawn], speed=args.speed or 1.0),
-        lambda: page(case.name),
+        lambda: page(found),
     )
 
 
-def _drawable_run(args: argparse.Namespace, scene: "Scene") -> _Drawable:
+def _drawable_run(args: argparse.Namespace, found: "Resolved") -> _Drawable:
     """Return a run's drawings, as --sheet, --steps and --caption ask for; Refused if it cannot be drawn."""
-    from .pictures import picture, steps
+    from .pictures import picture
     from .pictures.caption import add_captions
     from .pictures.difference_steps import difference_steps
     from .pictures.moves import animation, turning
     from .pictures.sheet import sheet
+    from .pictures.stages import step_range, steps_of
     from .pictures.turning_axis import sweep
     from .render.page import page
 
-    trace = scene.record()
+    scene, trace = found.scene, found.trace
     try:
         picture(trace, 0)
     except ValueError as error:
         raise Refused(str(error)) from None
-    count = len(steps(trace))
-    first, last = _steps_of(args, count)
+    first, last = step_range(trace, args.step)
+    count = len(steps_of(trace))
+    captioned: Callable[[Sequence[Picture]], Sequence[Picture]] = add_captions if args.caption else list
 
     def still(step: int) -> "Sequence[Picture]":
         """Return a list of the picture of one step, captioned with its sentence under --caption.
@@ -205,13 +193,17 @@ def _drawable_run(args: argparse.Namespace, scene: "Scene") -> _Drawable:
         Several steps have one frame; a step that is drawn alone is cut to what it shows.
         """
         alone = args.step is not None and first == last
-        return _captioned(picture(trace, step, title=scene.title, by_itself=alone), args)
+        return captioned([picture(trace, step, title=scene.title, by_itself=alone)])
+
+    every: Sequence[Picture] = ()
+    if args.sweep or args.difference:
+        every = (sweep if args.sweep else difference_steps)(trace, title=scene.title)
 
     def frames() -> "Animation":
         """Return the animation of the run, of the axis that turns or of how B - A comes about; sentences are below."""
         if args.sweep:
-            return turning(add_captions(sweep(trace)), speed=args.speed or 1.0)
-        drawn = difference_steps(trace) if args.difference else [picture(trace, s) for s in range(first, last + 1)]
+            return turning(add_captions(every), speed=args.speed or 1.0)
+        drawn = every or [picture(trace, s) for s in range(first, last + 1)]
         return animation(add_captions(drawn, brief=True), speed=args.speed or 1.0)
 
     whole_page = partial(
@@ -219,11 +211,10 @@ def _drawable_run(args: argparse.Namespace, scene: "Scene") -> _Drawable:
         speed=args.speed or 1.0,
     )  # fmt: skip
 
-    if args.sweep or args.difference:
+    if every:
         name = f"{scene.name}-{'sweep' if args.sweep else 'difference'}"
-        every = (sweep if args.sweep else difference_steps)(trace, title=scene.title)
         digits = len(str(len(every) - 1))
-        own = [(f"{name}-{n:0{digits}}", partial(_captioned, drawn, args)) for n, drawn in enumerate(every)]
+        own = [(f"{name}-{n:0{digits}}", partial(captioned, [drawn])) for n, drawn in enumerate(every)]
         return _Drawable(name, own, frames, whole_page)
 
     if not args.sheet and (last - first < MAX_STEP_FILES or args.steps):
@@ -235,49 +226,39 @@ def _drawable_run(args: argparse.Namespace, scene: "Scene") -> _Drawable:
     return _Drawable(scene.name, whole, frames, whole_page, note)
 
 
-def _captioned(drawn: "Picture", args: argparse.Namespace) -> "Sequence[Picture]":
-    """Return a list of the picture, which with --caption has its sentence below it."""
-    from .pictures.caption import add_captions
-
-    return add_captions([drawn]) if args.caption else [drawn]
-
-
-def _page(drawable: _Drawable) -> bytes:
-    """Return the bytes of the HTML page; Refused where the run has too many steps for a page."""
+def _page(drawable: _Drawable) -> str:
+    """Return the HTML page; Refused where the run has too many steps for a page."""
     try:
-        return drawable.page().encode()
+        return drawable.page()
     except ValueError as error:
         raise Refused(str(error)) from None
 
 
-def _job(args: argparse.Namespace, stem: str, form: str, make: "Callable[[], Sequence[Picture] | Animation]") -> "Job":
-    """Return a file's path in --out and the function that makes its bytes; dark files' names end in -dark."""
+def _write(args: argparse.Namespace, files: "Sequence[File]") -> int:
+    """Make and write each file once all are known to be writable; print warnings; return exit code 0.
+
+    The names of dark files end in -dark; a page has both themes.
+    """
     from .pictures import THEMES
     from .pictures.moves import Animation
     from .render.chart import theme_suffix
     from .render.files import encode_frames
 
     theme = THEMES[args.theme or "light"]
-    stem += theme_suffix(theme)
-
-    def encode() -> bytes:
-        """Return the bytes of the file."""
-        made = make()
-        pictures, times = made if isinstance(made, Animation) else (made, None)
-        return encode_frames(pictures, form, theme, stem=stem, times=times)
-
-    return args.out / f"{stem}.{form}", encode
-
-
-def _write(args: argparse.Namespace, jobs: "Sequence[Job]") -> int:
-    """Make and write each file once all are known to be writable; print warnings; return exit code 0."""
-    paths = [path for path, _ in jobs]
+    suffix = theme_suffix(theme)
+    paths: list[Path] = [args.out / f"{stem}{'' if form == 'html' else suffix}.{form}" for stem, form, _ in files]
     safe_write.make_folder(args.out)
     for path in paths:
         safe_write.check(path, force=args.force)
     with warnings.catch_warnings(record=True) as caught:
-        for path, (_, make) in zip(_progress(paths), jobs, strict=True):
-            safe_write.write(path, make(), force=args.force)
+        for path, (_, form, make) in zip(_progress(paths), files, strict=True):
+            made = make()
+            if isinstance(made, str):
+                data = made.encode()
+            else:
+                pictures, times = made if isinstance(made, Animation) else (made, None)
+                data = encode_frames(pictures, form, theme, stem=path.stem, times=times)
+            safe_write.write(path, data, force=args.force)
     for line in dict.fromkeys(str(warning.message) for warning in caught):
         say(line)
     out(f"{len(paths)} {'file' if len(paths) == 1 else 'files'} in {visible(str(args.out))}")
@@ -305,7 +286,7 @@ def handout(args: argparse.Namespace) -> int:
         chapter = chapter_named(name)
         if not chapter and name.isdecimal() and not os.path.exists(name):
             raise Refused(f"there is no chapter {name}: the chapters are 1 to {len(chapters())}")
-        given.append(chapter.title.split()[0] if chapter else _scene_named(name))
+        given.append(chapter.title.split()[0] if chapter else _resolve(name).scene)
     try:
         texts = [handout(*given, paper=args.paper, solutions=solutions) for solutions in (False, True)]
     except ImportError as error:
@@ -375,7 +356,7 @@ def trace(args: argparse.Namespace) -> int:
     """Print the trace of a scene, as a table or as JSON."""
     from shutil import get_terminal_size
 
-    trace = _load(args).record()
+    trace = _resolve(args.scene, args.axes, args.every_axis).trace
     width = get_terminal_size().columns if sys.stdout.isatty() else None
     out_json(trace.to_json(indent=1)) if args.json else out(trace.table(width=width, sums=args.sums))
     return 0
@@ -416,7 +397,7 @@ def _text_of(name: str) -> str:
     from .scenes.paste.tokens import MAX_CHARS
 
     if name.startswith(("http://", "https://")) or (name in names() and not os.path.exists(name)):
-        return _scene_named(name).to_json()
+        return _resolve(name).scene.to_json()
     limit = 4 * MAX_CHARS + 1  # the bytes of a text that is not too long
     if name == "-":
         raw = sys.stdin.buffer.read(limit)
@@ -437,16 +418,15 @@ def advise(args: argparse.Namespace) -> int:
     from .advice.report import cost_line
 
     if Path(args.scene).suffix == ".npz":
-        from .advice.shapesfile import load
+        from .advice.shapesfile import load_shapes
 
-        shapes, pairs = load(Path(args.scene))
+        shapes, pairs = load_shapes(Path(args.scene))
         try:
             recommendation = advise(shapes, pairs=pairs)
         except (ValueError, IndexError) as error:
             raise Refused(f"{args.scene}: {error}") from None
     else:
-        scene = _load(args)
-        recommendation = advise(scene.a, scene.b)
+        recommendation = advise(*_resolve(args.scene).shapes)
     if args.json:
         costs = {name: c and c._asdict() for name, c in recommendation.costs().items()} if args.chart else None
         data = json.loads(recommendation.to_json())
@@ -674,5 +654,5 @@ def check(args: argparse.Namespace) -> int:
     out_json(json.dumps(checked.data(), indent=1, ensure_ascii=False)) if args.json else out(str(checked))
     if args.out and checked.counterexample:
         drawn = checked.picture()
-        _write(args, [_job(args, "counterexample", form, lambda: [drawn]) for form in ("svg", "png")])
+        _write(args, [("counterexample", form, lambda: [drawn]) for form in ("svg", "png")])
     return 0 if checked.right else 1

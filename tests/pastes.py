@@ -3658,7 +3658,7 @@ var b = new Phaser.Geom.Circle(160, 100, 50);""",
         "a rectangle with a position and no size",
         "rectangle position (10, 10), circle position (50, 20), radius 4",
         ((46, 16, 54, 24),),
-        says="10, 10",
+        says="rectangle position 10, 10",
     ),
     Paste(
         "words before pairs of numbers",
@@ -3678,7 +3678,7 @@ wall: center (10, 0) velocity (0, 0) size (10, 10)""",
         "Vec2::new(20.0, 20.0))",
         ((120, 250, 200, 300), (222, 284, 242, 304)),
         as_="center-size",
-        says="third coordinate",
+        says="A third coordinate was left out",
         asks=True,
     ),
     Paste(
@@ -3726,6 +3726,33 @@ circle((11, 3), 1)""",
         ((9, 0, 10, 2), (10, 2, 12, 4)),
         as_="unturned, degrees",
         asks=True,
+    ),
+    Paste(
+        "rows of x, y and r under the name of circles",
+        "circles = [(0, 0, 5), (10, 0, 5)]",
+        ((-5, -5, 5, 5), (5, -5, 15, 5)),
+    ),
+    Paste(
+        "three numbers that are indices",
+        """vertices = [(0,0),(4,0),(4,4),(0,4)]
+triangles = [(0,1,2),(0,2,3)]
+circle((9, 9), 1)""",
+        ((0, 0, 4, 4), (8, 8, 10, 10)),
+        says="corners in the place of indices",
+    ),
+    Paste(
+        "a polygon of two corners",
+        """new SAT.Polygon(new SAT.V(50,50), [new SAT.V(0,0), new SAT.V(10,0)])
+new SAT.Circle(new SAT.V(0,0), 10)""",
+        ((-10, -10, 10, 10),),
+        says="two corners are a segment",
+    ),
+    Paste(
+        "triangles in space",
+        """ConvexPolygon((Point(0, 0, 0), Point(4, 0, 190), Point(0, 4, 190)))
+ConvexPolygon((Point(9, 0, 0), Point(13, 0, 190), Point(9, 4, 190)))""",
+        ((0, 0, 4, 4), (9, 0, 13, 4)),
+        says="The third coordinates differ and were left out",
     ),
     *(
         Paste(f"flat lists of {name}", f"{name} = [0, 0, 4, 4, 2, 2, 6, 6]", (), says="in one list")
@@ -3851,5 +3878,76 @@ const pa = polygon(a.map(p => [p.y, p.x]));""",
         "two outlines of a call",
         "polygonClipping.intersection([[0, 0], [9, 0], [0, 9]], [[1, 1], [2, 1], [1, 2]])",
         ((0, 0, 9, 9), (1, 1, 2, 2)),
+    ),
+    # -- boxes by the names of their calls, and what stands beside shapes
+    Paste(
+        "boxes of Skia, MFC, egui, Unity and arcade",
+        """auto a = SkRect::MakeLTRB(0, 0, 4, 4);
+auto b = SkRect::MakeXYWH(4, 1, 2, 2);
+CRect c(4, 1, 6, 3);
+let d = Rect::from_two_pos(pos2(4.0, 1.0), pos2(6.0, 3.0));
+let e = Rect::from_min_size(pos2(0.0, 0.0), vec2(4.0, 4.0));
+var f = Rect.MinMaxRect(0, 0, 4, 4);
+g = arcade.LRBT(10, 60, 20, 40)
+arcade.draw_rectangle_filled(35, 25, 50, 30, arcade.color.RED)""",
+        (
+            (0, 0, 4, 4),
+            (4, 1, 6, 3),
+            (4, 1, 6, 3),
+            (4, 1, 6, 3),
+            (0, 0, 4, 4),
+            (0, 0, 4, 4),
+            (10, 20, 60, 40),
+            (10, 10, 60, 40),
+        ),
+    ),
+    Paste(
+        "circles in a list by that name",
+        "circles = [(0, 0, 5), (10, 0, 5), (20, 0, 5)]",
+        ((-5, -5, 5, 5), (5, -5, 15, 5), (15, -5, 25, 5)),
+    ),
+    Paste(
+        "a list of points with three numbers", "items = [(0, 0, 5), (10, 0, 5), (20, 9, 5)]", (), says="three numbers"
+    ),
+    Paste(
+        "half sizes in JSON",
+        '[{"x":0,"y":0,"halfWidth":5,"halfHeight":5},{"x":10,"y":0,"halfWidth":5,"halfHeight":5}]',
+        ((-5, -5, 5, 5), (5, -5, 15, 5)),
+    ),
+    Paste(
+        "variables min and max",
+        """let min = Point2::new(1.5, 3.0);
+let max = Point2::new(7.0, 11.0);
+let c = Circle::new(Point2::new(0.0, 0.0), 1.0);""",
+        ((1.5, 3, 7, 11), (-1, -1, 1, 1)),
+    ),
+    Paste(
+        "the polyline of an object of Tiled",
+        '{"polyline": [{"x":0,"y":0},{"x":4,"y":0},{"x":0,"y":3}], "x":32, "y":24}',
+        ((32, 24, 36, 27),),
+    ),
+    Paste(
+        "what a test gives",
+        """a = Circle(0, 0, 5)
+b = Circle(3, 0, 5)
+let toi = query::time_of_impact(&a, &b);
+overlaps(a, b) = 1.35""",
+        ((-5, -5, 5, 5), (-2, -5, 8, 5)),
+    ),
+    Paste(
+        "numbers in a sentence",
+        "[[0,0],[4,0],[0,4]]\n[[5,5],[9,5],[5,9]]\nthe result should only be 1 polygon, not 2",
+        ((0, 0, 4, 4), (5, 5, 9, 9)),
+    ),
+    Paste(
+        "a polygon of three points with three numbers",
+        "a = Polygon(Vec3(0, 0, 1), Vec3(4, 0, 1), Vec3(0, 4, 1))",
+        ((0, 0, 4, 4),),
+    ),
+    Paste(
+        "a box that is not understood",
+        "bbox: (110, 106) if c else d\ncircle((0, 0), 5)",
+        ((-5, -5, 5, 5),),
+        says="bbox 110, 106",
     ),
 )

@@ -32,7 +32,7 @@ from satviz.advice.models import evaluate, prepare
 from satviz.advice.pairs import paired
 from satviz.advice.relative_margin import relative_margin, signed_relative_margin
 from satviz.advice.scope import ANYWHERE, HERE, MOVED, MULTIPLES, Scope, power_of_two_bound
-from satviz.advice.shapesfile import load
+from satviz.advice.shapesfile import load_shapes
 from satviz.cli import main
 from satviz.engine.axis_count import NUMBER_WORDS, axes_hint, count_axes
 from satviz.engine.convex_parts import parts
@@ -87,9 +87,15 @@ def test_relative_margin_is_unchanged_by_powers_of_two():
     assert compared > 300
 
 
+def row_by_row(a, b):
+    """Return the pairs of shape i of one batch with shape i of the other."""
+    every = np.arange(len(a))
+    return paired(a, every, b, every)
+
+
 def test_relative_margins_of_batches_are_those_of_single_pairs():
     found = list(pairs(14, 90))
-    many = signed_relative_margins(batch_of([a for _, a, _ in found]), batch_of([b for _, _, b in found]))
+    many = signed_relative_margins(row_by_row(batch_of([a for _, a, _ in found]), batch_of([b for _, _, b in found])))
     for (kind, a, b), some in zip(found, many.tolist(), strict=True):
         assert math.isclose(some, signed_relative_margin(a, b), rel_tol=0.02), kind
 
@@ -98,7 +104,7 @@ def test_relative_margins_of_batches_are_those_of_single_pairs():
 def test_relative_margins_of_batches_are_those_of_single_pairs_within_rounding_of_a_touch(kind):
     found = list(pairs(16, 250, [kind]))
     found += [(kind, a, b) for a, b in few_units(Random(16), 50)] if kind == "smallest scale" else []
-    many = signed_relative_margins(batch_of([a for _, a, _ in found]), batch_of([b for _, _, b in found]))
+    many = signed_relative_margins(row_by_row(batch_of([a for _, a, _ in found]), batch_of([b for _, _, b in found])))
     for (_, a, b), some in zip(found, many.tolist(), strict=True):
         assert math.isclose(some, signed_relative_margin(a, b), rel_tol=0.02), (a, b)
 
@@ -122,14 +128,14 @@ def test_relative_margins_by_index_are_those_side_by_side():
     found = list(pairs(15, 40, ORDINARY))
     a, b = batch_of([a for _, a, _ in found]), batch_of([b for _, _, b in found])
     i = np.arange(40)[::-1]
-    assert (signed_relative_margins(a, b, np.stack([i, i], axis=1)) == signed_relative_margins(a, b)[::-1]).all()
+    assert (signed_relative_margins(paired(a, i, b, i)) == signed_relative_margins(row_by_row(a, b))[::-1]).all()
 
 
 @pytest.mark.parametrize("wrong", [[[0, 1, 2]], [[0, 9]], [[0.5, 0]]])
 def test_invalid_pairs_are_refused(wrong):
     coins = sv.batch.Circles([(0, 0), (1, 1)], 1)
     with pytest.raises((ValueError, IndexError), match="pairs"):
-        signed_relative_margins(coins, coins, wrong)
+        sv.advise(coins, coins, wrong)
 
 
 # -- models
@@ -604,7 +610,7 @@ def test_a_recommendation_with_any_wrong_claim_does_not_pass_its_check():
     rings = rng.integers(1, 2**20, (40, 3, 2)) * 2.0**-20 + 2.0**13 + rng.integers(0, 3, (40, 1, 2)) / 2
     far = batch.Polygons(rings)
     candidates = batch.candidate_pairs(far.bounds)
-    nearest = np.argsort(abs(signed_relative_margins(far, far, candidates)))[:5]
+    nearest = np.argsort(abs(signed_relative_margins(paired(far, candidates[:, 0], far, candidates[:, 1]))))[:5]
     some = [sv.advise(far, pairs=candidates[nearest]), sv.advise(batch.Polygons(np.array(CORNER_ON_EDGE, float)))]
     some += [sv.advise(boxes_at([(0, 0), (0.9, 0.1), (1, 1)])), sv.advise("triangles"), sv.advise("concave")]
     some += [sv.advise(sv.Circle((0.1, 0.2), 1), sv.Circle((0.1, 2.2), 1)), sv.advise("circle-polygon")]
@@ -926,7 +932,7 @@ def test_no_file_of_random_bytes_makes_satviz_fail(tmp_path):
     for raw in files:
         bad.write_bytes(raw)
         try:
-            seen[len(load(bad)[0])] += 1
+            seen[len(load_shapes(bad)[0])] += 1
         except sv.InvalidScene as error:
             seen["refused"] += 1
             assert str(bad) in str(error) and "\n" not in str(error), raw

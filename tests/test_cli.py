@@ -431,7 +431,7 @@ def test_an_internal_error_is_one_line_and_development_mode_shows_where(error, c
     def worked(name):
         raise error
 
-    monkeypatch.setattr("satviz.scenes.named.scene", worked)
+    monkeypatch.setattr("satviz.scenes.resolve.scene", worked)
     assert main(["trace", "aabb"]) == 1
     err = capsys.readouterr().err
     assert err.count("\n") == 1 and type(error).__name__ in err and "-X dev" in err
@@ -473,7 +473,7 @@ def vanishing(work):
         pytest.param(
             ["bench", "--pairs", "10", "--rounds", "1"], "satviz.study.bench.time_in_turn", marks=pytest.mark.slow
         ),  # compiles the study's kernels
-        (["trace", "aabb"], "satviz.scenes.named.scene"),
+        (["trace", "aabb"], "satviz.scenes.resolve.scene"),
         (["notebook", "--no-open"], "satviz.safe_write.write"),
     ],
     ids=lambda value: value[0] if isinstance(value, list) else "",
@@ -502,14 +502,14 @@ def test_an_interrupt_that_was_turned_into_another_error_is_still_an_interrupt(c
         Finalized()
         raise ImportError("initialization failed")
 
-    monkeypatch.setattr("satviz.scenes.named.scene", worked)
+    monkeypatch.setattr("satviz.scenes.resolve.scene", worked)
     assert main(["trace", "aabb"]) == 130 and capsys.readouterr().err.count("\n") == 1
 
 
 @pytest.mark.usefixtures("listening")
 def test_an_earlier_interrupt_does_not_stop_the_next_command(capsys, monkeypatch):
     with monkeypatch.context() as patched:
-        patched.setattr("satviz.scenes.named.scene", vanishing(sv.scene))
+        patched.setattr("satviz.scenes.resolve.scene", vanishing(sv.scene))
         assert main(["trace", "aabb"]) == 130
     assert main(["trace", "aabb"]) == 0
 

@@ -643,6 +643,11 @@ def test_a_text_that_is_cut_off_gives_a_finding():
     assert any("never closed" in str(f) for f in sv.paste(f"{SQUARE} [(0,0),(1,0),(0,1)").findings)
 
 
+def test_shapes_of_three_dimensions_are_told_nothing_clear():
+    text = "a = Polygon(P(0, 0, {}), P(4, 0, 1), P(0, 4, 1))\nb = Polygon(P(9, 9, 1), P(8, 9, 1), P(9, 8, 1))"
+    assert found(sv.paste(text.format(1)))[0] == "clear" and "clear" not in found(sv.paste(text.format(5)))
+
+
 # -- a fuzz of the reader
 
 ALPHABET = "()[]{},;:=.-+*/ \n'\"`0123456789eExXfnaN_#<>!&|\\\u2212\u0663\u00b2"
@@ -904,6 +909,20 @@ def test_there_is_no_answer_below_a_question_with_one_shape_or_with_another_ques
     assert [q.what for q in sv.paste(box).questions if q.matters] == ["rest", "box"]
     assert sv.paste(box).without is None and sv.paste(box, "corner-size").without is not None
     assert sv.paste(CLEAR).without is None
+
+
+def test_no_test_is_called_wrong_where_third_coordinates_differ():
+    text = "ConvexPolygon((Point(0, 0, {}), Point(4, 0, 1), Point(0, 4, 1))) circle((9, 9), 1)"
+    flat, slanted = (sv.paste(text.format(z)).findings for z in (1, 190))
+    assert [f.kind for f in flat] == ["clear", "note"]
+    assert [f.kind for f in slanted] == ["third-coordinate"] and "is wrong" not in str(slanted)
+
+
+def test_a_position_that_is_left_out_is_named_in_the_answer():
+    (question,) = sv.paste("[(0,0),(4,0),(4,4)] circle((9, 9), 1); rectangle position (10, 10)").questions
+    assert question.answers[0].meaning == "the shapes as read, without this position"
+    (question,) = sv.paste("[(0,0),(4,0),(4,4)] circle((9, 9), 1); zork 10").questions
+    assert question.answers[0].meaning == "the shapes as read, without it"
 
 
 def test_another_pair_of_several_is_shown():

@@ -8,7 +8,7 @@ import pytest
 
 import satviz as sv
 from satviz.advice import shapesfile
-from satviz.advice.shapesfile import load
+from satviz.advice.shapesfile import load_shapes
 from satviz.cli import main
 
 
@@ -53,12 +53,12 @@ def of_another_kind(array):
 @pytest.mark.parametrize("name", WHOLE)
 def test_an_array_of_the_wrong_kind_is_named_as_the_file_names_it(name, saved, monkeypatch):
     """It is named before any array is unpacked."""
-    assert len(load(saved(**WHOLE))[0]) == 5
+    assert len(load_shapes(saved(**WHOLE))[0]) == 5
     monkeypatch.setattr(shapesfile, "_array", lambda *_: pytest.fail("unpacked"))
     for wrong in of_another_kind(WHOLE[name]):
         path = saved(**WHOLE | {name: wrong})
         with pytest.raises(sv.InvalidScene) as error:
-            load(path)
+            load_shapes(path)
         assert str(error.value).startswith(f"{path}: {name} is {wrong.dtype} of the shape {wrong.shape}: expected (")
 
 
@@ -96,7 +96,7 @@ def test_two_members_of_one_name_are_refused(name, ending, saved):
     with zipfile.ZipFile(path, "a") as made:
         made.writestr(f"{name}{ending}", made.read(f"{name}.npy"))
     with pytest.raises(sv.InvalidScene, match=f"has the array '{name}' 2 times: keep one of them$"):
-        load(path)
+        load_shapes(path)
 
 
 @pytest.mark.parametrize(
@@ -110,11 +110,11 @@ def test_too_many_numbers_are_refused_before_they_are_unpacked(names, verb, says
     monkeypatch.setattr(shapesfile, "LIMITED", (only,))
     monkeypatch.setattr(shapesfile, "MAX_NUMBERS", int(says) - 1)
     with pytest.raises(sv.InvalidScene) as error:
-        load(path)
+        load_shapes(path)
     limit = f"the limit is {int(says) - 1}; put fewer into one file"
     assert str(error.value) == f"{path}: {names} {verb} {says} numbers: {limit}" and not unpacked
     monkeypatch.setattr(shapesfile, "MAX_NUMBERS", int(says))
-    assert len(load(path)[0]) == len(unpacked) == 5
+    assert len(load_shapes(path)[0]) == len(unpacked) == 5
 
 
 @pytest.mark.parametrize("name", WHOLE)
@@ -134,7 +134,7 @@ def test_of_every_array_there_may_be_as_many_numbers_as_the_limit_says(name, tmp
             text = repr(header).encode()
             made.writestr(f"{name}.npy", b"\x93NUMPY" + version + len(text).to_bytes(size, "little") + text)
         with pytest.raises(sv.InvalidScene, match="the limit is 4,000,000"):
-            load(path)
+            load_shapes(path)
 
 
 def test_a_member_that_numpy_would_not_write_so_is_not_unpacked(tmp_path):
@@ -151,7 +151,7 @@ def test_a_member_that_numpy_would_not_write_so_is_not_unpacked(tmp_path):
         with zipfile.ZipFile(path, "a", how) as made:
             made.writestr("radii.npy", radii)
         with pytest.raises(sv.InvalidScene, match=says):
-            load(path)
+            load_shapes(path)
 
 
 def test_corners_of_concave_polygons_are_counted_before_they_are_split(tmp_path, monkeypatch):
@@ -159,8 +159,8 @@ def test_corners_of_concave_polygons_are_counted_before_they_are_split(tmp_path,
     path = tmp_path / "notched.npz"
     np.savez(path, coords=np.array(notched + square + notched, float), offsets=[0, 5, 9, 14])
     monkeypatch.setattr(shapesfile, "MAX_CONCAVE_CORNERS", 10)
-    assert len(shapesfile.load(path)[0]) == 3
+    assert len(shapesfile.load_shapes(path)[0]) == 3
     monkeypatch.setattr(shapesfile, "MAX_CONCAVE_CORNERS", 9)
     monkeypatch.setattr(shapesfile.batch, "Polygons", lambda *args, **kwargs: pytest.fail("split"))
     with pytest.raises(sv.InvalidScene, match=r"coords holds 10 corners of concave .*: the limit is 9; split"):
-        shapesfile.load(path)
+        shapesfile.load_shapes(path)

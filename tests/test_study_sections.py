@@ -21,7 +21,6 @@ from oracle import squared_distance
 from refresh_charts import charts as guide_charts
 
 from satviz import Circle, Polygon, advise, batch, relate
-from satviz.advice.margins import signed_relative_margins
 from satviz.advice.relative_margin import relative_margin
 from satviz.advice.timing import time_in_turn
 from satviz.engine.axes import needed
@@ -78,6 +77,7 @@ from satviz.study.workloads.hard_pairs import (
     HARD_KINDS,
     hard_circles,
     hard_pairs,
+    margins_of,
     octave_of,
     touching_quadrilaterals,
 )
@@ -142,7 +142,7 @@ def test_the_relative_margin_has_no_unit():
     for kind in HARD_KINDS:
         a, b, found = hard_pairs(kind, rng, 1)
         scaled = [(batch.Polygons(a * 2.0**k), batch.Polygons(b * 2.0**k)) for k in (-90, 70)]
-        small, large = (abs(signed_relative_margins(*both)) for both in scaled)
+        small, large = (margins_of(*both) for both in scaled)
         assert np.array_equal(small, found) and np.array_equal(large, found)
 
 
@@ -353,7 +353,7 @@ def test_every_found_pair_is_wrong_and_below_the_proven_bound(name, seed):
     ((_, answers),) = answers_by_method([method], found.a, found.b)
     assert wrong_answers(answers, right).tolist() == [True]
     assert 7 < found.margin < speed_against_accuracy.PROVEN_MARGINS[name]
-    assert abs(signed_relative_margins(batch.Polygons(found.a), batch.Polygons(found.b))[0]) == found.margin
+    assert margins_of(batch.Polygons(found.a), batch.Polygons(found.b))[0] == found.margin
 
 
 def test_a_search_finds_gjk_wrong_where_edges_are_parallel():

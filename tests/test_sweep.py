@@ -8,7 +8,7 @@ from satviz.pictures.caption import add_captions
 from satviz.pictures.curve import gap_at, unit_vector
 from satviz.pictures.float_geometry import range_along
 from satviz.pictures.moves import animation, in_between
-from satviz.pictures.playback import sweep_playback
+from satviz.pictures.playback import picture_playback
 from satviz.scenes.named import ALL_SCENES
 
 
@@ -62,7 +62,7 @@ def test_a_step_of_a_sweep_divides_180(step):
 
 
 def test_a_sweep_is_a_playback_and_a_page():
-    show = sweep_playback(sv.scene("triangles").record())
+    show = picture_playback(sv.scene("triangles").record(), sv.sweep("triangles"), turns=True)
     assert len(show["steps"]) == 61 and not show["rows"] and not show["asks"]
     page = sv.page("triangles", sweep=True)
     assert page.count('"stage":"sweep"') == 61

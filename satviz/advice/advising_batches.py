@@ -16,6 +16,7 @@ from ..batch.arrays import Shapes, check_shapes
 from ..batch.broad_phase import broad_phase_of, candidate_blocks, sort_pairs
 from ..batch.codes import APART
 from ..batch.engines import engine_of
+from ..batch.narrow_phase import check_pairs
 from ..batch.ragged import RaggedRings
 from ..engine.geometry import InvalidScene
 from ..engine.shapes import Circle, Shape
@@ -23,9 +24,9 @@ from .candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, AnyShape, Model, S
 from .certified_bounds import SAT_ROUNDINGS, certify
 from .classify import PartUnits, classify
 from .limits import refuse_too_many_boxes, refuse_too_many_fractions, refuse_too_many_tests
-from .margins import signed_relative_margins
+from .margins import max_coordinates, signed_relative_margins
 from .models import bounding_circles, compare_boxes, is_circle, shared_directions
-from .pairs import Array, Indices, PartPairs, indexed, max_coordinates, paired, part_shape, tests_per_pair
+from .pairs import Array, Indices, PartPairs, paired, part_shape, tests_per_pair
 from .records import (
     CIRCLES,
     CONCAVE_POLYGONS,
@@ -42,6 +43,8 @@ from .records import (
 from .rounding import FLOAT64, FORMATS
 from .scope import power_of_two_bound
 
+NOTHING = np.empty(0, np.intp), np.empty(0, np.intp)  # the indices of no pairs
+
 
 def recommend_batch(
     a: Any, b: Any, pairs: ArrayLike | None, *, engine: str | None = None
@@ -50,7 +53,7 @@ def recommend_batch(
     a = check_shapes(a, "a")
     all_pairs = b is None and pairs is None
     b = a if b is None else check_shapes(b, "b")
-    ia, ib = _pairs_with_meeting_boxes(a.bounds, engine) if all_pairs else indexed(a, b, pairs)
+    ia, ib = _pairs_with_meeting_boxes(a.bounds, engine) if all_pairs else _indexed(a, b, pairs)
     if not len(ia) and not (all_pairs and len(a) > 1):
         what = "there are no pairs" if pairs is None else "pairs is empty"
         raise ValueError(f"{what}, so there is nothing to advise on: give at least one pair")
@@ -59,13 +62,14 @@ def recommend_batch(
     extreme = _out_of_range(both)
     refuse_too_many_fractions(extreme, extreme)
     exact = batch.relate(a, b, np.stack([ia, ib], axis=1), engine=engine)
-    broad_phase, near = None, paired(a, ia[:0], a, ia[:0])
+    broad_phase, (i, j) = None, NOTHING
     if all_pairs and len(ia) < (every := len(a) * (len(a) - 1) // 2):
-        broad_phase, near = _count_apart_by_boxes(a, every - len(ia), engine)
+        broad_phase, (i, j) = _count_apart_by_boxes(a, every - len(ia), engine)
+    near = paired(a, i, a, j)
     used = [(a, np.unique([ia, ib]))] if a is b else [(a, np.unique(ia)), (b, np.unique(ib))]
     kinds = _kinds(used)
     numbers = np.concatenate([ia, near.ia]), np.concatenate([ib, near.ib])
-    signed = signed_relative_margins(a, b, np.stack([ia, ib], axis=1), engine=engine)
+    signed = signed_relative_margins(both, engine=engine)
     given = GivenPairs(
         len(ia),
         lambda k: (_shape_of(a, int(numbers[0][k])), _shape_of(b, int(numbers[1][k]))),
@@ -87,6 +91,16 @@ def recommend_batch(
         kinds, _corners(both), _size_ratio(both), given.pairs, (apart, touching, over), by_boxes, least, at, search
     )
     return summary, results, given
+
+
+def _indexed(a: Shapes, b: Shapes, pairs: ArrayLike | None) -> tuple[Indices, Indices]:
+    """Return (ia, ib), the indices of the pairs; if `pairs` is None, shape i of both.  Errors as in `relate`."""
+    if pairs is not None:
+        return check_pairs(pairs, len(a), len(b))
+    if len(a) != len(b):
+        raise ValueError(f"{len(a)} and {len(b)} shapes: give two batches of one length, or say which pairs (pairs=)")
+    every = np.arange(len(a))
+    return every, every
 
 
 def _pairs_with_meeting_boxes(bounds: Array, engine: str | None) -> tuple[Indices, Indices]:
@@ -114,8 +128,8 @@ def _out_of_range(both: PartPairs) -> int:
     return int(np.count_nonzero(~((most > 2.0**-450) & (most < 2.0**450))))
 
 
-def _count_apart_by_boxes(a: Shapes, many: int, engine: str | None) -> tuple[BroadPhaseResult, PartPairs]:
-    """Return (BroadPhaseResult, the pairs apart by their boxes that circles alone might not certify as apart).
+def _count_apart_by_boxes(a: Shapes, many: int, engine: str | None) -> tuple[BroadPhaseResult, tuple[Indices, Indices]]:
+    """Return (BroadPhaseResult, (i, j) of the pairs apart by boxes that circles alone might not certify as apart).
 
     With M the larger max_coordinate (radius included) of two circles, u the unit roundoff, d their distance and R the
     sum of the radii, the circles are certified apart where d - R is 72 u M or more: the bound of `certify_circles` for
@@ -129,19 +143,18 @@ def _count_apart_by_boxes(a: Shapes, many: int, engine: str | None) -> tuple[Bro
     with np.errstate(all="ignore"):
         max_coordinate = np.abs(disc[:, :2]).max(axis=1) + disc[:, 2]
         trusted = {k: f for k, f in forms.items() if (max_coordinate < f.most).all() and (disc[:, 2] > f.least).all()}
-        nothing = paired(a, np.empty(0, np.intp), a, np.empty(0, np.intp))
         exact = {EXACT_FILTER} if only_circles else set()
         if not trusted:
-            return BroadPhaseResult(many, 0, frozenset(exact), only_circles), nothing
+            return BroadPhaseResult(many, 0, frozenset(exact), only_circles), NOTHING
         wide = (disc[:, 2] + 100 * 2.0 ** -min(f.bits for f in trusted.values()) * max_coordinate)[:, None]
         boxes = np.concatenate([disc[:, :2] - wide, disc[:, :2] + wide], axis=1)
     try:
         i, j = _pairs_with_meeting_boxes(boxes, engine)
     except InvalidScene:  # too many: every model follows the boxes
-        return BroadPhaseResult(many, 0, frozenset(exact), only_circles), nothing
+        return BroadPhaseResult(many, 0, frozenset(exact), only_circles), NOTHING
     apart = compare_boxes(a.bounds[i], a.bounds[j]) == APART
-    near = paired(a, i[apart], a, j[apart])
-    return BroadPhaseResult(many, len(near.ia), frozenset(exact | trusted.keys()), only_circles), near
+    near = i[apart], j[apart]
+    return BroadPhaseResult(many, len(near[0]), frozenset(exact | trusted.keys()), only_circles), near
 
 
 def _moved_bound(both: PartPairs, signed: Array) -> float:

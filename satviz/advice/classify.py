@@ -18,7 +18,7 @@ from . import rounding
 from .candidates import AABB, BOUNDING_CIRCLES, EXACT_FILTER, K_DOP, Model
 from .certified_bounds import DISTANCE_ROUNDINGS, RANGE_ROUNDINGS, TURN_ROUNDINGS, WIDENING, certify_convex_sat
 from .limits import refuse_too_many_fractions
-from .margins import edge_clearances, edge_distances
+from .margins import edge_clearances, edge_distances, max_coordinates
 from .models import (
     DTYPES,
     bounding_boxes,
@@ -28,7 +28,7 @@ from .models import (
     is_circle,
     relations_of_gaps,
 )
-from .pairs import Array, Indices, PartPairs, Relations, max_coordinates, pair_columns, part_shape
+from .pairs import Array, Indices, PartPairs, Relations, pair_columns
 from .rounding import FLOAT64, FORMATS, FloatFormat
 from .rounding_numpy import Errors
 
@@ -78,9 +78,7 @@ def _decide_by_fractions(pairs: PartPairs, found: Relations, form: FloatFormat) 
     undecided = np.flatnonzero((found == UNDECIDED) & (pairs.whole(found)[pairs.of] == UNDECIDED))
     for many, k in enumerate(undecided.tolist()):
         refuse_too_many_fractions(many, len(undecided))
-        relation = certify_convex_sat(
-            part_shape(pairs.a.parts, pairs.pa[k]), part_shape(pairs.b.parts, pairs.pb[k]), form
-        )
+        relation = certify_convex_sat(*pairs.part_shapes(k), form)
         if relation is None:
             break
         found[k] = relation

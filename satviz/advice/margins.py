@@ -8,15 +8,15 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from .. import batch
-from ..batch.arrays import CornerColumns, Shapes
+from ..batch.arrays import CornerColumns
 from ..batch.codes import TOUCHING
 from ..batch.exact_signs import sum_with_error, two_sum
 from ..engine.predicates import UNIT_ROUNDOFF
 from .limits import refuse_too_many_fractions
-from .pairs import Array, indexed, max_coordinates, pair_columns, part_pairs, part_shape
+from .pairs import Array, PartPairs, pair_columns
 from .relative_margin import signed_relative_margin
 
 # |error| < 17 u D M of an orientation (D the span, M max_coordinate), < 40 u M of a distance: 40 / 2**11 is one part
@@ -28,16 +28,18 @@ MIN_LENGTH = 2.0**-900  # in units of max_coordinate: products of shorter length
 Measure = Callable[[CornerColumns, CornerColumns], Array]
 
 
-def signed_relative_margins(
-    a: Shapes, b: Shapes, pairs: ArrayLike | None = None, *, engine: str | None = None
-) -> Array:
-    """Return each pair's gap, or minus its overlap, in roundings (K,), right to one part in fifty; 0 only if touching.
+def max_coordinates(group: CornerColumns) -> Array:
+    """Return the largest absolute coordinate of each column, plus the radius of circles."""
+    most: Array = np.maximum(np.abs(group.x).max(axis=0), np.abs(group.y).max(axis=0))
+    return most if group.r is None else most + group.r
 
-    a, b: batch shapes paired row by row, or by the (K, 2) indices `pairs`; `engine` as in `batch.relate`.
+
+def signed_relative_margins(pairs: PartPairs, *, engine: str | None = None) -> Array:
+    """Return each pair's gap, or minus its overlap, in roundings (n,), right to one part in fifty; 0 only if touching.
+
+    `engine` as in `batch.relate`.
     """
-    ia, ib = indexed(a, b, pairs)
-    pa, pb, of = part_pairs(a, ia, b, ib)
-    a, b = a.parts, b.parts
+    a, b, pa, pb = pairs.a.parts, pairs.b.parts, pairs.pa, pairs.pb
     margins = np.empty(len(pa))
     for mine, p, q in pair_columns(a, pa, b, pb):
         margins[mine] = _margins_of_columns(p, q, _polygon_gap, _circle_gap)
@@ -51,9 +53,9 @@ def signed_relative_margins(
     rest = np.flatnonzero(np.isnan(margins))
     refuse_too_many_fractions(len(rest), len(rest))
     for i in rest.tolist():
-        margins[i] = signed_relative_margin(part_shape(a, pa[i]), part_shape(b, pb[i]))
-    found = np.full(len(ia), np.inf)
-    np.minimum.at(found, of, margins)
+        margins[i] = signed_relative_margin(*pairs.part_shapes(i))
+    found = np.full(len(pairs.ia), np.inf)
+    np.minimum.at(found, pairs.of, margins)
     return found
 
 

@@ -8,11 +8,10 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from ..batch.arrays import CornerColumns, Shapes
 from ..batch.codes import UNDECIDED
-from ..batch.narrow_phase import check_pairs
 from ..engine.shapes import Circle, Polygon, Shape
 
 Array = NDArray[np.float64]
@@ -49,10 +48,19 @@ class PartPairs(NamedTuple):
         np.maximum.at(most, self.of, order[of_parts])
         return np.array([0, 1, UNDECIDED, 2], np.int8)[most]
 
+    def part_shapes(self, k: int) -> tuple[Shape, Shape]:
+        """Return the convex parts of pair k of parts as two single shapes."""
+        return part_shape(self.a.parts, self.pa[k]), part_shape(self.b.parts, self.pb[k])
+
 
 def paired(a: Shapes, ia: Indices, b: Shapes, ib: Indices) -> PartPairs:
     """Return the PartPairs record of a[ia[k]] with b[ib[k]], which includes all pairs of their convex parts."""
-    return PartPairs(a, b, ia, ib, *part_pairs(a, ia, b, ib))
+    first_a, first_b = a.starts[ia], b.starts[ib]
+    many_b = b.starts[ib + 1] - first_b
+    each = (a.starts[ia + 1] - first_a) * many_b
+    of = np.repeat(np.arange(len(ia)), each)
+    rank = np.arange(len(of)) - np.repeat(np.cumsum(each) - each, each)
+    return PartPairs(a, b, ia, ib, first_a[of] + rank // many_b[of], first_b[of] + rank % many_b[of], of)
 
 
 @dataclass(frozen=True)
@@ -67,26 +75,6 @@ class ConvertedParts:
     count: NDArray[np.int64]
     slot: Indices
     groups: dict[int, CornerColumns]
-
-
-def indexed(a: Shapes, b: Shapes, pairs: ArrayLike | None) -> tuple[Indices, Indices]:
-    """Return (ia, ib), the indices of the pairs; if `pairs` is None, shape i of both. Errors as in `relate`."""
-    if pairs is not None:
-        return check_pairs(pairs, len(a), len(b))
-    if len(a) != len(b):
-        raise ValueError(f"{len(a)} and {len(b)} shapes: give two batches of one length, or say which pairs (pairs=)")
-    every = np.arange(len(a))
-    return every, every
-
-
-def part_pairs(a: Shapes, ia: Indices, b: Shapes, ib: Indices) -> tuple[Indices, Indices, Indices]:
-    """Return (pa, pb, of): all pairs of convex parts of the given pairs, and the index of the pair of each."""
-    first_a, first_b = a.starts[ia], b.starts[ib]
-    many_b = b.starts[ib + 1] - first_b
-    each = (a.starts[ia + 1] - first_a) * many_b
-    of = np.repeat(np.arange(len(ia)), each)
-    rank = np.arange(len(of)) - np.repeat(np.cumsum(each) - each, each)
-    return first_a[of] + rank // many_b[of], first_b[of] + rank % many_b[of], of
 
 
 def tests_per_pair(a: Shapes, ia: Indices, b: Shapes, ib: Indices) -> Array:
@@ -126,9 +114,3 @@ def slice_if_adjacent(slots: Indices) -> Indices | slice:
     first, last = int(slots[0]), int(slots[-1])
     adjacent = last - first == len(slots) - 1 and (np.diff(slots) == 1).all()
     return slice(first, last + 1) if adjacent else slots
-
-
-def max_coordinates(group: CornerColumns) -> Array:
-    """Return the largest absolute coordinate of each column, plus the radius of circles."""
-    most: Array = np.maximum(np.abs(group.x).max(axis=0), np.abs(group.y).max(axis=0))
-    return most if group.r is None else most + group.r

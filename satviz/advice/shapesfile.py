@@ -44,7 +44,7 @@ PACKED = zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED
 LIMITED = ("coords",), ("offsets",), ("centers", "radii"), ("pairs",)  # each group has MAX_NUMBERS in all, at most
 
 
-def load(path: Path) -> tuple[batch.Shapes, NDArray[Any] | None]:
+def load_shapes(path: Path) -> tuple[batch.Shapes, NDArray[Any] | None]:
     """Return (shapes, pairs) of a file, None for pairs if it has none; InvalidScene for a file of another form.
 
     `coords` (M, 2) and `offsets` (N + 1,): polygons one after another, concave ones split; `centers` (K, 2) and

@@ -19,7 +19,7 @@ from ..pictures.sheet import MAX_ROWS
 from ..render.notebook import bundle
 from ..render.page import html_file
 from ..scenes.failing import NAMED
-from ..scenes.resolve import SceneLike, resolve
+from ..scenes.resolve import Resolved, SceneLike, resolve
 from ..scenes.scenefile import Scene
 from .chapter_text import Chapter, chapters
 from .questions import Question, questions
@@ -81,7 +81,7 @@ def sheets_of(what: SceneLike) -> tuple[Sheet, Sheet]:
     if chapter:
         return chapter_sheets(chapter)
     given = resolve(what)
-    name, title = (given.given.name, _title_of(given.given)) if isinstance(given.given, Scene) else ("", COLLIDE)
+    name, title = (given.given.name, _title_of(given)) if isinstance(given.given, Scene) else ("", COLLIDE)
     asked, solved = _worksheet(given.trace, name)
     return _sheet(title, asked), _sheet(f"{title}{SOLUTIONS}", solved)
 
@@ -98,7 +98,7 @@ def chapter_sheets(chapter: Chapter) -> tuple[Sheet, Sheet]:
     for name in WORKSHEETS.get(chapter.title.split()[0], ()):
         resolved = resolve(name)
         one, other = _worksheet(resolved.trace, name)
-        heading = f"<h2>{escape(_title_of(resolved.scene))}</h2>"
+        heading = f"<h2>{escape(_title_of(resolved))}</h2>"
         asked.append(f'<section class="by-hand">{heading}{one}</section>')
         solved.append(f'<section class="by-hand">{heading}{other}</section>')
     found, exercises = questions(chapter)
@@ -116,11 +116,12 @@ def _sheet(title: str, body: str) -> Sheet:
     return Sheet(title, f'<article class="{kind}"><header><h1>{escape(title)}</h1>{name}</header>{body}</article>')
 
 
-def _title_of(scene: Scene) -> str:
+def _title_of(found: Resolved) -> str:
     """Return the title of a worksheet's scene, or a question if the title would give away the answer."""
+    scene = found.scene
     if scene.name in NAMED:
         return "Is the claim right?"
-    named = scene.title and scene.title != scene.name and not scene.record().false_hit
+    named = scene.title and scene.title != scene.name and not found.trace.false_hit
     return describe.printable(scene.title) if named else COLLIDE
 
 

@@ -9,13 +9,11 @@ from ..engine.geometry import Relation
 from ..engine.trace import Trace
 from .caption import reading_time_ms
 from .comparison import picture
-from .difference_steps import difference_steps
 from .layout import NARROW_SIZE_PT
 from .marks import Mark, Picture, marks_data
 from .moves import TURN_FRAME_MS
-from .stages import Stage, Step, steps
+from .stages import Stage, Step, steps_of
 from .step_picture import LARGEST_PT
-from .turning_axis import sweep
 
 # the loop as pseudo-code: each line with the stages during which it is marked
 PSEUDOCODE = (
@@ -63,7 +61,7 @@ def narrow_playbacks(trace: Trace) -> list[dict[str, Any]]:
     largest = next((size for size in sizes if picture(trace, largest=size).size[0] <= size[0]), sizes[-1])
     if (
         picture(trace, largest=largest).size[0] > MAX_NARROW_WIDTH_PT
-        or len(steps(trace.without_early_exit())) > MAX_NARROW_STEPS
+        or len(steps_of(trace.without_early_exit())) > MAX_NARROW_STEPS
     ):
         return []
     return [playback(run, largest) for run in _distinct_runs(trace)]
@@ -96,21 +94,13 @@ def playback(trace: Trace, largest: tuple[float, float] = LARGEST_PT) -> dict[st
     }
 
 
-def sweep_playback(trace: Trace) -> dict[str, Any]:
-    """Return the pictures of an axis that turns (`sv.sweep`) as a playback, which has no table and no code."""
-    return _playback_of_pictures(trace, sweep(trace), "sweep", TURN_FRAME_MS)
+def picture_playback(trace: Trace, pictures: Sequence[Picture], *, turns: bool) -> dict[str, Any]:
+    """Return pictures of a trace's shapes as a playback, which has no table and no code.
 
-
-def difference_playback(trace: Trace) -> dict[str, Any]:
-    """Return the pictures of how B - A comes about as a playback, which has no table and no code."""
-    return _playback_of_pictures(trace, difference_steps(trace), "difference")
-
-
-def _playback_of_pictures(
-    trace: Trace, pictures: Sequence[Picture], stage: str, frame_ms: int | None = None
-) -> dict[str, Any]:
-    """Return pictures as a playback; each is shown for `frame_ms` milliseconds, or as long as its words take."""
-    times = (reading_time_ms(drawn.sentence) if frame_ms is None else frame_ms for drawn in pictures)
+    They show an axis that turns (`turns`), or how B - A comes about: each of these for as long as its words take.
+    """
+    stage = "sweep" if turns else "difference"
+    times = (TURN_FRAME_MS if turns else reading_time_ms(drawn.sentence) for drawn in pictures)
     facts: list[dict[str, Any]] = [{"ms": ms, "row": None, "code": [], "stage": stage} for ms in times]
     found = _playback_data(trace, pictures[-1].sentence, pictures, facts)
     return found | {"rows": [], "asks": False, "code": []}
@@ -141,7 +131,7 @@ def playback_steps(trace: Trace) -> list[Step]:
 
     ValueError where even those are more than 600.
     """
-    every = steps(trace)
+    every = steps_of(trace)
     if len(every) > MAX_STEPS:
         every = [step for step in every if step.test is None or step.stage is Stage.GAP]
     if len(every) > MAX_STEPS:

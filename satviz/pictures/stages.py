@@ -9,6 +9,7 @@ from typing import NamedTuple, SupportsIndex
 
 from ..engine import describe
 from ..engine.axes import ANY, CENTROIDS, FROM_EDGES, GIVEN, WORLD
+from ..engine.geometry import InvalidScene
 from ..engine.trace import Trace
 from ..scenes.resolve import EXPECT_RUN, SceneLike, resolve
 
@@ -45,7 +46,11 @@ class Step(NamedTuple):
 
 def steps(what: SceneLike) -> list[Step]:
     """Return every step of a trace (or of a scene's trace) in drawing order, from the bare scene to the verdict."""
-    trace = resolve(what, expected=EXPECT_RUN).trace
+    return steps_of(resolve(what, expected=EXPECT_RUN).trace)
+
+
+def steps_of(trace: Trace) -> list[Step]:
+    """Return every step of a trace in drawing order."""
     found = [Step(Stage.SCENE)]
     if trace.pairs:
         found.append(Step(Stage.PARTS))
@@ -56,6 +61,18 @@ def steps(what: SceneLike) -> list[Step]:
     return [*found, Step(Stage.VERDICT)]
 
 
+def step_range(trace: Trace, given: tuple[int, int] | None) -> tuple[int, int]:
+    """Return the numbers of the first and the last step, from 0, of the given two; None means all steps.
+
+    A negative number counts from the end.  InvalidScene for a step that the run does not have.
+    """
+    count = len(steps_of(trace))
+    first, last = (step % count if step < 0 else step for step in given or (0, -1))
+    if last >= count:
+        raise InvalidScene(f"the run has no step {last}: its steps are 0 to {count - 1}")
+    return first, last
+
+
 def _stages_of_test(trace: Trace, test: int) -> Sequence[Stage]:
     """Return the stages of a test; one whose axis comes from no edge begins with the axis."""
     return TEST_STAGES[2:] if trace.tests[test].source.kind in (WORLD, GIVEN, ANY, CENTROIDS) else TEST_STAGES
@@ -63,7 +80,7 @@ def _stages_of_test(trace: Trace, test: int) -> Sequence[Stage]:
 
 def resolve_step(trace: Trace, step: int | Step) -> Step:
     """Return the Step meant by a number in `steps(trace)` or by a Step; IndexError if there is none."""
-    every = steps(trace)
+    every = steps_of(trace)
     if not isinstance(step, Step):
         if not isinstance(step, SupportsIndex):
             raise TypeError(f"step is {step!r}: pass a number or a Step")

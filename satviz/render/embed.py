@@ -8,9 +8,8 @@ from typing import Any
 from ..engine import describe
 from ..engine.geometry import InvalidScene
 from ..engine.shapes import Shape
-from ..engine.trace import Trace
 from ..pictures import THEMES, picture
-from ..pictures import steps as steps_of
+from ..pictures.stages import step_range
 from ..scenes.embedding import TABLE, TOOLS, EmbedOptions, query
 from ..scenes.link import BREAK, PAGE, link
 from ..scenes.resolve import SceneLike, resolve
@@ -52,14 +51,17 @@ def embed(
     if not site:
         raise InvalidScene("a frame needs the address of a site: give site=, such as https://example.org/satviz/")
     options = EmbedOptions(play, predict, steps, challenge, theme, tuple(show))
-    folder, _, fragment = link(what, b, site=site, **more).partition(f"{PAGE}#")
+    found = resolve(what, b)
+    folder, _, fragment = link(found, site=site, **more).partition(f"{PAGE}#")
     address = f"{folder}{PAGE}?{query(options)}#{fragment}"
-    trace = resolve(what, b).trace
+    trace = found.trace
     if challenge == BREAK and not trace.shortcut:
         raise InvalidScene("the scene has no shortcut that could be broken: choose another challenge")
     if predict and trace.shortcut:
         trace = trace.truth
-    drawn = picture(trace, 0 if predict else _last_step(trace, options, more.get("step")))
+    step = more.get("step")
+    last = step_range(trace, options.steps or (0, -1 if step is None else step))[1]
+    drawn = picture(trace, 0 if predict else last)
     sentence = escape(describe.printable(drawn.sentence))
     data = b64encode(encode(drawn, "svg", THEMES[theme or "light"], stem="satviz")).decode()
     width, height = drawn.size
@@ -77,12 +79,3 @@ def embed(
         "</figure>",
     ]
     return "\n".join(lines) + "\n"
-
-
-def _last_step(trace: Trace, options: EmbedOptions, step: int | None) -> int:
-    """Return the number of a frame's last step, from 0; InvalidScene for a step that the run does not have."""
-    count = len(steps_of(trace))
-    last = options.steps[1] if options.steps else count - 1 if step is None else step
-    if last >= count:
-        raise InvalidScene(f"the run has no step {last}: its steps are 0 to {count - 1}")
-    return last

@@ -17,7 +17,7 @@ from ..pictures.claims import heading
 from ..pictures.comparison import refused_picture
 from ..pictures.difference_steps import difference_steps
 from ..pictures.layout import NARROW_SIZE_PT
-from ..pictures.playback import difference_playback, narrow_playbacks, playbacks, sweep_playback
+from ..pictures.playback import narrow_playbacks, picture_playback, playbacks
 from ..pictures.turning_axis import sweep as turning_axis
 from ..safe_write import MADE_BY
 from ..scenes.failing import FailureCase
@@ -56,8 +56,8 @@ def page(
     if found.refused:
         return _page_of_refused(found.refused)
     trace = found.trace.truth if predict else found.trace
-    own = sweep_playback if sweep else difference_playback if difference else None
-    shows = [own(trace)] if own else playbacks(trace)
+    drawn = turning_axis(trace) if sweep else difference_steps(trace) if difference else ()
+    shows = [picture_playback(trace, drawn, turns=sweep)] if drawn else playbacks(trace)
     question = "Do A and B collide?"
     about = describe.printable(question if predict else trace.sentence)
     title = " ".join(heading(trace)) if trace.shortcut else title or question
@@ -65,9 +65,8 @@ def page(
     script_hash = b64encode(sha256(script.encode()).digest()).decode()
     policy = f"default-src 'none'; style-src 'unsafe-inline'; script-src 'sha256-{script_hash}'; "
     policy += "img-src blob:; base-uri 'none'"  # the save menu makes a PNG from a blob
-    show = {"predict": predict, "speed": speed, "shows": shows, "narrow": [] if own else narrow_playbacks(trace)}
+    show = {"predict": predict, "speed": speed, "shows": shows, "narrow": [] if drawn else narrow_playbacks(trace)}
     data = json.dumps(show, separators=(",", ":"), ensure_ascii=False).replace("<", "\\u003c")
-    drawn = turning_axis(trace) if sweep else difference_steps(trace) if difference else ()
     first, last = (drawn[i] if drawn else picture(trace, i) for i in (0, -1))
     sentences = list(dict.fromkeys(s["sentence"] for s in shows[0]["steps"]))
     pictures = [f"<figure>{inline_svg(one, stem=stem)}</figure>" for one, stem in ((first, "first"), (last, "last"))]

@@ -66,11 +66,10 @@ def link(what: SceneLike | Shape, b: Shape | None = None, *, site: str = "", **m
     step=5, predict=True, every_axis=True; rows and steps count from 0.  InvalidScene for a name, an address or a
     value that cannot be opened again, TypeError for anything else.
     """
-    if isinstance(what, Trace) and b is None:
-        found = _scene_of(what) or Scene("scene", what.a, what.b, every_axis=what.every_axis)
-    else:
-        found = resolve(what, b).scene
-    made = fragment(found, ViewOptions(**more))
+    found = resolve(what, b)
+    run = found.given if isinstance(found.given, Trace) else None
+    opened = found.scene if run is None else _scene_of(run) or Scene("scene", run.a, run.b, every_axis=run.every_axis)
+    made = fragment(opened, ViewOptions(**more))
     parse_fragment(made)  # raises for options that nobody could open again
     return f"{site_folder(site)}{PAGE}#{made}"
 

@@ -9,7 +9,7 @@ from ..engine.shapes import Shape
 from ..engine.trace import Trace
 from ..pictures import Picture, picture
 from ..pictures.comparison import refused_picture
-from ..pictures.playback import difference_playback, narrow_playbacks, playbacks, sweep_playback
+from ..pictures.playback import narrow_playbacks, picture_playback, playbacks
 from ..render.script import javascript
 from ..scenes.link import fragment_of_trace
 from ..scenes.resolve import SceneLike, resolve
@@ -34,11 +34,11 @@ class Player(TraceWidget):
     def __init__(
         self, trace: Trace, *, predict: bool = False, sweep: bool = False, difference: bool = False, speed: float = 1.0
     ) -> None:
-        own = sweep_playback if sweep else difference_playback if difference else None
+        model = PlayerModel(trace, turns=sweep, difference=difference)
         super().__init__(
-            PlayerModel(trace, turns=sweep, difference=difference),
-            shows=[own(trace)] if own else playbacks(trace),
-            narrow=[] if own else narrow_playbacks(trace),
+            model,
+            shows=[picture_playback(trace, model.own, turns=sweep)] if model.own else playbacks(trace),
+            narrow=[] if model.own else narrow_playbacks(trace),
             predict=predict,
             speed=speed,
             link=fragment_of_trace(trace),

@@ -1,6 +1,6 @@
 """The player without the widget: the pictures of a trace, and those that a message asks to save."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 from ..engine.trace import Trace
@@ -18,12 +18,12 @@ class PlayerModel:
     """
 
     turns = False
-    _own: Callable[[Trace], Sequence[Picture]] | None = None  # the function that draws the pictures; None: the steps
+    own: Sequence[Picture] = ()  # the pictures that are shown instead of the steps
 
     def __init__(self, trace: Trace, *, turns: bool = False, difference: bool = False) -> None:
         self.trace = trace
         self.turns = turns
-        self._own = sweep if turns else difference_steps if difference else None
+        self.own = sweep(trace) if turns else difference_steps(trace) if difference else ()
 
     def picture(self) -> Picture:
         """Return the picture to show where no front end runs: the last step."""
@@ -41,8 +41,8 @@ class PlayerModel:
         step = content.get("step")
         if not every_step and not isinstance(step, int):
             return [self.picture()]
-        if self._own:
-            return [drawn for i, drawn in enumerate(self._own(self.trace)) if every_step or i == step]
+        if self.own:
+            return [drawn for i, drawn in enumerate(self.own) if every_step or i == step]
         trace = self.trace.without_early_exit() if content.get("which") else self.trace
         shown = playback_steps(trace)
         return [picture(trace, s) for i, s in enumerate(shown) if every_step or i == step]

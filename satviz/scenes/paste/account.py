@@ -163,7 +163,8 @@ class Account:
         named = [self.tokens[i] for i in line if self.tokens[i].kind in (NAME, FIELD, TEXT)]
         numbers = sum(self.tokens[i].kind == NUMBER and self._is_listed(i) for i in line)
         changes = any(
-            words(token.text) & ANY_CHANGE or (token.text != "by" and owner_of(last_of(token.text))[1])
+            words(token.text) & ANY_CHANGE
+            or (token.text != "by" and owner_of(last_of(token.text))[1] not in ("", "points"))
             for token in named
         )
         makes = numbers and any(SHAPE_WORDS.search(token.text) and not is_test(token.text) for token in named)
@@ -175,6 +176,8 @@ class Account:
     def _is_listed(self, i: int) -> bool:
         """Return whether a number stands in a list or a call, and not among words."""
         among = (NAME, LINE, TEXT, OTHER)
+        if self.at(i - 1).kind == NAME and self.at(i + 1).text in (",", ":") and self.at(i + 2).kind in (NAME, LINE):
+            return False  # it should return 1, really
         return any(each.kind not in among or each.text == "|" for each in (self.at(i - 1), self.at(i + 1)))
 
     def _says(self, line: range) -> bool:
@@ -299,7 +302,8 @@ class Account:
             if token.kind == LINE:
                 begins_in_block = frames[-1].block
             aside = begins_in_block and i in self._lines_aside
-            aside = (aside or frames[-1].counts) and token.kind in (NUMBER, OTHER)
+            result = self.at(i - 1).text == "=" and self.at(i - 2).kind == CLOSE and self.is_tested(i - 2)
+            aside = (aside or frames[-1].counts or result) and token.kind in (NUMBER, OTHER)
             if (aside or (frames[-1].drawn and token.kind == NUMBER)) and not self.holds(token.start, token.end):
                 self.aside.add(token.end)
             elif token.kind == OPEN:
@@ -576,8 +580,8 @@ class Account:
         if (after.text in ASSIGNS and before.kind != CLOSE) or (before.kind == LINE and after.text == "{"):
             return  # {.x = 1}, or a rule of CSS
         k = self.before(i)
-        behind = self.at(k).kind in (NUMBER, TEXT) or (self.at(k).kind == CLOSE and (frame.data or self.is_data(k)))
-        if not behind:
+        follows = self.at(k).kind in (NUMBER, TEXT) or (self.at(k).kind == CLOSE and (frame.data or self.is_data(k)))
+        if not follows:
             return
         if after.kind == OPEN and self.callee(i + 1):
             rows = name.lower() != "reshape" or self.at(self.close[i + 1] - 1).text in ("2", ",")
@@ -650,9 +654,9 @@ class Account:
     def transposes(self, i: int) -> bool:
         """Return whether a quote stands after data; it can open or close a text of several lines as well."""
         token, before, after = self.at(i), self.at(i - 1), self.at(i + 1)
-        behind = before.end == token.start and before.kind in (CLOSE, NAME, NUMBER, FIELD)
-        opens, self.quoted = self.quoted, not behind
-        if opens or not behind or (after.kind == NAME and token.end == after.start):
+        follows = before.end == token.start and before.kind in (CLOSE, NAME, NUMBER, FIELD)
+        opens, self.quoted = self.quoted, not follows
+        if opens or not follows or (after.kind == NAME and token.end == after.start):
             return False
         row = before.kind == NUMBER and self.holds(before.start, before.end)
         return self.is_variable(before) or row or (before.kind == CLOSE and self.is_data(i - 1))

@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from .harmless import listed
+from .notations import Kind, notation
 from .tree import Group, Name, Num
 
 OTHER_AXIS = {"x": "y", "X": "Y", "lon": "lat", "lng": "lat", "Lon": "Lat", "Lng": "Lat"}
@@ -31,8 +32,9 @@ def pairs_of_lists(fields: Mapping[str | int, Any]) -> Iterator[tuple[str, Group
 
 
 def is_flat(value: Any, least: int = LEAST) -> bool:
-    """Return whether a value is a list of at least `least` numbers, and nothing else."""
-    inner = value.items if isinstance(value, Group) else []
+    """Return whether a value is a list of at least `least` numbers, and nothing else; Vec3(0, 0, 1) is a point."""
+    row = notation(value.name) if isinstance(value, Group) and value.name else None
+    inner = value.items if isinstance(value, Group) and not (row and row.kind == Kind.POINT) else []
     if len(inner) == 1 and isinstance(inner[0], Group) and not inner[0].name:  # np.array([0, 1]), [0 1 2]
         inner = inner[0].items
     return len(inner) >= least and all(isinstance(v, Num) for v in inner)

@@ -11,7 +11,7 @@ from .boxes import AT_ORIGIN, BY_DIAMETER, BY_RADIUS, CHOICES, Read, circle, mov
 from .exact import centroid, hull
 from .keyed import Keyed
 from .names import Obj, Unreadable
-from .notations import ANY_BOX, CORNER_OR_CENTER, Ask, Form, Notation, key, notation
+from .notations import ANY_BOX, CORNER_OR_CENTER, SHAPE_WORDS, Ask, Form, Notation, key, notation
 from .points import ZERO, Pt, angle_of, places
 from .tree import Bad, Group, Name, Num, Pair, parts_of
 
@@ -34,7 +34,7 @@ class Calls(Keyed):
         """Return (arguments of a call that can describe a shape, its named arguments), without null, options and ()."""
         named = self.as_object(group)
         kept = []
-        if group.name.startswith("cv2."):  # the points, then a color and a thickness
+        if group.name.startswith(("cv2.", "cv::")):  # the points, then a color and a thickness
             color = next((i for i, v in enumerate(named.rest) if isinstance(v, Group) and len(v.items) > 2), None)
             named.rest = named.rest[:color] if color and color > 1 else named.rest
         while len(named.rest) > 1 and self._is_style(named.rest[-1]):
@@ -117,6 +117,9 @@ class Calls(Keyed):
                     if notation(group.name) and group.name.lower().split("::")[0].split(".")[-1] in ("polygon",):
                         raise Unreadable("a polygon with holes: satviz takes outlines without holes")
                     outline = None
+        rings = (outline, *(self.ring(v) for v in arguments if isinstance(self.resolve(v), Group)))
+        if SHAPE_WORDS.search(group.name) and any(ring and len(ring) == 2 for ring in rings):
+            raise Unreadable("two corners are a segment and no polygon: satviz takes outlines with an area")
         if outline is None or len(outline) < 3:
             return self._plain(group, label)
         if place is not None and group.name.lower().endswith("fromvertices"):

@@ -16,6 +16,7 @@ MERGED = {
 
 # The kinds, the gravest first: the first finding is the main one.
 KINDS = (
+    "third-coordinate",
     "crossing-outline",
     "zero-area",
     "negative-size",

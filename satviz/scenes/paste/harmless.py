@@ -74,6 +74,7 @@ INSIDE = listed(
     const new float32 float64 np numpy auto val mut final ref out in std vector array list tuple vec f32 f64 i32 i64
     number def setq define defvar defparameter fill line img cuda ax zero identity tensor string byte short unsigned
     polygon circle rect rectangle box point multipolygon feature featurecollection geometrycollection z zm m struct
+    frame
     """
 )
 # Keys outside of brackets that change a shape whatever their value is.
@@ -107,7 +108,7 @@ OTHER_NUMBERS = listed(
     prev previous impulse motion tolerance epsilon eps expected distance camera image version line error warn info
     background strokeweight fps framerate type srid iscrowd score ts bbox rows capacity make satviz contact vx vy vz
     fixture moment linewidth zindex elasticity bounce text font style figsize dpi xlim ylim mtv normal depth penetration
-    overlap
+    overlap wkid
     """
 )
 # A line with one of these words can describe a shape relative to another shape.
@@ -121,7 +122,7 @@ ANY_CHANGE = (CHANGING_CALLS | CHANGING_WORDS | CHANGING_KEYS | CHANGING_NUMBERS
 DECLARES = frozenset(["def", "setq", "define", "defvar", "defparameter"])
 # Parts of the names of calls that test shapes: with one of these, `rotated` in a name is no change.
 TESTS = re.compile(
-    r"intersect|overlap|colli[ds]|test|check|(?<![a-z])iou(?![a-z])|disjoint|touch|contain|within", re.IGNORECASE
+    r"intersect|overlap|colli[ds]|test|check|(?<![a-z])iou(?![a-z])|disjoint|touch|contain|within|impact", re.IGNORECASE
 )
 ADJECTIVES = listed("rotated scaled translated transformed moved rounded")
 # Words of calls that draw or print a shape, whose other numbers change none.

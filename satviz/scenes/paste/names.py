@@ -55,6 +55,7 @@ class Names:
         self.problems: list[str] = []  # lines on parts that could not be read
         self.parts: list[tuple[int, int]] = []  # spans of a known form, such as: from 0 to 2 * pi
         self.named: list[tuple[int, int]] = []  # spans that a problem quotes
+        self.thirds: set[Fraction] = set()  # third coordinates, which were left out
         self.counts: set[int] = set()  # the places where an index ends: v[0].Set(1, 2)
 
     def _insert(self, pair: Pair) -> None:

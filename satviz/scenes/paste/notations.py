@@ -60,7 +60,7 @@ NOTATIONS = (
         "dpoint coord coordinate position c2v b2vec2 cpv v2 v pt xy float2 double2 make_point make_float2 pvector "
         "vector.create cgpoint qpoint qpointf offset latlng vector3 vector3f vec3 point3d cgsize qsize qsizef "
         "size size2 vertex ccp point64 pointd intpoint pointsingle corner pvec2 makepoint st_point st_makepoint p "
-        "point_2 fvector2d",
+        "point_2 fvector2d pos2",
         Kind.POINT,
     ),
     # polygons, and the lists that hold their points
@@ -73,20 +73,22 @@ NOTATIONS = (
         "collisionpolygon2d convexpolygonshape2d convexpolygon2d plt.plot ax.plot plt.fill ax.fill patch "
         "fillpolygon drawpolygon zip column_stack rbind cbind newpolygonshape edgecollider polygoncollider2d addpoly "
         "seq set z zm tensor double[][] float32array float64array makepolygon fromvertices create_polygon convex "
-        "newpolygon newconvexpolygon polygon_2 cppolyshapenew b2computehull b2makepolygon polygonhull",
+        "newpolygon newconvexpolygon polygon_2 cppolyshapenew b2computehull b2makepolygon polygonhull arraybuffer",
         Kind.RING,
     ),
     Notation(
         "circle circle2d ball disc disk createcircle circleshape boundingcircle addcircle drawcircle "
         "newcirclecollider c2circle newcircle circleimpl circlef circleshape2d newcircleshape "
-        "circlecollider2d makecircle create_circle b2circle cpcircleshapenew arc ellipse2d",
+        "circlecollider2d makecircle create_circle b2circle cpcircleshapenew arc ellipse2d draw_circle_filled "
+        "draw_circle_outline",
         Kind.CIRCLE,
     ),
     # boxes
     Notation(
         "bodies.rectangle add.rectangle bodies.rect boxshape2d centered_rect rotatedrect p2.box p2.rectangle "
         "create_box rect::from_center_size display.newrect newrectangleshape rect.fromcenter "
-        "rectangleshape2d boxcollider2d setfromcenterandsize",
+        "rectangleshape2d boxcollider2d setfromcenterandsize "
+        "draw_rectangle_filled draw_rectangle_outline",
         Kind.BOX,
         Form.CENTER_SIZE,
     ),
@@ -94,14 +96,15 @@ NOTATIONS = (
         "rectangle rectanglef rect2 rect2i newrect qrect qrectf cgrect cgrectmake sf::rect floatrect intrect "
         "pygame.rect frect ccrectmake ccrect svg.rect rect.fromltwh makerect rectmake fillrect strokerect "
         "drawrectangle newrectanglecollider sdl_rect setrect sdl_frect domrect rectangle2d.double "
-        "rectangle2d.float recti rectint",
+        "rectangle2d.float recti rectint cv.rect ofrectangle makexywh lbwh from_min_size",
         Kind.BOX,
         Form.CORNER_SIZE,
     ),
     Notation(
         "shapely.box geometry.box st_makeenvelope makeenvelope bbox boundingbox ltrb pixel.r image.rect rect64 "
         "rectd rect.fromltrb rect.frompoints rect::from_corners create_rectangle RECT RECTL lnglatbounds "
-        "latlngbounds cpbbnew rectf bb box2.new three.box2 fbox2d bboxpolygon setfrompoints boundingrect",
+        "latlngbounds cpbbnew rectf bb box2.new three.box2 fbox2d bboxpolygon setfrompoints boundingrect "
+        "minmaxrect from_two_pos from_min_max crect makeltrb",
         Kind.BOX,
         Form.CORNER_CORNER,
     ),
@@ -109,7 +112,7 @@ NOTATIONS = (
     Notation("phaser.circle", Kind.CIRCLE, Form.DIAMETER),
     Notation("bounds", Kind.BOX, Form.CENTER_SIZE, keyed=Form.CORNER_SIZE),
     Notation("envelope referencedenvelope", Kind.BOX, ask=(Form.X_THEN_Y, Form.CORNER_CORNER)),
-    Notation("jts.env", Kind.BOX, Form.X_THEN_Y),
+    Notation("jts.env lrbt", Kind.BOX, Form.X_THEN_Y),
     Notation("size.at", Kind.BOX, Form.SIZE_CORNER),
     Notation("c2aabb aabb aabb2d aabb2 box2 box2d b2aabb extent", Kind.BOX, ask=(Form.CORNER_CORNER, Form.CENTER_HALF)),
     Notation(
@@ -186,7 +189,7 @@ KEYS = {
     name: meaning
     for meaning, names in {
         "points": "vertices verts points corners polygon coords path hull outline pts vertexlist ring exterior poly "
-        "pointlist vertex coordinates vertices2d",
+        "pointlist vertex coordinates vertices2d polyline",
         "center": "center centre pos position translation location circle middle mid c p centroid",
         "corner": "corner xy topleft bottomleft upperleft lowerleft start origin",
         "opposite": "bottomright topright lowerright upperright",

@@ -19,7 +19,7 @@ from . import findings, others
 from .boxes import ALL_CHOICES, CHOICES, ONLY_IF_IT_MATTERS, Read
 from .cleaned import cleaned
 from .findings import KINDS, Finding, PastedShape, listed
-from .notations import Ask, Form
+from .notations import Ask, Form, key
 from .objects import as_text
 from .pair_findings import AnsweredPair, clear, findings_of_pair
 from .parser import parse
@@ -83,6 +83,15 @@ CHOICE_WORDS = {
     "leave-out": "the shapes as read, without it",
     "take-in": "a shape of its own",
 }
+
+
+# What a reading without a part that is not understood drops, by the meaning of its key.
+DROPPED = {
+    "position": frozenset(["center", "corner", "opposite", "offset", "min", "max"]),
+    "size": frozenset(["size", "half", "width", "height", "radius", "diameter"]),
+    "angle": frozenset(["angle", "degrees", "radians"]),
+}
+BEFORE_NUMBER = re.compile(r"([A-Za-z_]{3,40}) -?[.\d]")
 
 
 class Answer(NamedTuple):
@@ -323,6 +332,12 @@ def paste(what: Any, as_: str | Sequence[str] = ()) -> Pasted:
             about_rest = [_about_the_rest(missed, tree.root, text, chosen, reader)]
     remarks = (*changes, *reader.remarks, *tree.remarks)
     notes += [Finding("note", (), f"{remark[0].upper()}{remark[1:]}.") for remark in remarks]
+    if len(reader.thirds) > 1:
+        text = "The third coordinates differ and were left out: the answer is about x and y alone."
+        help_line = "It says nothing about shapes in space: write their corners in the plane in which both lie."
+        notes.insert(0, Finding("third-coordinate", (), text, help_line))
+    elif reader.thirds:
+        notes.append(Finding("note", (), "A third coordinate was left out: the shapes are read in x and y."))
     if harmless:
         notes.append(Finding("left-out", (), f"Left out, since it belongs to no shape: {harmless}."))
     made = Pasted(written, chosen, tuple(shapes), (*about_rest, *questions), (), tuple(notes))
@@ -338,7 +353,7 @@ def paste(what: Any, as_: str | Sequence[str] = ()) -> Pasted:
 
 
 def _answered(asked: Pasted, *, decimals: bool, sure: bool) -> Pasted:
-    """Return the pairs and the diagnosis of shapes, with the notes that they have; `sure`: nothing was left out."""
+    """Return the pairs and the diagnosis of shapes, with their notes; `sure`: nothing was missed."""
     pairs = _pairs(asked.readings)
     found = [finding for each in asked.readings for finding in findings.findings_of_shape(each)]
     for pair in pairs[:MAX_TRACES]:
@@ -423,7 +438,10 @@ def _about_the_rest(
     """Return the question whether the shapes are complete without the parts that were not understood."""
     keeps = reader.keeps or Ask.BOX_FORM in reader.asked
     choices = (Form.LEAVE_OUT, *([Form.TAKE_IN] if reader.doubts else []))
-    answers = (Answer(c, CHOICE_WORDS[c], _gives(root, text, (*chosen, c), keeps=keeps)) for c in choices)
+    said = {key(word) for part in missed for word in BEFORE_NUMBER.findall(part.partition(" (in ")[0])}
+    lost = [name for name, meanings in DROPPED.items() if said & meanings]
+    words = {Form.LEAVE_OUT: f"the shapes as read, without this {listed(lost)}"} if lost else {}
+    answers = (Answer(c, words.get(c, CHOICE_WORDS[c]), _gives(root, text, (*chosen, c), keeps=keeps)) for c in choices)
     return PasteQuestion("rest", f"{ASKS['rest']} {_shorten(missed)}.", tuple(answers), matters=True)
 
 

@@ -104,8 +104,8 @@ class Points(Statements):
 
     def _leave_out(self, thirds: Sequence[Any]) -> None:
         """Note that third coordinates were left out."""
-        self.remark("a third coordinate was left out: the shapes are read in x and y")
         self.counts |= {value.end for value in thirds}
+        self.thirds |= {self.number(value) for value in thirds if self._is_number(value)}
 
     def vector(self, value: Any) -> Pt | None:
         """Return the value of a key as a point or a size, also of (x, y, z) and {width, height}; else None."""
@@ -127,7 +127,11 @@ class Points(Statements):
         x, y = obj.get("x"), obj.get("y")
         if obj.twice and (x is not None or y is not None):
             raise Unreadable(f"the key {obj.twice} is given twice: keep one of them")
-        if x is None or y is None or obj.get("radius", "width", "half", "size", "points") is not None:
+        if (
+            x is None
+            or y is None
+            or obj.get("radius", "diameter", "width", "half", "halfwidth", "size", "points") is not None
+        ):
             return None
         return self.number(x), self.number(y)
 
@@ -242,7 +246,10 @@ class Points(Statements):
         count = sum(p is not None for p in found)
         threes = [v for v in map(self.resolve, items) if isinstance(v, Group) and len(v.items) == 3 and not v.name]
         if count == 0 and len(threes) == len(items) > 1 and all(isinstance(n, Num) for v in threes for n in v.items):
-            raise Unreadable("each point has three numbers: satviz is about two dimensions, so leave out the third")
+            raise Unreadable(
+                "three numbers in each bracket, and satviz is about two dimensions: write circles as "
+                "circle((x, y), r), corners without their z, and corners in the place of indices"
+            )
         if count < max(2, len(items) // 2) and not (why and len(items) > 2):
             return None
         if count == 2 and len(items) == 3 and self._is_number(items[2]):

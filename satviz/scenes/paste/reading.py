@@ -54,6 +54,7 @@ _ASIDE = re.compile(
 )
 _COMMENT = re.compile(r"//|#|--|/\*")
 _BOXES = re.compile(r"(?:boxes|rects|rectangles|aabbs|circles|balls)$", re.IGNORECASE)
+_CIRCLES = re.compile(r"(?:circle|ball|disc|disk)s?$", re.IGNORECASE)
 LEAST_FLAT = 5  # numbers in a list that are one shape: a box and its angle
 COPIES = frozenset(["clone", "copy", "deepcopy", "dup", "duplicate"])
 MAX_ABOVE = 400  # characters before a shape in which the line above it is looked for
@@ -298,9 +299,10 @@ class Reader(Calls):
         """
         for name, arguments in group.methods:
             plain = name.lower()
-            if not (found or plain in HARMLESS):
+            passed = plain in HARMLESS or TESTS.search(plain)
+            if not (found or passed):
                 continue
-            if plain in HARMLESS and any(isinstance(v, Group) for v in arguments.items):
+            if passed and any(isinstance(v, Group) for v in arguments.items):
                 found = [*found, *self._each(arguments.items, "")]  # a.intersects(b)
                 continue
             if plain == "affine":  # the transforms of SVG
@@ -317,7 +319,7 @@ class Reader(Calls):
                 found = [self._turned(s, arguments.items[0], TURNS[plain], p) for s, p in zip(found, at, strict=True)]
                 continue
             numbers = [v for v in arguments.items if self._is_number(v)]
-            if plain not in HARMLESS and not words(plain) & OTHER_NUMBERS and numbers:
+            if not passed and not words(plain) & OTHER_NUMBERS and numbers:
                 if self.resolve(numbers[0]).turn is None:
                     self.number(numbers[0])  # says why it is none
                 raise Unreadable(f".{name}(...) is not evaluated: write the result")
@@ -340,8 +342,13 @@ class Reader(Calls):
             if is_block(group):
                 return [s for item in group.items for s in self.shapes(item, _label(item) or label)]
             return self._object(self.as_object(group), label)
+        threes = all(isinstance(v, Group) and len(v.items) == 3 and holds_numbers(v) for v in group.items)
+        if re.search("circle|balls|dis[ck]s", label, re.IGNORECASE) and group.items and threes and not group.name:
+            return [s for v in group.items for s in self._circle(replace(v, name="c2circle"), "")]  # of (x, y, r)
         if _BOXES.search(label) and not group.name and len(group.items) > LEAST_FLAT and holds_numbers(group):
             raise Unreadable(f"{len(group.items)} numbers in one list: write each shape in a bracket of its own")
+        if _CIRCLES.search(label) and not group.name and group.items and all(map(_is_three, group.items)):
+            return [circle((x, y), r, v, label) for v in group.items for x, y, r in [map(self.number, v.items)]]
         if "circle" in group.name.lower() and (circles := self._centers_and_radii(group.items, label)):
             return circles
         outline = self.ring(group)
@@ -437,6 +444,11 @@ def _holes(rings: Sequence[Read]) -> Iterator[int]:
         for ring in rings[1:]:
             if _bounds(ring) and all(x0 <= x <= x1 and y0 <= y <= y1 for x, y in ring.points):
                 yield ring.start
+
+
+def _is_three(value: Any) -> bool:
+    """Return whether a value is a bracket with three numbers and no name."""
+    return isinstance(value, Group) and not value.name and len(value.items) == 3 and holds_numbers(value)
 
 
 def _label(item: Any) -> str:

@@ -363,7 +363,7 @@ class Statements(Names):
         sized = bool(has & {"size", "half"}) or {"width", "height"} <= has or {"halfwidth", "halfheight"} <= has
         placed = {"x", "y"} <= has or "center" in has or {"x0", "y0"} <= has
         round_ = "radius" in has or "diameter" in has
-        corners = {"x0", "y0", "x1", "y1"} <= has or {"corner", "opposite"} <= has
+        corners = {"x0", "y0", "x1", "y1"} <= has or {"corner", "opposite"} <= has or {"min", "max"} <= has
         outline = "points" in has and bool(has & {"center", "angle", "degrees", "radians", "offset"}) and not round_
         if (placed and (sized or round_)) or corners or outline:
             self.runs.append(Run(run, "" if owner.isdigit() else owner))

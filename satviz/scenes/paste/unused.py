@@ -18,6 +18,7 @@ from .tree import Bad, Group, Name, Num, Pair
 
 MIN_SAID = 12  # characters of a part that says enough without its line
 MARKUP = re.compile(r"<(?:svg|rect|circle|polygon|ellipse)\b")
+PLACED = frozenset(["center", "corner", "size", "offset"])
 MAX_NAMED = 6  # keys that are named in a line, and numbers without a key
 
 
@@ -75,7 +76,8 @@ def rest(tree: Tree, reads: Sequence[Read], text: str, reader: Names, *, session
     missed += [(len(text), remark) for remark in tree.remarks if account.is_cut()]
     for _, group in groupby(left, key=_key_of_point):
         row = list(group)
-        if all(_is_harmless(each) or each.end in account.aside for each in row):
+        wanted = "bbox" in words(row[0].key) and '"bbox"' not in text  # of GeoJSON it is no shape of its own
+        if not wanted and all(_is_harmless(each) or each.end in account.aside for each in row):
             harmless += [each for each in row if each.key != "satviz"]  # the format of a scene file
         else:
             missed.append((row[0].start, _named(row, text)))
@@ -151,6 +153,8 @@ def _walk(tree: Tree, value: Any, name: str) -> Iterator[Left]:
     elif isinstance(value, Group):
         row = notation(value.name) if value.name else None
         inside = value.name if value.name and not (row and row.kind == Kind.POINT) else name
+        if len(value.name) > 1 and key(value.name) in PLACED:  # rectangle position (1, 2)
+            inside = f"{value.before} {value.name}".strip()
         for inner in value.items:
             yield from _walk(tree, inner, inside)
         for method, arguments in value.methods:

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from ... import batch
 from ...advice.margins import signed_relative_margins
+from ...advice.pairs import paired
 from ...engine.geometry import InvalidShape
 from ...engine.shapes import Polygon
 from .. import truth
@@ -64,7 +65,8 @@ def hard_pairs(kind: HardKind, rng: Rng, per_octave: int) -> tuple[Rings, Rings,
 
 def margins_of(a: batch.Shapes, b: batch.Shapes) -> Array:
     """Return the relative margin of each pair; for so few pairs NumPy is done before numba has compiled its kernels."""
-    return np.abs(signed_relative_margins(a, b, engine="numpy"))
+    every = np.arange(len(a))
+    return np.abs(signed_relative_margins(paired(a, every, b, every), engine="numpy"))
 
 
 def moved_to_margin(rng: Rng, a: Rings, b: Rings, margin: Array) -> RingPairs:
