@@ -352,7 +352,7 @@ def test_the_stored_run_has_the_sizes_that_a_full_run_has_now():
         if cell.name.startswith("worst-"):
             name, n, generations, _ = cell.arguments
             (row,) = (row for row in SPEED if row["method"] == name)
-                assert 0.25 < row["tried"] / (2 * n * generations) <= 1, name
+            assert 0.25 < row["tried"] / (2 * n * generations) <= 1, name
     ((paths, frames, _),) = (cell.arguments for cell in axis_order.cells(Settings()))
     assert {(row["paths"], row["frames"]) for row in STORED["rows"]["order-of-axes"]} == {(paths, paths * frames)}
 

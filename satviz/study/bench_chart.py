@@ -92,7 +92,9 @@ def _where_slower(method: str, charted: Sequence[SpeedRatio], corners: Sequence[
                         for m in (method, SHAPELY))  # fmt: skip
         if (start := faster_from(shapely, own)) is not None:
             many.append(f"{work} from {start}")
-    slower = [f"in {works} works of the upper chart"] * bool(works) + [f"{', '.join(many)} corners on"] * bool(many)
+    slower = [f"in {works} work{'s' * (works > 1)} of the upper chart"] * bool(works) + [
+        f"{', '.join(many)} corners on"
+    ] * bool(many)
     return ", ".join(slower) or "nowhere"
 
 

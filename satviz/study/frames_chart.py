@@ -105,7 +105,8 @@ def headline_of(works: Mapping[str, Times]) -> tuple[str, str]:
         than = f" is faster than each library here, {_from_to(sorted({max(known), min(lasts)}))} shapes"
     subtitle = "Time of one frame, from arrays to all colliding pairs. satviz is exact"
     against = (
-        f"; the fastest short program in floats (orange) takes {min(ratios):.1f} to {max(ratios):.1f} times as long"
+        f"; the fastest short program in floats (orange) takes {min(ratios):.1f} to {max(ratios):.1f} times as "
+        f"long as {engine}"
         if ratios
         else ""
     )
