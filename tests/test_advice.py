@@ -403,7 +403,7 @@ def test_the_axis_count_of_concave_outlines_holds_for_these_coordinates_only_and
         "One axis is enough here: the normal of B1's edge b1.1 to b1.2",
         "One axis is enough here: the normal of B2's edge b2.1 to b2.2",
     ]
-    with pytest.raises(TypeError, match=r"^b is a str: "):
+    with pytest.raises(TypeError, match=r"^argument b is a str: "):
         count_axes(far, "B")
 
 
