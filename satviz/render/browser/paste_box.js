@@ -59,7 +59,10 @@ export class PasteBox {
     this.answer.replaceChildren(...(pasted.sentence ? this.parts(pasted) : []));
   }
 
-  /** @param {Pasted} pasted */
+  /**
+   * @param {Pasted} pasted
+   * @returns {Generator<HTMLElement>}
+   */
   *parts(pasted) {
     const { sentence = "", questions = [], findings = [], shapes = [], pairs = [], refused, without } = pasted;
     yield element("p", { class: "sv-verdict" }, sentence);
