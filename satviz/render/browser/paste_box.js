@@ -61,7 +61,7 @@ export class PasteBox {
 
   /**
    * @param {Pasted} pasted
-   * @returns {Generator<HTMLElement>}
+   * @returns {Generator<Element>}
    */
   *parts(pasted) {
     const { sentence = "", questions = [], findings = [], shapes = [], pairs = [], refused, without } = pasted;
