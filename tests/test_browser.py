@@ -401,8 +401,8 @@ def test_a_text_pasted_into_a_notebook_is_explained_and_can_be_exported(notebook
     widget.locator(".sv-text").fill("int[] xs = {0, 4, 4, 0};\nint[] ys = {0, 0, 4, 4};\ncircle((5, 2), 1)\nscale = 3")
     notebook.press("explain")
     notebook.press("the shapes as read, without it: touching")
-    widget.locator(".sv-verdict", has_text="A and B touch").wait_for(timeout=20_000)
-    assert "scale 3" in widget.locator(".sv-findings").inner_text()
+    widget.locator(".sv-findings", has_text="scale 3").wait_for(timeout=20_000)
+    assert "A and B touch" in widget.locator(".sv-verdict").inner_text()
     notebook.until("w.scene.b == sv.Circle((5, 2), 1)")
     widget.get_by_text("send it on").click()
     with notebook.page.expect_download() as found:
