@@ -616,11 +616,11 @@ def test_the_words_of_ogc_agree_with_shapely():
     ],
     ids=range(16),
 )
-def test_bad_input_gets_one_clear_line_within_a_second(text):
+def test_bad_input_gets_one_clear_line_in_linear_time(text):
     start = time.process_time()
     with pytest.raises(sv.InvalidScene) as error:
         sv.paste(text)
-    assert time.process_time() - start < 1.5  # a second of a quiet machine
+    assert time.process_time() - start < 5  # at most 1.4 on a slow machine; quadratic time would be minutes
     line = str(error.value)
     assert line and "\n" not in line and len(line) < 400
 
