@@ -231,8 +231,9 @@ TURNS = {
     "rotatedegrees": Form.DEGREES,
 }
 SETTERS = frozenset(["set", "setxy"])
+# Chained calls that give an empty box its numbers.
+MAKERS = frozenset(["setfrompoints", "setfromcenterandsize"])
 # Calls that give a box or a circle all its numbers anew, in the order of the call that made it.
-MAKERS = frozenset(["setfrompoints", "setfromcenterandsize"])  # that an empty box has
 RESETS = frozenset(["set", "setto", "setbounds", "setrect", "setframe", "update"])
 
 

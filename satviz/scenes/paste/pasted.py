@@ -333,9 +333,9 @@ def paste(what: Any, as_: str | Sequence[str] = ()) -> Pasted:
     remarks = (*changes, *reader.remarks, *tree.remarks)
     notes += [Finding("note", (), f"{remark[0].upper()}{remark[1:]}.") for remark in remarks]
     if len(reader.thirds) > 1:
-        text = "The third coordinates differ and were left out: the answer is about x and y alone."
+        warning = "The third coordinates differ and were left out: the answer is about x and y alone."
         help_line = "It says nothing about shapes in space: write their corners in the plane in which both lie."
-        notes.insert(0, Finding("third-coordinate", (), text, help_line))
+        notes.insert(0, Finding("third-coordinate", (), warning, help_line))
     elif reader.thirds:
         notes.append(Finding("note", (), "A third coordinate was left out: the shapes are read in x and y."))
     if harmless:

@@ -54,7 +54,7 @@ _ASIDE = re.compile(
 )
 _COMMENT = re.compile(r"//|#|--|/\*")
 _BOXES = re.compile(r"(?:boxes|rects|rectangles|aabbs|circles|balls)$", re.IGNORECASE)
-_CIRCLES = re.compile(r"(?:circle|ball|disc|disk)s?$", re.IGNORECASE)
+_CIRCLES = re.compile(r"circle|(?:ball|disc|disk)s?$", re.IGNORECASE)
 LEAST_FLAT = 5  # numbers in a list that are one shape: a box and its angle
 COPIES = frozenset(["clone", "copy", "deepcopy", "dup", "duplicate"])
 MAX_ABOVE = 400  # characters before a shape in which the line above it is looked for
@@ -342,9 +342,6 @@ class Reader(Calls):
             if is_block(group):
                 return [s for item in group.items for s in self.shapes(item, _label(item) or label)]
             return self._object(self.as_object(group), label)
-        threes = all(isinstance(v, Group) and len(v.items) == 3 and holds_numbers(v) for v in group.items)
-        if re.search("circle|balls|dis[ck]s", label, re.IGNORECASE) and group.items and threes and not group.name:
-            return [s for v in group.items for s in self._circle(replace(v, name="c2circle"), "")]  # of (x, y, r)
         if _BOXES.search(label) and not group.name and len(group.items) > LEAST_FLAT and holds_numbers(group):
             raise Unreadable(f"{len(group.items)} numbers in one list: write each shape in a bracket of its own")
         if _CIRCLES.search(label) and not group.name and group.items and all(map(_is_three, group.items)):

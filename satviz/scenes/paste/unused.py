@@ -171,7 +171,8 @@ def _is_harmless(left: Left) -> bool:
     drawn = row and said & {"draw", "graphics", "cv2"} and not last & CHANGING_NUMBERS  # a width, a color
     if "moment" in said or left.key == "pymunk.Body" or aside or no_radius or drawn:
         return True
-    if any(word.startswith(SHAPE_STEMS) for word in last) and not last & CHANGING_NUMBERS:
+    shaped = row is not None and row.kind in (Kind.BOX, Kind.CIRCLE) and "bbox" not in last  # b2MakeSquare
+    if (shaped or any(word.startswith(SHAPE_STEMS) for word in last)) and not last & CHANGING_NUMBERS:
         return "count" in last
     same = left.value == (1 if any("scal" in word or word == "zoom" for word in said) else 0)
     if path[-1].lower() in MOVERS:
