@@ -549,7 +549,7 @@ def test_the_filter_never_takes_a_center_beside_an_edge_for_one_on_the_other_sid
     assert found == {APART, OVERLAPPING} and wrong > 5
 
 
-def test_the_filter_of_circles_and_polygons_grants_their_farthest_corner_in_each_direction(few):
+def test_the_error_bound_of_circles_and_polygons_covers_the_farthest_corner_in_each_direction(few):
     """A needle touches a small circle with its tip: the bound is 2**-46 times its squared length."""
     kernels = kernels_of("filter")
     parts = (-0.25, UNDECIDED), (0.25, UNDECIDED), (-4, APART), (4, OVERLAPPING)

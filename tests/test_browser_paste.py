@@ -131,7 +131,7 @@ def test_an_error_keeps_the_text_and_the_scene_and_markup_stays_text(desk, width
 
 
 @WIDTHS
-def test_undo_brings_the_earlier_scene_back_and_in_the_box_only_text(desk, width):
+def test_the_undo_button_restores_the_scene_and_control_z_in_the_text_box_only_its_text(desk, width):
     before = desk.model.state()["json"]
     desk.paste("circle((0, 0), 1) circle((1, 0), 1)")
     desk.page.locator(".sv-text").press("End")

@@ -657,7 +657,7 @@ def test_the_player_and_the_explorer_of_a_chapter_work(visit):
 
 
 @pytest.mark.parametrize("harm", ["gone", "not gzip", "of another build", "unknown to Pyodide"])
-def test_python_starts_without_the_stored_memory_if_that_does_not_load(built, visit, tmp_path, harm, errors):
+def test_python_starts_without_its_memory_snapshot_if_that_does_not_load(built, visit, tmp_path, harm, errors):
     folder = tmp_path / "site"
     shutil.copytree(built, folder)
     memory = folder / "python" / "memory.bin"

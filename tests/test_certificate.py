@@ -85,7 +85,7 @@ def test_a_line_that_cuts_a_shape_separates_nothing_wherever_it_cuts(a, b):
     ],
     ids=range(10),
 )
-def test_whole_factors_up_to_1000_are_written_as_they_are_where_the_right_side_fits_into_a_float(normal, offset, text):
+def test_whole_coefficients_up_to_1000_are_not_scaled_unless_the_right_side_overflows(normal, offset, text):
     shape = box(0, 0, 1, 1)
     assert str(SeparatingLine(shape, shape, frac(*normal), Fraction(offset))) == f"separating line {text}"
 

@@ -511,7 +511,7 @@ def test_panels_of_their_own_hold_their_words_for_shapes_of_any_number_of_corner
 
 
 @pytest.mark.parametrize("case", one_in(4, SHOWN), ids=lambda case: case.name)
-def test_on_a_telephone_the_panels_stand_one_above_the_other_with_letters_as_large(case):
+def test_on_a_telephone_the_panels_stand_one_above_the_other(case):
     trace = case.record()
     shows = narrow_playbacks(trace)
     assert shows and shows[0]["size"][0] <= 350

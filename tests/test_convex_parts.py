@@ -692,7 +692,7 @@ BIG: dict[str, Callable[[int], Ring]] = {
 
 
 @pytest.mark.parametrize("kind", one_in(2, BIG))
-def test_big_outlines_are_filled_once_by_convex_parts(kind):
+def test_convex_parts_cover_every_point_of_a_big_outline_exactly_once(kind):
     assert not refute_at_any_size(Polygon(BIG[kind](600)))
 
 

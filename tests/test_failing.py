@@ -309,7 +309,7 @@ def test_the_push_from_the_center_is_the_same_at_the_limit_of_float64():
 
 
 @pytest.mark.parametrize("wrong", [inf, -inf, nan])
-def test_no_measure_of_a_shortcut_that_is_not_finite_is_recorded(wrong):
+def test_a_shortcut_with_an_infinite_or_nan_measurement_is_refused(wrong):
     scene = sv.scene("triangles")
     test, *_ = scene.record().tests
     wrong_tests = [test._replace(gap=wrong)]
@@ -431,7 +431,7 @@ def test_scenes_failing_lists_claim_and_both_numbers_of_every_case(capsys):
         assert under.strip() == number_format.ascii_minus(f"{case.how}: {wrong}; right: {good}")
 
 
-def test_a_failing_scene_is_traced_by_name_and_a_name_nearly_right_is_guessed(capsys):
+def test_a_failing_scene_is_traced_by_name_and_a_misspelled_name_gets_a_suggestion(capsys):
     assert main(["trace", "one-shapes-normals", "--axes", "edge-normals-of-a"]) == 0
     assert "false hit" in capsys.readouterr().out
     assert main(["trace", "one-shape-normals"]) == 2
@@ -516,7 +516,7 @@ def test_concentric_circles_collide_though_no_direction_is_theirs():
     assert trace.tests[0].source.kind == "any direction"
 
 
-def test_a_slipped_normal_runs_along_its_edge_mirrored_and_is_exact():
+def test_a_slipped_normal_is_exactly_dx_minus_dy_of_its_edge():
     a, b = NAMED["slipped-normal"].shapes
     for test in NAMED["slipped-normal"].record().tests:
         p, q = ((a if test.source.shape == "A" else b).vertices[i] for i in test.source.ids)

@@ -155,7 +155,7 @@ def numbers(shape: Shape) -> list[float]:
 
 
 @pytest.mark.slow
-def test_every_form_is_right_where_subnormals_are_flushed_to_zero_if_no_input_is_subnormal():
+def test_every_way_to_relate_is_right_with_subnormals_flushed_to_zero_if_no_input_is_subnormal():
     some = [row for row in known(ALL)[::4] if all(c == 0 or abs(c) > 1e-290 for s in row[:2] for c in numbers(s))]
     assert len(some) > 200
     with warnings.catch_warnings():

@@ -490,7 +490,7 @@ BOX = "box = [(-2, -1), (2, -1), (2, 1), (-2, 1)]"
         (f"b2Vec2 v[3]; poly.count = 4; {BOX}", False, "poly.count 4"),
     ],
 )
-def test_numbers_that_no_shape_has_are_named_with_their_key(text, asked, said):
+def test_numbers_that_belong_to_no_shape_are_reported_with_their_key(text, asked, said):
     pasted = sv.paste(text)
     lines = [f.text for f in pasted.findings if f.kind == "left-out"]
     if asked:

@@ -325,7 +325,7 @@ def test_commas_between_numbers_are_no_decimal_commas(text):
     ],
 )
 def test_an_unclear_text_gives_a_hint_how_to_write_it(text, said):
-    with pytest.raises(sv.InvalidScene, match=f"{said}: write each shape on a line of its own"):
+    with pytest.raises(sv.InvalidScene, match=f"{said} (is|are) not read: write each shape on its own line"):
         sv.paste(text)
 
 

@@ -328,7 +328,7 @@ def test_a_question_has_choices_of_which_one_is_right_and_each_has_a_reason(page
     "lines", ["- one | why", "+ one | why\n+ two | why", "- one | why\n- two | why", "+ one\n- two | why"]
 )
 def test_choices_without_exactly_one_right_answer_are_refused(lines):
-    with pytest.raises(ValueError, match="expected lines such as"):
+    with pytest.raises(ValueError, match="expected two or more lines"):
         chapters.choices_of(f"{chapters.CHOICES}\n{lines}\n-->")
 
 

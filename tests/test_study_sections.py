@@ -630,7 +630,7 @@ def test_the_order_of_axes_never_changes_a_verdict():
     assert tested[axis_order.LAST_FIRST] < tested[axis_order.SHUFFLED]
 
 
-def test_flat_shapes_have_another_order_of_axes(monkeypatch):
+def test_flat_shapes_reverse_the_ranking_of_two_orders_of_axes(monkeypatch):
     ngons = axis_order.ngons
     flat = np.array([[0.7, 0.7], [-0.035, 0.035]])  # a twentieth as high, turned by 45 degrees
     monkeypatch.setattr(axis_order, "ngons", lambda *arguments: ngons(*arguments) @ flat)

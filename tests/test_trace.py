@@ -505,7 +505,7 @@ def test_without_an_early_exit_every_axis_of_every_pair_is_tested():
         assert whole.without_early_exit() is whole
 
 
-def test_the_claim_of_parts_is_proven_and_its_certificate_is_about_the_whole_shapes():
+def test_the_claim_about_concave_shapes_is_right_and_its_certificate_is_about_the_whole_shapes():
     for x, relation in ((2.5, sv.Relation.APART), (2, sv.Relation.TOUCHING), (1, sv.Relation.OVERLAPPING)):
         for a, b in (box(x, x, 3, 3), L), (L, box(x, x, 3, 3)):
             trace = sv.record(a, b)
@@ -1430,7 +1430,7 @@ def test_shapes_wider_than_float64_can_hold_are_described_and_saved(every_axis, 
 
 
 @pytest.mark.parametrize("share", one_in(2, range(8)))
-def test_integers_record_what_floats_record_and_the_gap_to_five_digits(share, monkeypatch):
+def test_tests_recorded_with_integers_equal_those_with_floats_and_gaps_agree_to_five_digits(share, monkeypatch):
     some = SOME[share::8]
     by_floats = [sv.record(a, b, every_axis=True).tests for _, a, b in some]
     monkeypatch.setattr(sat, "CLOSE_GAP_FACTOR", float("inf"))

@@ -98,7 +98,9 @@ def _indexed(a: Shapes, b: Shapes, pairs: ArrayLike | None) -> tuple[Indices, In
     if pairs is not None:
         return check_pairs(pairs, len(a), len(b))
     if len(a) != len(b):
-        raise ValueError(f"{len(a)} and {len(b)} shapes: give two batches of one length, or say which pairs (pairs=)")
+        raise ValueError(
+            f"{len(a)} and {len(b)} shapes: give two batches of the same length, or name the pairs (pairs=)"
+        )
     every = np.arange(len(a))
     return every, every
 

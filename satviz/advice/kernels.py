@@ -178,7 +178,10 @@ def polygon_clearance(
 
 @compiled
 def circle_polygon_gap(cx: float, cy: float, r: float, x: Array, y: Array, first: int, last: int) -> Any:
-    """Return the squared distance of the center from the boundary less r squared; -1 if it is inside."""
+    """Return (squared distance of the circle's center from the boundary) - r * r; -1 if the center is inside.
+
+    The convex polygon has the counter-clockwise corners `first` to `last` - 1 of x and y.
+    """
     inside = True
     nearest = cx * 0 + INFINITY
     px, py = x[last - 1], y[last - 1]

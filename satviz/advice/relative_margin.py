@@ -95,7 +95,8 @@ def exact_edge_distances(
 def _gap_from_center(center: IntPoint, r: int, ring: Sequence[IntPoint], shift: int) -> float:
     """Return the gap of a circle and a ring (one corner: center of a second circle) in units of 2**shift.
 
-    Outside, the nearest edge decides; inside, minus the depth of the center is less the radius.
+    Outside, the gap is the distance from the nearest edge, minus r.  If the center is inside, it is minus its depth,
+    minus r.
     """
     inner, outer = [], []
     for (dx, dy), orientation, (s, q) in exact_edge_distances(center, ring):

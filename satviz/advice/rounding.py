@@ -53,7 +53,7 @@ class Arithmetic(Protocol[N]):
         """Return the sum of the terms; `exact` becomes False if the format cannot hold it or a partial sum."""
 
     def compared(self, *terms: N) -> None:
-        """Record whether the format holds the partial sums of a sum; only its sign is used, so it need not be held."""
+        """Record whether the format holds the partial sums of the terms; only the sign of their total is used."""
 
     def operands(self, ring: Sequence[Point[N]]) -> Sequence[Point[N]]:
         """Return the corners as operands of these methods: one by one, or as arrays that hold all corners at once."""

@@ -100,7 +100,10 @@ def _header(held: zipfile.ZipFile, member: zipfile.ZipInfo) -> tuple[tuple[int, 
         shape, _, dtype = npy.read_array_header_2_0(start)
     else:
         name = member.filename
-        raise ValueError(f"{name} has version {version} of the .npy format: expected (1, 0), as numpy.savez writes it")
+        raise ValueError(
+            f"{name} has version {version} of the .npy format, but only (1, 0) and (2, 0) are read: save the arrays "
+            "again with numpy.savez"
+        )
     return shape, dtype
 
 

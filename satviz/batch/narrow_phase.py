@@ -52,7 +52,7 @@ def relate(
     chosen = None if pairs is None else check_pairs(pairs, len(a), len(b))
     if chosen is None and len(a) != len(b) and 1 not in (len(a), len(b)):
         raise ValueError(
-            f"{len(a)} shapes against {len(b)}: pass two batches of one length, or a single shape against many"
+            f"{len(a)} shapes against {len(b)}: pass two batches of the same length, or a single shape against many"
         )
     n = len(chosen[0]) if chosen is not None else 0 if 0 in (len(a), len(b)) else max(len(a), len(b))
 

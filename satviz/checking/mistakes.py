@@ -190,7 +190,7 @@ def _rank(likeness: Likeness) -> tuple[float, int]:
 
 
 def _misses_touching(results: Sequence[Result], rules: Rules) -> bool:
-    """Return whether most verdicts about touching shapes are a miss: then a mistake is made with < for <=, too."""
+    """Return whether under a quarter of touching pairs are called hits: then mistakes are also tried with < for <=."""
     if rules.returns not in (HIT, HIT_AND_MTV):
         return False
     touching = [result.answer for result in results if result.truth.relation is TOUCHING]

@@ -79,7 +79,7 @@ def raw_radius(shape: Shape, center: Vec, radius: float) -> float:
 
 
 def rims_meet(a: Shape, b: Shape) -> tuple[Relation, None]:
-    """Return OVERLAPPING if the rims of two circles meet; ValueError for other shapes."""
+    """Return (OVERLAPPING if the rims of two circles meet, else APART; no MTV); ValueError for other shapes."""
     away = dist(*_centers(a, b))
     return (OVERLAPPING if abs(a.radius - b.radius) <= away <= a.radius + b.radius else APART), None
 

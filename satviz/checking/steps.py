@@ -178,9 +178,10 @@ def _shrunk(bad: Result, rules: Rules, options: Options) -> Generator[Asked, lis
 
 
 def _is_fit(pair: CheckPair, bad: Result, options: Options) -> bool:
-    """Return whether a smaller pair has no feature that the options or the wrong pair `bad` exclude.
+    """Return whether a smaller pair may replace the wrong pair `bad`.
 
-    Such features are a dent, a vertex that is listed twice, clockwise order, and a slanted edge beside upright boxes.
+    It may not have a dent or a repeated vertex that `bad` does not have, nor a clockwise outline or a slanted edge if
+    the options exclude these.
     """
     for shape, old in zip(pair[:2], bad.pair[:2], strict=True):
         if shape.is_convex < old.is_convex or _has_repeats(shape) > _has_repeats(old):

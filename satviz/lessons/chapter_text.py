@@ -59,7 +59,7 @@ def choices_of(comment: str) -> list[tuple[str, str, str]]:
     signs = [match[1] for match in found if match]
     if len(signs) < len(lines) or len(signs) < 2 or signs.count("+") != 1:
         raise ValueError(
-            f"expected lines such as '- choice | reason', two or more, exactly one of them with +: {comment}"
+            f"expected two or more lines '- choice | reason', exactly one of them with + instead of -: {comment}"
         )
     return [(match[1], match[2], match[3]) for match in found if match]
 

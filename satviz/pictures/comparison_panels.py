@@ -430,7 +430,7 @@ def length_rounded(trace: Trace) -> str:
 
 
 def halves_rounded(trace: Trace) -> str:
-    """Return how the first range whose middle or half is no whole number was rounded; "" if there is none."""
+    """Return how the first range with a middle or half length that is not whole was rounded; "" if there is none."""
     for test in axis_tests(trace.a, trace.b, [test.axis for test in claimed_tests(trace)]):
         digits = describe.digits(trace, test)
         for name, (lo, hi) in zip(trace.names, (test.a.interval, test.b.interval), strict=True):

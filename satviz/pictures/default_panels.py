@@ -65,8 +65,8 @@ class PanelSketch(Sketch):
             return f"through {ends[0]} and\n{other}'s center"
         return f"{'(dx, -dy)' if kind == SLIP else 'normal'} of {describe.edge_name(ends)}".replace("-", MINUS)
 
-    def ends_of_edge(self, test: AxisTest) -> None:
-        """Name the vertices after which the axis of a test is called: the ends of its edge, or one alone."""
+    def label_axis_vertices(self, test: AxisTest) -> None:
+        """Label the vertices that define a test's axis: both ends of its edge, or the one vertex."""
         if test.source.kind in (*FROM_EDGES, VERTEX):
             self.vertices(test.source.shape or "", test.source.ids)
 
@@ -103,7 +103,7 @@ def draw_claimed_tests(trace: Trace, layout: Layout) -> Sketch:
         if any(test.axis.normal):
             if len(tests) == 1:
                 sketch.edge(test)
-                sketch.ends_of_edge(test)
+                sketch.label_axis_vertices(test)
                 sketch.normal(test)
                 _draw_what_is_missing(sketch, test)
             on = ""
@@ -251,7 +251,7 @@ def draw_proof(trace: Trace, layout: Layout) -> Sketch:
     sketch.shapes()
     if test.source.kind in (CENTERS, VERTEX):
         sketch.edge(test)
-    sketch.ends_of_edge(test)
+    sketch.label_axis_vertices(test)
     certificate = trace.truth.certificate if trace.hit else run.certificate
     if isinstance(certificate, SeparatingLine):
         draw_separating_line(sketch, certificate)

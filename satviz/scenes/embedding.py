@@ -53,7 +53,7 @@ def query(options: EmbedOptions) -> str:
         words.append(f"show={','.join(options.show)}")
     made = "&".join(words)
     if parse_query(made)._replace(steps=None) != options._replace(steps=None):
-        raise InvalidScene(f"the options cannot be written in an address: {short_repr(made)}")
+        raise InvalidScene(f"an address would read the options as others: {short_repr(made)}; check their values")
     return made
 
 

@@ -197,7 +197,7 @@ def _parse_axis(data: Any, where: str, known: dict[Source, Axis]) -> Axis:
         )
     if not axes.same_axis(axis, ours):
         raise InvalidScene(
-            f"{where} does not have the direction and the length of the edge or line that its source names: "
+            f"{where} has another direction or length than the edge or line that its source names: "
             "record the trace again"
         )
     return axis

@@ -154,10 +154,10 @@ def _foot_signs(
 ) -> tuple[Signs, NDArray[np.bool_]]:
     """Return (signs of distance from each edge's line minus radius, mask of feet that may lie beyond the edge's ends).
 
-    The length is a float and what it misses: the difference of squares over twice the float, as
-    its own square is too small.  In units of exact_signs.sum_with_error: what it misses is off by 41uu of the
-    length, the rounded products of remainders by 16uuR, those left out uuR: with the 30uuR of that
-    function's own sums 88uuR in all, below the 256uuR of ERRBOUND_B.
+    The exact length of an edge is the float `length` plus `missing`: the difference of their squares over twice the
+    float (the square of `missing` is negligible).  Errors in the units of exact_signs.sum_with_error: `missing` is off
+    by 41uu of the length, the rounded products of remainders by 16uuR, the products left out by uuR, that function's
+    own sums by 30uuR.  In all they are 88uuR, below the 256uuR of ERRBOUND_B.
     """
     (x, a), (y, b), (dx, f), (dy, g) = two_sum(px, -cx), two_sum(py, -cy), two_sum(qx, -px), two_sum(qy, -py)
     orientation, along, square = y * dx - x * dy, x * dx + y * dy, dx * dx + dy * dy

@@ -143,7 +143,7 @@ class FailureCase(NamedTuple):
         return f"{self.quantity} {digits.number(answer) if is_length else number_format.number(answer)}"
 
     def verdict_in_words(self, relation: Relation, answer: Answer, digits: Digits = USUAL_DIGITS) -> str:
-        """Return an answer in words, with the relation before it where the number alone would say another one."""
+        """Return an answer in words after its relation, which is left out where a gap as answer implies it."""
         words = self.in_words(answer, digits)
         if not isinstance(answer, float | int) or self.quantity != "gap":
             return f"{relation}, {words}"

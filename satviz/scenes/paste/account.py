@@ -595,7 +595,7 @@ class Account:
             self.miss(i, i)
 
     def check_text(self, i: int, frame: BracketFrame) -> None:
-        """Record a quoted text among the numbers of a shape as missed if it is unknown; look into one with numbers."""
+        """Check the tokens of a quoted text with numbers of a shape; record any other text as missed if unknown."""
         token = self.at(i)
         inner = token.text[1:-1]
         if self.holds(token.start, token.end):
@@ -652,7 +652,7 @@ class Account:
         return (kind == NUMBER or bracket) and self.holds(*self.span(i)) and not (bracket and self.is_tested(i))
 
     def transposes(self, i: int) -> bool:
-        """Return whether a quote stands after data; it can open or close a text of several lines as well."""
+        """Return whether a quote transposes data, as in MATLAB; update `quoted` if it opens or closes a text."""
         token, before, after = self.at(i), self.at(i - 1), self.at(i + 1)
         follows = before.end == token.start and before.kind in (CLOSE, NAME, NUMBER, FIELD)
         opens, self.quoted = self.quoted, not follows
@@ -702,7 +702,7 @@ class Account:
         return False
 
     def is_operator(self, i: int) -> bool:
-        """Return whether one of the signs of comparisons works on data: a | b, a << 1, !a, a || b."""
+        """Return whether a sign is an operator on data, not a comparison: a | b, a << 1, !a, a || b."""
         token, before, after = self.at(i), self.at(i - 1), self.at(i + 1)
         if token.text in "|&":
             joins = before.kind == CLOSE and not self.is_tested(i - 1)

@@ -31,7 +31,11 @@ class Calls(Keyed):
         raise NotImplementedError
 
     def _arguments(self, group: Group) -> tuple[list[Any], Obj]:
-        """Return (arguments of a call that can describe a shape, its named arguments), without null, options and ()."""
+        """Return (the arguments of a call that may describe a shape, its named arguments).
+
+        Colors, quoted texts at the end, null, and objects without a size are left out; an angle in such an object
+        becomes a named argument.
+        """
         named = self.as_object(group)
         kept = []
         if group.name.startswith(("cv2.", "cv::")):  # the points, then a color and a thickness

@@ -111,7 +111,10 @@ _HEADS = re.compile(r"^(?:-.*|\+\+\+ .*|@@.*|diff --git.*|index [0-9a-f]{6,}\.\.
 
 
 def cleaned(text: str) -> tuple[str, list[str]]:
-    """Return (the text without quote marks and signs of a diff, sentences about these); a text too long is kept."""
+    """Return (the text with everything around its shapes blanked, remarks on lines that were left out).
+
+    A text of more than MAX_CHARS is returned unchanged.
+    """
     if len(text) > MAX_CHARS:
         return text, []
     text = text.translate(_PLAIN)

@@ -103,7 +103,10 @@ class Keyed(Boxes):
         return inner
 
     def _outline_of_keys(self, obj: Obj, outline: list[Pt], place: Pt | None, label: str, row: Notation | None) -> Read:
-        """Return the polygon of an object with corners, and a position and an angle that they may have already."""
+        """Return the polygon of an object with corners, a position and an angle.
+
+        The corners may already include the position and the angle; if that is not certain, it becomes a question.
+        """
         shift, used = place or ZERO, places(*(place or ()))
         angle = obj.get("angle", "degrees", "radians")
         turns = angle is not None and self._turns(angle)
@@ -171,7 +174,7 @@ class Keyed(Boxes):
 
 
 def _placed(shape: Read, obj: Obj, place: Pt) -> Read:
-    """Return a shape where its fields put it: a box or circle by its own place, rect.center = (1, 2)."""
+    """Move a shape to the place in its fields: a box or circle by its center or corner, as in rect.center = (1, 2)."""
     names = {str(name).lower() for name in obj.fields}
     has_place = (shape.box or shape.is_circle) and not shape.said.endswith(AT_ORIGIN)
     if "translation" in names or not has_place:

@@ -157,11 +157,11 @@ UNREAD = (
     (re.compile(r"^<{7} ", re.MULTILINE), "two versions of a text (<<<<<<<, =======): keep the lines of one of them"),
     (
         re.compile(r"^[ \t]*canvas(?:\.\w+)?:", re.MULTILINE),
-        "instructions of Kivy: write each shape on a line of its own, such as Rectangle(10, 20, 100, 50)",
+        "instructions of Kivy are not read: write each shape on its own line, such as Rectangle(10, 20, 100, 50)",
     ),
     (
         re.compile(r"^[ \t]*(?:shape_type: TYPE_|embedded_collision_shape)", re.MULTILINE),
-        "a collision object of Defold: write each shape on a line of its own, such as box(x, y, width, height)",
+        "a collision object of Defold is not read: write each shape on its own line, such as box(x, y, width, height)",
     ),
 )
 

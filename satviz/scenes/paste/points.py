@@ -22,7 +22,7 @@ class Numeral(Fraction):
 
 
 def angle_of(at: Value, flat: Sequence[Fraction]) -> Num:
-    """Return the fifth number of a box, its angle, as a value; it stands from the start of `at` to its own end."""
+    """Return the angle of a box, its fifth number, as a value that ends in the text where this number ends."""
     number = flat[4]
     return Num(at.start, number.at if isinstance(number, Numeral) else at.end, number)
 

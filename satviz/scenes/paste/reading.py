@@ -248,7 +248,10 @@ class Reader(Calls):
         return isinstance(value, Group) and bool(value.items) and all(isinstance(v, Name) for v in value.items)
 
     def _two(self, group: Group, two: Sequence[tuple[str, int]], label: str) -> list[Read]:
-        """Return the shapes of a call with the numbers of two: collideRectRect(0, 0, 4, 4, 2, 0, 4, 4)."""
+        """Return the shapes of a call with the numbers of two: collideRectRect(0, 0, 4, 4, 2, 0, 4, 4).
+
+        `two` has (notation, how many numbers) for each shape.
+        """
         found: list[Read] = []
         at = 0
         for name, count in two:

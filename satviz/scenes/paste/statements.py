@@ -220,7 +220,7 @@ class Statements(Names):
         return Group(point.start, points[-1].end, points, "[") if outline else None
 
     def _statement(self, item: Group) -> bool:
-        """Take a call that changes something that has a name; return whether it is one."""
+        """Apply a call that changes a named value (a.setPosition(1, 2)) or draws with a pen; False for others."""
         names = parts_of(item.name)
         last, owner = names[-1].lower(), tuple(names[:-1])
         if last in NUMBERED and owner and len(item.items) == 2 and isinstance(item.items[0], Num):
