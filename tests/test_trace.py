@@ -584,15 +584,18 @@ def axis_of(kind, shape, *vertices):
 AXIS_LIES = {
     "a number for a normal": (lambda axis: axis.update(normal=5), "pair of numbers"),
     "three numbers for a normal": (lambda axis: axis.update(normal=[1.0, 2.0, 3.0]), "pair of numbers"),
-    "no direction": (lambda axis: axis.update(normal=[0.0, 0.0], length=0.0), "not have the direction"),
-    "turned round": (lambda axis: axis.update(normal=[-c for c in axis["normal"]]), "not have the direction"),
-    "a little off": (lambda axis: axis.update(normal=[c + 1e-9 for c in axis["normal"]]), "not have the direction"),
+    "no direction": (lambda axis: axis.update(normal=[0.0, 0.0], length=0.0), "has another direction or length"),
+    "turned round": (lambda axis: axis.update(normal=[-c for c in axis["normal"]]), "has another direction or length"),
+    "a little off": (
+        lambda axis: axis.update(normal=[c + 1e-9 for c in axis["normal"]]),
+        "has another direction or length",
+    ),
     "twice as long": (
         lambda axis: axis.update(normal=[2 * c for c in axis["normal"]], length=4.0),
-        "not have the direction",
+        "has another direction or length",
     ),
-    "another length": (lambda axis: axis.update(length=axis["length"] * (1 + 1e-9)), "the length"),
-    "no length": (lambda axis: axis.update(length=0.0), "the length"),
+    "another length": (lambda axis: axis.update(length=axis["length"] * (1 + 1e-9)), "another direction or length"),
+    "no length": (lambda axis: axis.update(length=0.0), "another direction or length"),
     "a diagonal as an edge": (axis_of("edge normal", "A", 0, 2), "does not fit these shapes"),
     "a diagonal as a hull's edge": (axis_of("hull edge normal", "A", 0, 2), "does not fit these shapes"),
     "a vertex that is not there": (axis_of("edge normal", "A", 0, 4), "does not fit these shapes"),
@@ -611,7 +614,7 @@ AXIS_LIES = {
     "both world axes": (axis_of("world", None, 0, 1), "does not fit these shapes"),
     "two circles' centers": (axis_of("centers", None), "does not fit these shapes"),
     "circles about one center": (axis_of("any direction", None), "does not fit these shapes"),
-    "not through the centroids": (axis_of("centroids", None), "not have the direction"),
+    "not through the centroids": (axis_of("centroids", None), "has another direction or length"),
     "somebody's given direction": (axis_of("given direction", "A", 0), "does not fit these shapes"),
     "nowhere as a given direction": (
         lambda axis: axis.update(
@@ -964,7 +967,7 @@ def test_the_normal_of_an_axis_in_a_file_must_be_exact_to_the_last_bit(choose):
     x, y = data["axes"][0]["normal"]
     for normal in [x + 2**-60 if x == 0 else x * (1 + 2**-52), y], [x, y * (1 - 2**-52)]:
         data["axes"][0]["normal"] = normal
-        with pytest.raises(sv.InvalidScene, match="not have the direction"):
+        with pytest.raises(sv.InvalidScene, match="has another direction or length"):
             sv.Trace.from_json(json.dumps(data))
 
 
