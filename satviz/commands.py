@@ -240,7 +240,8 @@ def _page(drawable: _Drawable) -> str:
 def _write(args: argparse.Namespace, files: "Sequence[File]") -> int:
     """Make and write each file once all are known to be writable; print warnings; return exit code 0.
 
-    `files`: (stem, format, function that makes the content) of each.  The names of dark files end in -dark; a page has both themes.
+    `files`: (stem, format, function that makes the content) of each.  The names of dark files end in -dark; a page
+    has both themes.
     """
     from .pictures import THEMES
     from .pictures.moves import Animation
