@@ -70,8 +70,9 @@ def convex_parts(shape: AnyShape) -> Sequence[Shape]:
 class Model(NamedTuple):
     """Describe a model (a way to test a pair) and the number of axes that it tests for the largest pair.
 
-    `kind`: one of the constants above, or the name of a float format; `directions`: the fixed ones of a k-DOP, any
-    (x, y); `after_boxes`: whether it follows a test of the bounding boxes, whose two axes then count among `axes`.
+    `kind`: a constant above, such as "AABB", or a float format's name for SAT in plain floats; `directions`: the fixed
+    ones of a k-DOP, any (x, y); `after_boxes`: whether it follows a test of the bounding boxes, whose two axes then
+    count among `axes`.
     """
 
     kind: str

@@ -157,7 +157,10 @@ def _sat_in_lanes(
 def polygon_clearance(
     x_a: Array, y_a: Array, first_a: int, last_a: int, x_b: Array, y_b: Array, first_b: int, last_b: int
 ) -> float:
-    """Return the largest clearance of an edge of A from B's corners, or the first positive one."""
+    """Return the largest clearance of an edge of A, or the first positive one.
+
+    The clearance is the least orientation of B's corners about the edge, positive where all lie beyond it.
+    """
     best: float = x_a[first_a] * 0 - INFINITY
     px, py = x_a[last_a - 1], y_a[last_a - 1]
     for e in range(first_a, last_a):

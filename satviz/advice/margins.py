@@ -35,9 +35,9 @@ def max_coordinates(group: CornerColumns) -> Array:
 
 
 def signed_relative_margins(pairs: PartPairs, *, engine: str | None = None) -> Array:
-    """Return each pair's gap, or minus its overlap, in roundings (n,), right to one part in fifty; 0 only if touching.
+    """Return the (n,) relative margins, negative for overlapping pairs and 0 only for touching ones.
 
-    `engine` as in `batch.relate`.
+    They are right to one part in fifty.  `engine` as in `batch.relate`.
     """
     a, b, pa, pb = pairs.a.parts, pairs.b.parts, pairs.pa, pairs.pb
     margins = np.empty(len(pa))
@@ -62,7 +62,7 @@ def signed_relative_margins(pairs: PartPairs, *, engine: str | None = None) -> A
 def edge_clearances(own: CornerColumns, other: CornerColumns) -> Iterator[tuple[Array, Array]]:
     """Yield for each edge of `own` (least orientation determinant of the other's corners, larger edge component).
 
-    Both are (n,) arrays, one value for each pair of columns.
+    Both are (n,) arrays, one value for each pair of columns.  The first is positive where all corners lie beyond.
     """
     for e in range(len(own.x)):
         x, y = own.x[e - 1], own.y[e - 1]

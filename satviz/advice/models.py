@@ -25,7 +25,10 @@ DTYPES: dict[str, Any] = {"float32": np.float32, "float64": np.float64}
 
 
 def prepare(model: Model, shapes: Shapes) -> Any:
-    """Return the data that `evaluate` needs of the shapes for this model; cold times include this step."""
+    """Return the data that `evaluate` needs of the shapes for this model; cold times include this step.
+
+    Boxes (N, 4), circles (N, 3), ranges (N, k, 2), ConvertedParts for SAT; for the exact filter the batch itself.
+    """
     if model.kind == EXACT_FILTER:
         _ = shapes.groups, shapes.rings, shapes.slot
         return shapes
@@ -218,7 +221,7 @@ def sat(pairs: PartPairs, a: ConvertedParts, b: ConvertedParts, kernels: Any) ->
         for mine, p, q in pair_columns(a, pairs.pa, b, pairs.pb, PAIRS_PER_BLOCK):
             with np.errstate(all="ignore"):
                 found[mine] = relations_of_gaps(sat_gaps(p, q))
-    return pairs.whole(found)
+    return pairs.combine(found)
 
 
 def sat_gaps(p: CornerColumns, q: CornerColumns) -> NDArray[Any]:

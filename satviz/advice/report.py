@@ -123,7 +123,7 @@ def cost_line(model: Model, summary: InputSummary, found: "Mapping[str, Cost | N
 
 
 def duration(nanoseconds: float) -> str:
-    """Return a time with its unit, to two digits."""
+    """Return a time as text with its unit, to two digits or a whole number."""
     for size, unit in ((1e9, "s"), (1e6, "ms"), (1e3, "µs")):
         if nanoseconds >= size * 0.9995:
             shown = nanoseconds / size
@@ -142,7 +142,7 @@ def axes(many: int) -> str:
 
 
 def power(value: float, digits: int = 1) -> str:
-    """Return a number as text "2^x" with this many digits; "0" for 0 and "no end" for infinity."""
+    """Return a number as text "2^x", x with `digits` decimals; "0" for 0 and "no end" for infinity."""
     return "0" if not value else f"2^{log2(value):.{digits}f}" if value < inf else "no end"
 
 
@@ -218,7 +218,7 @@ def _fails(result: ModelResult, summary: InputSummary) -> str:
 
 
 def _adds(result: ModelResult, summary: InputSummary, results: "Sequence[ModelResult]") -> str:
-    """Return a text on a model larger than the recommended one: what it is also right for, or why it fails too."""
+    """Return a text on a model larger than the recommended one: that it is right too, or why it fails."""
     if not result.proven:
         return _fails(result, summary)
     adds = "also right, but not needed here"

@@ -104,7 +104,7 @@ def plain(raw: Any, depth: int = 3) -> Any:
 
 
 def _parts(raw: Any) -> Sequence[Any] | None:
-    """Return the parts of an answer that has some; None where it has none or very many."""
+    """Return the items of a list, (x, y), or (hit, move) of an answer; None for other answers and for long lists."""
     if isinstance(raw, dict) and {"x", "y"} <= raw.keys():
         return raw["x"], raw["y"]
     if isinstance(raw, dict) and "hit" in raw:

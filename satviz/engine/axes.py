@@ -41,8 +41,8 @@ PARALLEL, NO_DIRECTION, EARLY_EXIT = "parallel", "no direction", "early exit"
 class Source(NamedTuple):
     """The source of an axis: an edge, a vertex, a direction.  It names the axis exactly; its numbers may be rounded.
 
-    `kind`: one of the constants above; `shape`: "A", "B", or None where no single shape gives it; `ids`: which of
-    that shape's vertices (an edge's two ends), which world axis (0 for x) or which given direction.
+    `kind`: a constant above, such as "edge normal"; `shape`: "A", "B", or None where no single shape gives it; `ids`:
+    which of that shape's vertices (an edge's two ends), which world axis (0 for x) or which given direction.
     """
 
     kind: str
@@ -272,7 +272,7 @@ def _require_list(values: Any) -> Sequence[Any]:
 
 
 def _recompute_axis(axis: Axis, known: dict[Source, Axis]) -> Axis:
-    """Return an axis computed anew from its source; ValueError if these shapes have no axis equal to it."""
+    """Return an axis from `known`, the pair's `axes_by_source`, or given anew; ValueError if none equals `axis`."""
     source = axis.source
     ours = known.get(source)
     if source.kind == GIVEN and source.shape is None and len(source.ids) == 1:
@@ -289,7 +289,10 @@ def _recompute_axis(axis: Axis, known: dict[Source, Axis]) -> Axis:
 def _number_skips(
     axes: Sequence[Axis], skipped: Sequence[Skip], without_direction: Sequence[Skip], a: Shape, b: Shape
 ) -> Iterator[Skip]:
-    """Yield the skips, each parallel one with the number of the axis it repeats; ValueError for a false reason."""
+    """Yield `skipped`, each parallel one with the number of the axis it repeats; ValueError for a false reason.
+
+    `without_direction`: the only skips for which NO_DIRECTION is true in this pair.
+    """
     if not skipped:
         return
     corners = {role: {v: i for i, v in enumerate(shape.corner_ids)} for role, shape in (("A", a), ("B", b))}
@@ -410,7 +413,7 @@ def _keyed_normals(shape: Shape, role: str) -> tuple[tuple[Axis, IntPoint], ...]
     """
 
     def compute() -> tuple[tuple[Axis, IntPoint], ...]:
-        """Return the value to cache."""
+        """Return the pairs, which `cached` stores."""
         made = (_integer_edge_normal(shape, role, EDGE, *ends) for ends in cyclic_pairs(range(len(shape.corner_ids))))
         return tuple((_make_axis(*one), _direction_key(*one[0])) for one in made)
 
@@ -429,9 +432,9 @@ def _normals(shape: Shape, role: str) -> tuple[Axis, ...]:
 
 
 def _vertex_axis(a: Shape, b: Shape, number: dict[IntPoint, int]) -> tuple[Axis, Skip | None]:
-    """Return (axis from the polygon's nearest vertex to the circle's center, its Skip or None if needed).
+    """Return (axis from the polygon's nearest vertex to the circle's center, the Skip that says why it is left out).
 
-    `number`: the number of each axis already chosen, by its `_direction_key`.
+    The Skip is None if the axis is needed.  `number`: the number of each axis already chosen, by its `_direction_key`.
     """
     role, polygon = ("B", b) if a.core_is_point else ("A", a)
     core_a, core_b, _, k = to_common_unit(a, b)

@@ -45,7 +45,7 @@ def count_axes(a: Trace | Shape, b: Shape | None = None, names: ShapeNames = DEF
 
 
 def axes_hint(trace: Trace) -> str:
-    """Return a sentence on how many axes are enough, without any gap; "" for a shortcut's run.
+    """Return a sentence on how many axes are enough, without the size of a gap; "" for a shortcut's run.
 
     It fits beside a table of the trace's tests and a picture of any of them.
     """
@@ -61,7 +61,10 @@ def axes_hint(trace: Trace) -> str:
 
 
 def _any_position_sentence(axes: tuple[Axis, ...], a: Shape, b: Shape) -> str:
-    """Return a sentence on how many axes are enough in any position; "" for circles or a concave shape."""
+    """Return a sentence, after a space, on how many axes are enough in any position; `axes`: those of `needed`.
+
+    It is "" for two circles and for a concave shape.
+    """
     if not (a.is_convex and b.is_convex) or (a.core_is_point and b.core_is_point):
         return ""
     # the axis to the nearest vertex is not tested when it happens to be parallel to an edge's normal

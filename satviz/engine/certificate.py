@@ -212,7 +212,10 @@ def _nearest_point(ring: list[Rational], c: Rational) -> Rational:
 
 
 def _ring_contains(ring: Sequence[Any], point: Any, orientation: Callable[[Any, Any, Any], Any] = orient_det) -> bool:
-    """Return whether a convex ring contains a point, its border included."""
+    """Return whether a convex counter-clockwise ring contains a point, its border included.
+
+    `orientation`: a function of three points, positive for a left turn.
+    """
     return all(orientation(p, q, point) >= 0 for p, q in cyclic_pairs(ring))
 
 

@@ -117,7 +117,7 @@ def outcome(t: AxisTest, numbers: Digits) -> str:
 
 
 def picture_outcome(t: AxisTest, numbers: Digits) -> str:
-    """Return what `outcome` says; for ranges that overlap, add the interval that they share."""
+    """Return what `outcome` says; on a second line the interval that overlapping ranges share, if it is printable."""
     shared = _shared_interval(t)
     if t.gap >= 0 or numbers.fine or numbers.origin or shared.lo >= shared.hi:
         return outcome(t, numbers)
@@ -216,8 +216,9 @@ RELATION_PHRASES = {Relation.APART: "are apart", Relation.TOUCHING: "touch", Rel
 
 
 def shortcut_verdict(trace: Trace, digits: NumberFormat = digits, *, name_axis: bool = True) -> str:
-    """Return sentences on what a shortcut claims and what is true: of its verdict, else of its number or its push.
+    """Return sentences on what a shortcut claims and what is true.
 
+    Where its relation is right, they say whether its numbers or its push are wrong.
     `digits`: a function that returns number formats; `name_axis`: whether to name the axis behind the claim.
     """
     assert trace.shortcut
@@ -295,7 +296,10 @@ def parts_sentence(trace: Trace) -> str:
 
 
 def stage_sentence(trace: Trace, i: int, name: str, first: str) -> str:
-    """Return the sentence for the drawing stage `name` of test `i`; `first`: "A" or "B", whose points drop first."""
+    """Return the sentence for the drawing stage `name` of test `i`; `first`: "A" or "B", whose points drop first.
+
+    `name`: "edge", "normal", "axis", "drops", "range" or "both ranges"; any other gives `test_sentence`.
+    """
     t = trace.tests[i]
     shapes = trace.a, trace.b
     at = "AB".index(first)

@@ -141,7 +141,7 @@ def digits_for_shapes(*shapes: Shape) -> Digits:
 
 
 def steady_digits(shapes: Sequence[Shape], tests: Sequence[AxisTest], least_length: float) -> Digits:
-    """Return Digits for a drag, whose decimals depend on the least length that a reader can see, not on the gap.
+    """Return Digits for a drag, whose decimals depend on the least length that can be seen, not on the gap.
 
     Every number has the same decimals then.  Where they would hide a gap that is not 0, or where the numbers lie far
     from the origin, the result is that of `digits_for_tests`.
@@ -176,5 +176,5 @@ def digits_for_tests(shapes: Sequence[Shape], tests: Sequence[AxisTest]) -> Digi
 
 
 def _needed_decimals(size: float, digits: int) -> int:
-    """Return how many decimals show this many significant digits of a size; 0 for size 0 or infinity."""
+    """Return how many decimals show `digits` significant digits of a size, negative for large ones; 0 for 0 and inf."""
     return digits - 1 - floor(log10(size)) if 0 < size < inf else 0

@@ -168,7 +168,7 @@ class Trace:
 
     @property
     def truth(self) -> "Trace":
-        """Return the trace of the same shapes without a shortcut: this trace itself if it has none."""
+        """Return the trace of the same shapes without the shortcut, over every axis; this trace if it has none."""
         return record(self.a, self.b, every_axis=True) if self.shortcut else self
 
     @property

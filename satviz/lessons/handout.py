@@ -146,7 +146,10 @@ def _lines(count: int) -> str:
 
 
 def _worksheet(trace: Trace, name: str) -> tuple[str, str]:
-    """Return the HTML of a scene to compute by hand, and of its solution; a shortcut's scene is solved exactly."""
+    """Return the HTML of a scene to compute by hand, and of its solution; a shortcut's scene is solved exactly.
+
+    `name`: the scene's.  InvalidScene for a scene that cannot be drawn.
+    """
     case, true = NAMED.get(name), trace.truth
     if not trace.shortcut and case:
         case = None

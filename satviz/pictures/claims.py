@@ -109,8 +109,8 @@ def digits_of_answers(trace: Trace, digits: describe.NumberFormat = describe.dig
 def error_in_words(trace: Trace, digits: describe.NumberFormat = describe.digits) -> str | None:
     """Return what is wrong with a shortcut's answer and what is right, or "" where the answer is right.
 
-    None where float64 cannot hold the shapes that tell, or they have too many convex parts.  `digits`: as in
-    `digits_of_answers`.
+    None where the right answer needs shapes that float64 cannot hold, or that have too many convex parts.  `digits`:
+    as in `digits_of_answers`.
     """
     try:
         found, case = answers(trace, digits_of_answers(trace, digits)), case_of(trace.shortcut)

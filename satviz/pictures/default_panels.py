@@ -79,7 +79,7 @@ class Panel(NamedTuple):
 
 
 def contents_of_claimed_tests(trace: Trace) -> PanelContents:
-    """Return both shapes, B where the shortcut pushes it, and the tests that its answer comes from."""
+    """Return what the panel of claimed tests needs: both shapes, B where the shortcut pushes it, `claimed_tests`."""
     push = trace.push if is_about_push(trace) else None
     return PanelContents(
         _shapes_with_moved_b(trace, push), [drawable_test(trace, test) for test in claimed_tests(trace)]
@@ -87,7 +87,7 @@ def contents_of_claimed_tests(trace: Trace) -> PanelContents:
 
 
 def draw_claimed_tests(trace: Trace, layout: Layout) -> Sketch:
-    """Draw the tests that the shortcut's answer comes from, what it left out, and its push."""
+    """Draw `claimed_tests`, what the shortcut left out, and its push."""
     sketch = PanelSketch(trace, layout)
     tests = claimed_tests(trace)
     if {test.source for test in trace.tests} == {axis.source for axis in world(trace.a, trace.b).axes} and not (
@@ -157,7 +157,7 @@ def forgotten_normals(trace: Trace) -> list[Axis]:
 
 
 def _draw_what_is_missing(sketch: Sketch, test: AxisTest) -> None:
-    """Draw the normals that a shortcut never tested, the corners that it never projected, and its circles."""
+    """Draw normals that a shortcut never tested, corners it never projected, and circles it takes the shapes for."""
     trace = sketch.trace
     left_out = forgotten_normals(trace) if trace.false_hit and trace.ended_by is None else []
     if left_out and not _draw_missing_edges(sketch, left_out):
@@ -273,9 +273,9 @@ def draw_proof(trace: Trace, layout: Layout) -> Sketch:
 
 
 def true_test(trace: Trace) -> AxisTest | None:
-    """Return the exact test to show: that of the largest gap, or on a hit that on the axis that ended the run.
+    """Return the exact test to show: that of the largest gap, or for a hit that on the axis that ended the run.
 
-    None for concave outlines that no line separates.
+    The run is the shortcut's.  None for concave outlines that no line separates.
     """
     run = true_run(trace)
     if run.pairs:

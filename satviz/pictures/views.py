@@ -122,7 +122,7 @@ def all_tests(trace: Trace, *, title: str = "") -> Picture:
 
 
 def _missing_axis(trace: Trace, test: AxisTest, layout: Layout) -> Picture:
-    """Draw an axis that the trace's choice of axes left out."""
+    """Draw both shapes and `test`, on an axis that the trace's choice of axes left out."""
     sketch = Sketch(replace(trace, tests=(test,)), layout)
     sketch.shapes()
     sketch.edge(test)
@@ -359,7 +359,7 @@ def convex_parts(trace: Trace, *, title: str = "") -> Picture:
 
 
 def strip(pictures: Sequence[tuple[str, Picture]], *, title: str = "") -> Picture:
-    """Return pictures of one frame as small multiples, two in a row, each with its words below it.
+    """Return (words, picture) pairs of one frame as small multiples, two in a row, each with its words below it.
 
     Each keeps its marks and the names of the shapes; other labels would be too small to read.
     """

@@ -260,7 +260,7 @@ def _from_difference(one: str, other: str) -> tuple[str, str]:
 
 
 def _record_again(trace: Trace) -> Trace:
-    """Record the run of a trace anew from its shapes; return it, or InvalidScene for a false skip."""
+    """Record the run of a trace anew from its shapes, and return it; InvalidScene if its axes do not fit them."""
     try:
         return record(trace.a, trace.b, axes=trace.shortcut or trace.choice, every_axis=trace.every_axis)
     except InvalidScene:

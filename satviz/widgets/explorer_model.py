@@ -195,7 +195,7 @@ class ExplorerModel(PlayerModel):
         self._memory = LabelMemory()  # how the labels stood, so that they do not jump
 
     def _pose(self, content: dict[str, Any]) -> None:
-        """Apply a drag's message: both shapes, the view and the challenge, all checked first."""
+        """Apply a drag's message: both shapes, the view and the challenge; InvalidScene before anything is changed."""
         a, b = shape_from(content.get("a"), "A"), shape_from(content.get("b"), "B")
         degree, pinned = _number(content.get("degree"), "the angle"), content.get("pinned")
         largest = canvas_size(_number(content.get("width"), "the width"))
@@ -231,7 +231,7 @@ class ExplorerModel(PlayerModel):
         self._set_run(changed, trace, view, met)
 
     def _snapped(self, a: Shape, b: Shape, key: object, *, by_key: bool = False) -> tuple[Shape, Shape, str]:
-        """Return both shapes, and words; the shape named by `key` is moved to touch the other if that place is near.
+        """Return both shapes, and words; the one that `key` names ("a" or "b") is moved to touch the other if near.
 
         After an arrow key (`by_key`) a shape snaps only on its way to a touch; otherwise it could never leave it.
         """

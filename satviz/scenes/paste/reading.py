@@ -101,8 +101,6 @@ class Reader(Calls):
                 self.used.add(id(points))
         kept = [(owner, shape) for owner, shape in found if owner not in self.used]
         self.asked = {}
-        for what, ask in (pair for owner, asks in asked if owner not in self.used for pair in asks.items()):
-            self.asked[what] = tuple(dict.fromkeys((*self.asked.get(what, ()), *ask)))
         earlier = {id(v) for values in self.env.earlier.values() for v in values if self._is_assigned(v)}
         if (
             any(owner in earlier for owner, _ in kept)
@@ -125,7 +123,12 @@ class Reader(Calls):
         ]
         self.parts += [(s.start, s.end) for s in doubtful]
         self.doubts = bool(doubtful)
+        self.used |= {owner for owner, _ in kept} - {owner for owner, shape in kept if shape not in doubtful}
         kept = [(owner, shape) for owner, shape in kept if shape not in doubtful]
+        open_asks = [asks for owner, asks in asked if owner not in self.used] + [self.asked]
+        self.asked = {}
+        for what, ask in (pair for asks in open_asks for pair in asks.items()):
+            self.asked[what] = tuple(dict.fromkeys((*self.asked.get(what, ()), *ask)))
         made = {(s.points, s.radius) for _, s in kept if not s.repeats}
         named = {(s.points, s.radius, s.label) for _, s in kept if s.label}
         again = [s for _, s in kept if (s.repeats and (s.points, s.radius) in made) or self._is_print(s, named)]
