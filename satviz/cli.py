@@ -328,7 +328,7 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _add_folder(parser: argparse.ArgumentParser, name: str, default: str, about: str = "", **more: Any) -> None:
-    """Add the folder that a command writes to; `more` are further arguments of `add_argument`."""
+    """Add the argument `name` for the folder that a command writes to; `more`: further arguments of `add_argument`."""
     words = f"{about}(default: {default})"
     parser.add_argument(name, type=_folder, default=Path(default), metavar="DIR", help=words, **more)
 

@@ -566,7 +566,7 @@ def site(args: argparse.Namespace) -> int:
 
 
 def _write_archive(args: argparse.Namespace, files: Mapping[str, bytes], lacks: Sequence[str]) -> int:
-    """Write the site as one zip beside the folder that it would have; return exit code 0."""
+    """Write the site as one zip beside the folder that it would have, print what it `lacks`; return exit code 0."""
     from .lessons.chapter_text import chapters
     from .site.hosting import archive
 

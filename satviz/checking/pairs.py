@@ -208,7 +208,7 @@ def _middle(shape: Shape) -> Vec:
 
 
 def _box(random: Random, size: int) -> Polygon:
-    """Return an upright box."""
+    """Return an upright box from (0, 0), with whole sides up to `size`."""
     w, h = (random.randint(1, size) for _ in range(2))
     return box(0, 0, w, h)
 

@@ -137,7 +137,7 @@ def _right_count(answered: Sequence[tuple[Any, tuple[Shape, Shape]]], rules: Rul
 
 
 def _changed(results: Sequence[Result], before: Sequence[Outcome], after: Sequence[Outcome]) -> Result | None:
-    """Return the first pair whose second answer differs from its first one, as a Result with that problem.
+    """Return the first pair whose second answer differs from its first one, as a Result with that problem, else None.
 
     Values that are no answer are not compared: most objects differ even from themselves.
     """
