@@ -36,12 +36,15 @@ class Digits(NamedTuple):
         return f"e{self.power}".replace("-", MINUS) if self.power else ""
 
     def number(self, value: float) -> str:
-        """Return a number as text: all decimals where digits were cut, else as few as it has; "0" only for 0."""
+        """Return a number as text: all decimals where digits were cut, else as few as it has; "0" stands only for 0.
+
+        A padded format has all decimals always, so a small number may become "0.00".
+        """
         text = self.bare(value)
         return _scientific(value) if "e" in text else f"{text}{self.unit}" if value else text
 
     def gap(self, value: float) -> str:
-        """Return the size of a gap as text without its sign, with at least three significant digits."""
+        """Return the size of a gap as text without its sign, with three or more significant digits (padded: one)."""
         digits = self._for(value)
         return digits.number(abs(value)) if digits.shows(value) else _scientific(abs(value))
 
