@@ -266,7 +266,7 @@ def _passed_lines(checked: Checked) -> list[str]:
 
 
 def scene_of(result: Result, likeness: str) -> Scene:
-    """Return a result's pair as a scene; with the axes of the known mistake of that name, "" for none."""
+    """Return a result's pair as a scene with the axes of the known mistake `likeness`, those of `needed` for ""."""
     axes = likeness if likeness in NAMED else "needed"
     return Scene("counterexample", result.a, result.b, axes, title="Where your function is wrong")
 
