@@ -1,7 +1,7 @@
 """The search for the place of one label: the nearest spot that is clear of lines, dots, other labels and the rim.
 
 Every spot has a cost, without unit.  A label takes the cheapest spot.  Coordinates here are points from the lower
-left corner of the canvas; requests and marks are in scene units.
+left corner of the canvas; requests and marks are in scene units.  A pose is one picture of a drag.
 """
 
 from bisect import bisect_left

@@ -1,4 +1,7 @@
-"""Trace files: a trace as JSON and back, with what was measured and what follows from it, which `load` checks."""
+"""Trace files: a trace as JSON and back, with what was measured and what follows from it, which `load` checks.
+
+The argument `where` names a field of the file in error lines, such as "trace.tests[0]".
+"""
 
 import json
 from dataclasses import replace
