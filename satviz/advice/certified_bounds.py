@@ -87,7 +87,7 @@ def _compare_boxes(a: tuple[float, ...], b: tuple[float, ...]) -> int:
 
 
 def _bounding_box(shape: AnyShape, outwards: float) -> tuple[float, ...]:
-    """Return the bounding box; a rounded side of a circle's is moved one float outwards (inf) or inwards (-inf)."""
+    """Return the bounding box; a rounded side of a circle's box is moved one float outwards (inf) or inwards (-inf)."""
     if not shape.core_is_point:
         return shape.bounds
     sides = []
