@@ -95,7 +95,7 @@ def _is_over(outcomes: Sequence[Outcome]) -> bool:
 
 
 def _counter_clockwise(shape: Shape) -> Shape:
-    """Return a polygon with its vertices in counter-clockwise order."""
+    """Return a polygon with its vertices in counter-clockwise order, a circle unchanged."""
     if not isinstance(shape, Polygon):
         return shape
     area = sum(p.x * q.y - q.x * p.y for p, q in zip(shape.vertices, (*shape.vertices[1:], shape.vertices[0])))

@@ -37,7 +37,7 @@ def printable(text: str) -> str:
 
 
 def vertex_name(shape: Shape, name: str, i: int) -> str:
-    """Return a vertex's label, or the shape's small letter with a number from 1: b1, b2 ..."""
+    """Return a vertex's label, or the shape's small letter with a number from 1: b1, b2 ...; b2.1 for a part B2."""
     label = shape.labels[i] if shape.labels else ""
     return printable(label) or f"{name.lower()}{'.' if name[-1].isdigit() else ''}{i + 1}"
 

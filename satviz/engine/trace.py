@@ -149,8 +149,8 @@ class Trace:
     def push(self) -> Vec | None:
         """Return the move of B by which this run would end the overlap: the MTV, or what its shortcut uses instead.
 
-        None where `mtv` or `claim` says that there is no overlap to end, where the MTV of a piece would take too
-        long to find, and where the move is beyond float64.
+        None where `mtv` is None or the shortcut claims APART, where the MTV of a piece would take too long to find,
+        and where the move is beyond float64.
         """
         if self.shortcut is None:
             return self.mtv
