@@ -390,6 +390,8 @@ class LabelPlacer:
 
     def _cost_of_side(self, request: LabelRequest, spot: Spot) -> float:
         """Return the cost of standing across a separating line, or across the label's own `wall`, from its anchor."""
+        if not (request.steady or request.wall):  # most labels
+            return 0.0
         anchor, cost = self._in_points(request.anchor), 0.0
         if request.steady and any(on_opposite_sides(anchor, spot, line) for line in self.walls):
             cost += OTHER_SIDE_COST

@@ -214,12 +214,12 @@ def _pairs_of_one_grid(bounds: Array) -> tuple[Pairs, bool]:
     table = build_table(bounds, np.arange(n).astype(np.int32), width, height, size)
     if count_candidates(table[2], True, table) > MAX_CANDIDATES_PER_BOX * n:
         return np.empty((0, 2), np.intp), False
-    out = np.empty((4 * n, 2), np.intp)
-    begin, found = fill_pairs(table[1], table[2], 0, True, table, out)
+    out, begin, found = np.empty((4 * n, 2), np.intp), np.intp(0), np.intp(0)  # a literal 0 would compile calls twice
     while begin < n:
-        out = _longer(out, found)
         begin, added = fill_pairs(table[1], table[2], begin, True, table, out[found:])
         found += added
+        if begin < n:
+            out = _longer(out, found)
     return out[:found], True
 
 
@@ -278,7 +278,7 @@ def _sweep(bounds: Array, axis: int) -> tuple[Pairs, int]:
         side_low[k], side_high[k] = bounds[i, 1 - axis], bounds[i, 3 - axis]
     mask = np.empty(WORD_BYTES, np.uint8)
     word = mask.view(np.uint64)
-    out, found, compared = np.empty((4 * n, 2), np.intp), 0, 0
+    out, found, compared = np.empty((4 * n, 2), np.intp), np.intp(0), 0
     for k in range(n):
         i, end, least, most = order[k], high[k], side_low[k], side_high[k]
         if found + n > len(out):
