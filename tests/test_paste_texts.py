@@ -552,3 +552,18 @@ def test_additions_of_a_page_or_a_class_do_not_change_the_shapes(change):
 def test_the_printed_result_of_a_test_is_not_read_as_a_shape(words):
     text = "a = Circle(0, 0, 5)\nb = Circle(9, 0, 5)\n"
     assert answer(f"{text}{words}: (5, 0), (6, 2), (7, 9)")[1] == answer(text)[1]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "a {} at (0, 0) with radius 5 and a circle at (9, 0) with radius 3",
+        '{{"type": "{}", "x": 0, "y": 0, "width": 10, "height": 6}}\n'
+        '{{"type": "rectangle", "x": 9, "y": 4, "width": 1, "height": 6}}',
+        "{}: kind={} x=0 y=0 r=5\nb: kind=circle x=9 y=0 r=5",
+    ],
+)
+@pytest.mark.parametrize("kind", ["ellipse", "hexagon", "triangle", "capsule", "oval", "diamond", "8-gon"])
+def test_a_shape_of_another_kind_is_never_taken_for_a_circle_or_a_box(text, kind):
+    pasted = sv.paste(text.format(kind, kind))
+    assert not pasted.shapes and f"of another kind: {kind}" in pasted.sentence

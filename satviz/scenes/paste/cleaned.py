@@ -10,7 +10,7 @@ from .tokens import MAX_CHARS
 
 _N = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 # what a Python or IPython session writes before each line
-_PROMPT = r"^[ \t]*(?:>>>|\.\.\.:?(?!\s*\n\s*[\[({\d-]|[ ](?:and )?\d+ more\b)|In \[\d+\]:|Out\[\d+\]:)(?=\s)"
+_PROMPT = r"^[ \t]*(?:>>>|\.\.\.:?(?!\s*\n\s*[\[({\d-]|[ ](?:and )?\d+ more\b)|In ?\[\d+\]:=?|Out\[\d+\][:=])(?=\s)"
 # what a log or a list writes before a shape: a date and a time, a level, a source, a number
 _TIME = r"\d\d:\d\d:\d\d(?:[.,]\d+)?"
 _STAMP = (
@@ -78,6 +78,10 @@ _ROWS = [
         (r"(?<=\bat )(?:the )?origin\b|(?<=\bon )the origin\b", lambda m: "(0, 0)".rjust(len(m[0]))),
         (r"\.map\((?:(\w+)[ ]?=>[ ]?\[\1\.x,[ ]?\1\.y\]|\(\{[ ]?x,[ ]?y[ ]?\}\)[ ]?=>[ ]?\[x,[ ]?y\])\)", blank),
         (r"\b(\w+)\.begin\(\),[ ]*\1\.end\(\)", lambda m: m[1].ljust(len(m[0]))),
+        (r"\bSRID=\d+;", blank),
+        (r"(?<=[\d)\]])[.,](?= \w{1,40}: [a-z]\w{0,40} ?= ?[-.\d(\[])", lambda _: ";"),  # a: x=0 y=0, b: x=9 y=0
+        (r"(?<=[\d)\]]) ?\|(?= ?[A-Za-z]\w{0,40}[:=])", lambda m: ",".rjust(len(m[0]))),  # x: 0 | y: 0 | w: 4 | h: 4
+        (r"(?:(?<==)|(?<=: ))0x[0-9a-f]{8,16}\b", lambda m: "null".ljust(len(m[0]), "_")),
         (r"(?<=\w) ->(?= \([-+.\d])", lambda _: " : "),
         (_NUMBERED, lambda m: m[1].ljust(len(m[0]))),
         (r"\(/(?=\s*[-+.\d])|(?<=[\s.\d])/\)", lambda m: {"(/": "[ ", "/)": " ]"}[m[0]]),  # Fortran

@@ -52,6 +52,14 @@ _ASIDE = re.compile(
     r"|colou?rs?|rgba?)(?![a-z])",
     re.IGNORECASE,
 )
+# words for kinds of shapes; those of a group are neither circles nor boxes
+_KIND = re.compile(
+    r"(?<![\w.<#])(?:circles?|ball|dis[ck]|rect(?:angle)?|box|aabb|obb"
+    r"|(?P<other>(?:regular )?(?:[a-z]{3,5}a|n-|\d-)gon(?:al)?|ellip(?:se|tic|tical|soid)|oval|capsule|rhombus"
+    r"|(?:semi|(?:half|quarter)[ -])circle|circular sector|stadium|cylinder|cone|sphere|annulus|rounded rect\w*"
+    r"|triang\w+|(?:diamond|pill|star|ring|wedge|donut|torus)(?![\"']?\s*[:=])))(?![\w(]|\s\()",
+    re.IGNORECASE,
+)
 _COMMENT = re.compile(r"//|#|--|/\*")
 _BOXES = re.compile(r"(?:boxes|rects|rectangles|aabbs|circles|balls)$", re.IGNORECASE)
 _CIRCLES = re.compile(r"circle|(?:ball|disc|disk)s?$", re.IGNORECASE)
@@ -115,6 +123,7 @@ class Reader(Calls):
             beside = {s for s in shapes if _ASIDE.search(self._line_of(s)) or self._is_bare(s)}
             for some, what in ((fields, "what a class begins with"), (beside, "one of something else")):
                 doubtful |= dict.fromkeys(some if len(some) < len(shapes) else (), what)
+            doubtful |= self._of_other_kinds(shapes)
             doubtful |= {s: "a result" for s in shapes if _RESULT.fullmatch(s.label or self._above(s))}
             doubtful |= {s: "a hole of the first outline of its list" for s in shapes if s.start in self.holes}
             doubtful |= {s: "a bounding box" for p, s in pairwise(shapes) if s.form and _bounds(p) == s.points}
@@ -134,6 +143,19 @@ class Reader(Calls):
         again = [s for _, s in kept if (s.repeats and (s.points, s.radius) in made) or self._is_print(s, named)]
         self.parts += [(shape.start, shape.end) for shape in again]
         return [shape for _, shape in kept if shape not in again]
+
+    def _of_other_kinds(self, shapes: Sequence[Read]) -> Iterator[tuple[Read, str]]:
+        """Yield (shape, its kind) of each circle and box that the text calls otherwise: a hexagon with radius 5.
+
+        The last word for a kind counts, between the shape before it on its line and its own end.
+        """
+        for before, shape in zip([0, *(s.end for s in shapes)], shapes, strict=False):
+            begin = max(self.text.rfind("\n", 0, shape.start), before, shape.start - MAX_BESIDE, 0)
+            said = [m.lastgroup and m[0] for m in _KIND.finditer(self.text, begin, shape.end)]
+            if (shape.is_circle or shape.form) and not shape.repeats and said and said[-1]:
+                yield shape, f"of another kind: {said[-1]}"
+            elif shape.label == "edges" and ")-(" not in self.text[shape.start : shape.end]:
+                yield shape, "a list of edges"
 
     def _is_print(self, shape: Read, named: Collection[tuple[Any, ...]]) -> bool:
         """Return whether a shape without a name stands below the name of the same shape, as a session prints it."""
