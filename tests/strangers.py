@@ -2569,8 +2569,6 @@ b: pos=(15, 0), vel=(1, 0), r=6""",
         "flixel",
         "player (x: 10 | y: 10 | w: 16 | h: 16)\ncrate (x: 25 | y: 12 | w: 16 | h: 16)",
         ((10, 10, 26, 26), (25, 12, 41, 28)),
-        as_="corner-size",
-        asks=True,
     ),
     Paste(
         "qgis",
@@ -2592,8 +2590,6 @@ SELECT 'SRID=4326;POLYGON((4 4, 9 4, 9 9, 4 4))'::geometry;""",
         """<UIView: 0x7f8b2a40; frame = (0 0; 44 44); layer = <CALayer: 0x60000>>
 <UIView: 0x7f8b2b80; frame = (40 10; 20 20); layer = <CALayer: 0x60001>>""",
         ((0, 0, 44, 44), (40, 10, 60, 30)),
-        as_="leave-out",
-        asks=True,
     ),
     Paste(
         "autocad",

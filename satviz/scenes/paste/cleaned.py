@@ -22,7 +22,7 @@ _SYSLOG = rf"(?:<\d+>\d?[ ]?)?(?:[A-Z][a-z]{{2}}[ ]+\d{{1,2}}[ ]{_TIME}|{_STAMP}
 # patterns that describe a whole shape: three keys with numbers (not x, y and z), or two keys with points
 _KEYED = r"[A-Za-z_][\w-]*[ \t]?=[ \t]?"
 _SCALAR, _POINT, _GAP = rf"{_KEYED}[-+]?[\d.]+", rf"{_KEYED}\([^()\n]*\)", r"[ \t,;]+"
-_KEYS = rf"{_SCALAR}{_GAP}{_SCALAR}{_GAP}(?![zZ]\b){_SCALAR}|{_POINT}{_GAP}{_POINT}"
+_KEYS = rf"{_SCALAR}{_GAP}{_SCALAR}{_GAP}(?![zZ]\b){_SCALAR}|{_POINT}(?:{_GAP}{_POINT}|,[ ]?{_SCALAR})"
 _PREFIX = rf"""(?x)^[ \t]*(?:{_SYSLOG}(?:[\w./-]+(?:\[\d+\])?:|[\w.-]+[ ][\w-]+[ ][\w-]+[ ]-)[ ]+
        |[IWEF]\d{{4}}[ ]{_TIME}[ ]+\d+[ ][\w./-]+:\d+\][ ]
        |[\[(<]?(?:{_STAMP})(?!\d)[\])>]?[ \t:|,-]*)?

@@ -37,9 +37,13 @@ SENTENCES = (
             re.IGNORECASE,
         ),
     ),
-    ("circle", re.compile(rf"\bcenter point, +X= *{_N} +Y= *{_N} +Z= *0\.0*\s+radius +{_N}")),  # AutoCAD
+    (
+        "circle",
+        re.compile(rf"\bcenter point, +X= *{_N} +Y= *{_N} +Z= *0\.0*\s+radius +{_N}"),
+        re.compile(rf"(?:[XY]=|radius) *({_N})"),
+    ),  # AutoCAD
     ("qrect", re.compile(rf"(?<=frame = )\({_N} {_N}; {_N} {_N}\)")),  # UIKit
-    ("image.rect", re.compile(rf"(?<=<QgsRectangle: ){_N} {_N}, {_N} {_N}(?=>)")),
+    ("image.rect", re.compile(rf"<QgsRectangle: {_N} {_N}, {_N} {_N}>")),
     ("qrect", re.compile(rf"<rect\({_N}, {_N}, {_N}, {_N}\)>")),  # pygame
     ("qrect", re.compile(rf"\[P: {_P}, S: {_P}\]")),  # Godot
     ("qrect", re.compile(rf"\(x:{_N}, y:{_N}, width:{_N}, height:{_N}\)")),  # Unity
