@@ -69,7 +69,7 @@ def draw_pieces_panel(trace: Trace, layout: Layout) -> Sketch:
 
 
 def draw_pieces(sketch: Sketch) -> None:
-    """Draw on a sketch what `draw_pieces_panel` draws."""
+    """Draw on a sketch B, the pieces of A that the shortcut tests, and an arrow for each piece's push of B."""
     trace = sketch.trace
     for pair in trace.pairs:
         sketch.shape("A", pair.names.a, pair.a)
@@ -240,7 +240,7 @@ def drawn_tests_of_sat(run: Trace) -> Sequence[AxisTest]:
 
 
 def draw_axes_of_sat(trace: Trace, layout: Layout) -> Sketch:
-    """Draw both shapes, `drawn_tests_of_sat` of the run of SAT, and how many evaluations its tests take."""
+    """Draw both shapes, the tests of SAT (of more than 3 only that of the largest gap), and how often they evaluate."""
     run = record(trace.a, trace.b)
     tests = drawn_tests_of_sat(run)
     sketch = draw_shapes(run, layout)
@@ -481,14 +481,14 @@ def needs_push(trace: Trace) -> PanelContents:
 
 
 def draw_push_alone(trace: Trace, layout: Layout) -> Sketch:
-    """Draw both shapes, and the shortcut's push as `draw_push` draws it."""
+    """Draw both shapes, the shortcut's push as an arrow, and B at its end."""
     sketch = draw_shapes(trace, layout)
     draw_push(sketch)
     return sketch
 
 
 def draw_push_from_center(trace: Trace, layout: Layout) -> Sketch:
-    """Draw as `draw_push_alone`, and the segment between both vertex means, which gave the push its direction."""
+    """Draw both shapes, the push, B at its end, and the segment between both vertex means, which gave its direction."""
     sketch = draw_push_alone(trace, layout)
     means = vertex_mean(trace.a), vertex_mean(trace.b)
     sketch.add("joined", "segment", "wrong", *means)
@@ -559,7 +559,7 @@ def pushes_on_axes(trace: Trace, *, raw: bool = False) -> list[PushOnAxis]:
 
 
 def pushes_panel(of_overlap: Panel, without: Panel) -> Panel:
-    """Return a panel that is drawn as `of_overlap` where there is a push to compare, and else as `without`."""
+    """Return a panel drawn as `of_overlap` for a hit with a push, to compare with the MTV, and else as `without`."""
 
     def has_any(trace: Trace) -> bool:
         """Check whether there is a push to compare with the MTV."""

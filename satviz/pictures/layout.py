@@ -140,7 +140,7 @@ def arrange_readable(
     one_frame: bool = True,
     tight: bool = False,
 ) -> list[Layout]:
-    """Return the layouts of `arrange`, or brief ones if `shapes` would be small in these on a narrow canvas.
+    """Return a layout for each panel, as `arrange` does; brief ones if `shapes` would be small on a narrow canvas.
 
     Brief layouts keep no space for the numbers of the ranges.  The other arguments are those of `arrange`.
     """

@@ -140,7 +140,7 @@ class ShapeSketch:
     def corners(self, roles: Collection[str | None] = "AB", *, as_role: str = "") -> None:
         """Draw named dots at the corners of the shapes of `roles` that have few corners and no labels of their own.
 
-        Sentences about edges use these names.  `as_role`: as in `vertices`.
+        Sentences about edges use these names.  `as_role` gives the names another colour.
         """
         for role, _, shape in self.roles():
             if role not in roles or not isinstance(shape, Polygon) or shape.labels:
@@ -186,7 +186,11 @@ class ShapeSketch:
         kept: Sequence[Mark] = (),
         memory: LabelMemory | None = None,
     ) -> Picture:
-        """Place the labels and return the picture; `with_labels` explains the options."""
+        """Place the labels and return the picture.
+
+        `steady`: the names of shapes and vertices stand at one spot in all steps; `kept`: labels of other steps, whose
+        spots are kept; `memory`: how the labels stood in the last picture of a drag.
+        """
         requests = [request for _, request in sorted(self.requests, key=lambda r: r[0])]
         marks = with_labels(
             self.marks,

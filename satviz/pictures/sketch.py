@@ -112,7 +112,7 @@ class Sketch(ShapeSketch):
         return n if describe.points_outward(self.trace, axis) else Vec(-n.x, -n.y)
 
     def normal(self, test: AxisTest, *, named: bool = False) -> None:
-        """Draw `normal_arrow`, if there is one; `named` labels it as a vector."""
+        """Draw an arrow along the axis on its edge or line, if it has one; `named` labels it as a vector."""
         arrow = self.normal_arrow(test)
         if arrow is None:
             return
