@@ -239,7 +239,7 @@ def draw_push(sketch: Sketch) -> None:
 
 
 def needs_proof(trace: Trace) -> PanelContents:
-    """Return both shapes, B moved by the MTV, and the exact test that is shown."""
+    """Return what the panel of the proof needs: both shapes, B moved by the MTV, and the exact test that is shown."""
     test = true_test(trace)
     return PanelContents(_shapes_with_moved_b(trace, trace.truth.known_mtv), [test] if test else [])
 

@@ -76,7 +76,7 @@ class LabelRequest(NamedTuple):
 
     @property
     def key(self) -> LabelKey:
-        """Return part, owner, axis and number, as its label will have them."""
+        """Return (part, owner, axis, number), by which its label is known from picture to picture."""
         return self.part, self.owner, self.axis, self.number
 
 

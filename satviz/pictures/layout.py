@@ -142,7 +142,8 @@ def arrange_readable(
 ) -> list[Layout]:
     """Return a layout for each panel, as `arrange` does; brief ones if `shapes` would be small on a narrow canvas.
 
-    Brief layouts keep no space for the numbers of the ranges.  The other arguments are those of `arrange`.
+    Brief layouts keep no space for the numbers of the ranges.  `largest`: the canvas in points at most; `one_frame`:
+    all have the same limits; `tight`: an axis lies near the shapes.
     """
     found = arrange(panels, largest=largest, one_frame=one_frame, tight=tight)
     x0, y0, x1, y1 = bounding_box(shapes)

@@ -39,7 +39,7 @@ class ShapeSketch:
         self.requests: list[tuple[int, LabelRequest]] = []
 
     def add(self, part: str, kind: str, role: str, *points: Vec, **more: Unpack[MarkOptions]) -> None:
-        """Add a mark; the arguments are the fields of `Mark`."""
+        """Add a mark: what it shows, its kind, its colour, its points (scene units), and more fields of `Mark`."""
         self.marks.append(Mark(part, kind, role, points, **more))
 
     def label(
@@ -53,7 +53,7 @@ class ShapeSketch:
     ) -> None:
         """Draw a shape's outline, its name if `named` (small if `quiet`), and a dot if it is very small.
 
-        `weight`: as in Mark.
+        `weight`: that of the outline, such as "plain", "faint" or "fill".
         """
         if isinstance(shape, Circle):
             self.add("outline", "disc", role, shape.center, owner=name, radius=shape.radius, weight=weight)

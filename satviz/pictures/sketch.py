@@ -401,7 +401,8 @@ class Sketch(ShapeSketch):
     ) -> None:
         """Draw a finished test: the axis (`named`), `drops` of the extreme points, both ranges, the gap or overlap.
 
-        `numbers`: the labels of ranges and gap give their ends; `interval`, `remark` and `on` are those of `gap`.
+        `numbers`: the labels of the ranges give their ends, and that of the gap too if `interval`; it also has the
+        axis's name `on` and a `remark`, unless these are "".
         """
         self.axis(test, place, named=named)
         for role in "AB":

@@ -199,7 +199,7 @@ class ExplorerModel(PlayerModel):
         self._memory = LabelMemory()  # how the labels stood, so that they do not jump
 
     def _pose(self, content: dict[str, Any]) -> None:
-        """Apply a drag's message: both shapes, the view and the challenge; InvalidScene before anything is changed."""
+        """Apply a drag's message: both shapes, the view and the challenge; ValueError before anything is changed."""
         a, b = shape_from(content.get("a"), "A"), shape_from(content.get("b"), "B")
         degree, pinned = _number(content.get("degree"), "the angle"), content.get("pinned")
         largest = canvas_size(_number(content.get("width"), "the width"))
