@@ -81,6 +81,16 @@ def test_an_unknown_part_is_named_and_a_button_leaves_it_out(desk, width):
 
 
 @WIDTHS
+def test_a_button_takes_in_what_may_be_a_shape_and_its_form_is_asked_then(desk, width):
+    desk.paste("circle((0, 0), 5)\ncircle((30, 0), 5)\nEdit: with (4, 0, 9, 5)")
+    assert "Choose which it is" in desk.page.locator(".sv-verdict").first.inner_text()
+    desk.press("a shape of its own: A and C overlap")
+    questions = desk.page.get_by_role("button", name="two opposite corners")
+    assert "of 3 pairs meet" in desk.text(".sv-verdict") and questions.count() == 1
+    assert desk.page.evaluate("document.documentElement.scrollWidth <= innerWidth"), "nothing is wider than the page"
+
+
+@WIDTHS
 def test_the_exported_files_hold_a_picture_of_the_pair(desk, width):
     desk.paste("circle((0, 0), 2) circle((9, 9), 1) [0,0, 4,0, 0,4]")
     desk.page.get_by_text("send it on").click()

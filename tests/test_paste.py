@@ -362,6 +362,14 @@ def test_the_unit_of_an_unclear_angle_gives_a_question():
     assert [q.what for q in pasted.questions if q.matters] == ["angle"]
 
 
+def test_the_form_of_a_box_that_may_be_no_shape_is_asked_once_it_is_one():
+    text = "poly A: (0,0) (4,0) (0,4)\nEdit: with (0, 0, 5, 5)\npoly B: (1,1) (5,1) (1,5)"
+    asked = sv.paste(text)
+    assert [q.what for q in asked.questions] == ["rest"] and "Choose which it is" in asked.sentence
+    assert [q.what for q in sv.paste(text, "take-in").questions] == ["box"]
+    assert not sv.paste(text, "leave-out").questions
+
+
 def test_an_angle_of_more_than_a_turn_is_in_degrees_and_the_reading_says_so():
     pasted = sv.paste("((0, 0), (10, 1), -177.8)\ncircle((0, 5), 1)")
     assert not pasted.questions and pasted.readings[0].said.endswith("turned by -177.8 degrees")

@@ -163,7 +163,8 @@ class Recommendation:
     def failure(self) -> Trace | None:
         """Return a trace of the first pair on which the next smaller model fails; None if there is none.
 
-        `sv.draw` shows the claimed relation beside the actual one.  Where only rounding fails, the record is exact.
+        `sv.draw` shows the claimed relation beside the actual one.  Where only rounding can make that model fail, it
+        is the trace of exact SAT.
         """
         smaller = self.smaller
         if smaller is None or smaller.first is None or (place := self._number_of(smaller.first)) is None:

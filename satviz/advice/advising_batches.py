@@ -49,7 +49,7 @@ NOTHING = np.empty(0, np.intp), np.empty(0, np.intp)  # the indices of no pairs
 def recommend_batch(
     a: Any, b: Any, pairs: ArrayLike | None, *, engine: str | None = None
 ) -> tuple[InputSummary, tuple[ModelResult, ...], GivenPairs]:
-    """Return (summary, results, given pairs) for batch shapes; the parameters are those of `advise`."""
+    """Return (summary, results, given pairs) for batch shapes; `a`, `b`, `pairs`: as in `advise`."""
     a = check_shapes(a, "a")
     all_pairs = b is None and pairs is None
     b = a if b is None else check_shapes(b, "b")
@@ -94,7 +94,10 @@ def recommend_batch(
 
 
 def _indexed(a: Shapes, b: Shapes, pairs: ArrayLike | None) -> tuple[Indices, Indices]:
-    """Return (ia, ib), the indices of the pairs; if `pairs` is None, shape i of both.  Errors as in `relate`."""
+    """Return (ia, ib), the indices of the pairs; if `pairs` is None, shape i of a with shape i of b.
+
+    Errors as in `batch.relate`.
+    """
     if pairs is not None:
         return check_pairs(pairs, len(a), len(b))
     if len(a) != len(b):
@@ -106,7 +109,7 @@ def _indexed(a: Shapes, b: Shapes, pairs: ArrayLike | None) -> tuple[Indices, In
 
 
 def _pairs_with_meeting_boxes(bounds: Array, engine: str | None) -> tuple[Indices, Indices]:
-    """Return (i, j), sorted, of all pairs whose boxes meet; InvalidScene as soon as there are too many."""
+    """Return (i, j), sorted, of all pairs of the (N, 4) boxes that meet; InvalidScene as soon as there are too many."""
     farthest = float_info.max  # the box of a circle may exceed it
     blocks, many = [], 0
     for block in candidate_blocks(np.clip(bounds, -farthest, farthest), engine_of(engine)):

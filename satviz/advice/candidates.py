@@ -70,8 +70,9 @@ def convex_parts(shape: AnyShape) -> Sequence[Shape]:
 class Model(NamedTuple):
     """Describe a model (a way to test a pair) and the number of axes that it tests for the largest pair.
 
-    `kind`: one of the constants above, or the name of a float format; `directions`: the fixed ones of a k-DOP, any
-    (x, y); `after_boxes`: whether it follows a test of the bounding boxes, whose two axes then count among `axes`.
+    `kind`: a constant above, such as "AABB", or a float format's name for SAT in plain floats; `directions`: the fixed
+    ones of a k-DOP, any (x, y); `after_boxes`: whether it follows a test of the bounding boxes, whose two axes then
+    count among `axes`.
     """
 
     kind: str
@@ -139,7 +140,7 @@ def shared_directions(shapes: Iterable[AnyShape]) -> tuple[Vec, ...]:
 
 
 def count_axes(a: AnyShape, b: AnyShape) -> int:
-    """Return how many axes SAT tests: for two convex parts each edge, and one more if a circle is among them."""
+    """Return how many axes SAT tests on all pairs of convex parts: each edge of both, and one more with a circle."""
     pairs = [(p, q) for p in convex_parts(a) for q in convex_parts(b)]
     edges = sum(len(s.core) for pair in pairs for s in pair if not s.core_is_point)
     return edges + sum(p.core_is_point or q.core_is_point for p, q in pairs)

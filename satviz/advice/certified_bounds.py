@@ -79,7 +79,7 @@ def certify_boxes(a: AnyShape, b: AnyShape) -> Relation | None:
 
 
 def _compare_boxes(a: tuple[float, ...], b: tuple[float, ...]) -> int:
-    """Return 1 if the boxes are apart, 0 if they touch, -1 if they overlap; no difference, which could underflow."""
+    """Return 1 if the boxes are apart, 0 if they touch, -1 if they overlap; a difference could underflow."""
     (ax0, ay0, ax1, ay1), (bx0, by0, bx1, by1) = a, b
     if ax1 < bx0 or bx1 < ax0 or ay1 < by0 or by1 < ay0:
         return 1
@@ -87,7 +87,7 @@ def _compare_boxes(a: tuple[float, ...], b: tuple[float, ...]) -> int:
 
 
 def _bounding_box(shape: AnyShape, outwards: float) -> tuple[float, ...]:
-    """Return the bounding box; a rounded side of a circle's is moved one float outwards (inf) or inwards (-inf)."""
+    """Return the bounding box; a rounded side of a circle's box is moved one float outwards (inf) or inwards (-inf)."""
     if not shape.core_is_point:
         return shape.bounds
     sides = []
@@ -112,12 +112,12 @@ def bounding_circle(shape: AnyShape, widening: float = WIDENING) -> Disc:
     x0, y0, x1, y1 = shape.bounds
     x, y = x0 / 2 + x1 / 2, y0 / 2 + y1 / 2
     square = max((px - x) * (px - x) + (py - y) * (py - y) for px, py in shape.core)
-    # under TINY bits are lost, and beyond HUGE they overflow
+    # below MIN_SAFE_PRODUCT bits are lost, and beyond MAX_SAFE_PRODUCT they overflow
     return x, y, sqrt(square) * widening if MIN_SAFE_PRODUCT < square < MAX_SAFE_PRODUCT else 0.0
 
 
 def certify_bounding_circles(a: AnyShape, b: AnyShape) -> Relation | None:
-    """Return the relation that bounding circles certainly give, with radii widened or not, or None."""
+    """Return the relation that bounding circles certainly give, with widened radii and with bare ones; else None."""
     wide, bare = (certify_circles(bounding_circle(a, by), bounding_circle(b, by), FLOAT64) for by in (WIDENING, 1.0))
     return wide if wide is bare else None
 
@@ -174,7 +174,7 @@ def certify_directions(a: AnyShape, b: AnyShape, directions: Sequence[Vec]) -> R
 
 
 def _projects_exactly(corners: Iterable[Vec], direction: Vec) -> bool:
-    """Return whether projecting the corners on the direction rounds nothing."""
+    """Return whether projecting the corners on the direction in float64 rounds nothing."""
     arithmetic = ExactArithmetic(FLOAT64)
     normal = Fraction(direction[0]), Fraction(direction[1])
     for x, y in corners:
@@ -186,7 +186,7 @@ def _projects_exactly(corners: Iterable[Vec], direction: Vec) -> bool:
 
 
 def certify_sat(a: AnyShape, b: AnyShape, form: FloatFormat) -> Relation | None:
-    """Return the relation that SAT in this float format certainly finds on all convex parts, or None."""
+    """Return the relation that SAT in this float format certainly finds, part by part; None if not certain."""
     found = [certify_convex_sat(p, q, form) for p in convex_parts(a) for q in convex_parts(b)]
     if OVERLAPPING in found:
         return OVERLAPPING

@@ -70,12 +70,12 @@ def classify(model: Model, pairs: PartPairs, exact: Relations, *, engine: str | 
             if undecided.size and p.r is None and q.r is None:  # circles: done in _classify_circles
                 exact_pairs = mine[undecided[_rounds_nothing(p.columns(undecided), q.columns(undecided), form)]]
                 found[exact_pairs] = relations[exact_pairs]
-        return pairs.whole(_decide_by_fractions(pairs, found, form))
+        return pairs.combine(_decide_by_fractions(pairs, found, form))
 
 
 def _decide_by_fractions(pairs: PartPairs, found: Relations, form: FloatFormat) -> Relations:
     """Certify UNDECIDED entries of `found` by fractions, in place, up to the first that stays undecided; return it."""
-    undecided = np.flatnonzero((found == UNDECIDED) & (pairs.whole(found)[pairs.of] == UNDECIDED))
+    undecided = np.flatnonzero((found == UNDECIDED) & (pairs.combine(found)[pairs.of] == UNDECIDED))
     for many, k in enumerate(undecided.tolist()):
         refuse_too_many_fractions(many, len(undecided))
         relation = certify_convex_sat(*pairs.part_shapes(k), form)
@@ -164,7 +164,7 @@ def _boxes(shapes: Shapes, outwards: float) -> Array:
 
 
 def _classify_circles(a: Array, b: Array, form: FloatFormat) -> Relations:
-    """Return the relations of circles (x, y, radius) that squares of distances and ranges both certainly find."""
+    """Return the relations of circles in rows (x, y, radius) that squared distances and ranges both certainly find."""
     dx, dy, total = a[:, 0] - b[:, 0], a[:, 1] - b[:, 1], a[:, 2] + b[:, 2]
     distance, square = dx * dx + dy * dy, total * total
     size = np.maximum(np.maximum(np.abs(dx), np.abs(dy)), total)
@@ -226,7 +226,10 @@ def _projects_exactly(shapes: Shapes, model: Model) -> NDArray[np.bool_]:
 
 
 def _classify_polygons(p: CornerColumns, q: CornerColumns, form: FloatFormat) -> Relations:
-    """Return the relations SAT certainly finds for polygons, else UNDECIDED; adds 32 u D M for rounding here."""
+    """Return the relations SAT certainly finds for polygons in this format, else UNDECIDED.
+
+    The error bound has 32 u D M more than that of one pair, since it is itself computed in floats.
+    """
     most = np.maximum(max_coordinates(p), max_coordinates(q))
     wide = np.maximum(
         *(np.maximum(c.max(0), d.max(0)) - np.minimum(c.min(0), d.min(0)) for c, d in ((p.x, q.x), (p.y, q.y)))
@@ -250,7 +253,7 @@ def _classify_polygons(p: CornerColumns, q: CornerColumns, form: FloatFormat) ->
 
 
 def _classify_circle_polygons(circle: CornerColumns, ring: CornerColumns, form: FloatFormat) -> Relations:
-    """Return what the test in floats of `form` must answer for circles against convex polygons, or UNDECIDED."""
+    """Return the relations SAT certainly finds for circles and convex polygons in this format, else UNDECIDED."""
     assert circle.r is not None
     far = np.maximum(*(np.abs(c - d).max(axis=0) for c, d in ((ring.x, circle.x), (ring.y, circle.y))))
     rows = _number_rows(ring), _number_rows(circle)

@@ -79,7 +79,7 @@ def _relations(pairs: PartPairs, engine: str | None) -> NDArray[np.int8]:
 
 
 def _pairs_in_time(pairs: PartPairs, seconds: float, engine: str | None) -> int:
-    """Return how many pairs the exact filter, the slowest model, can decide in an eighth of the time."""
+    """Return how many pairs the exact filter, the slowest model, can decide in an eighth of `seconds`."""
     first = paired(pairs.a, pairs.ia[:PAIRS_OF_THE_ESTIMATE], pairs.b, pairs.ib[:PAIRS_OF_THE_ESTIMATE])
     _relations(first, engine)  # loads the engine and fills the caches of the shapes
     start = perf_counter()

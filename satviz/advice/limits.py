@@ -18,10 +18,7 @@ TESTS_TIMED = 400_000
 
 
 def refuse_too_many_tests(pairs: int, tests: int) -> None:
-    """Raise InvalidScene for too many pairs of convex parts, or too many tests of an edge against a corner.
-
-    pairs, tests: the numbers of both.
-    """
+    """Raise InvalidScene for too many `pairs` of convex parts, or too many `tests` of an edge against a corner."""
     for many, most, what in (
         (pairs, MAX_PAIRS, "pairs of convex parts"),
         (tests, MAX_TESTS, "tests of an edge against a corner"),
@@ -34,7 +31,7 @@ def refuse_too_many_tests(pairs: int, tests: int) -> None:
 
 
 def refuse_too_many_boxes(pairs: int, shapes: int) -> None:
-    """Raise InvalidScene for too many pairs of shapes whose boxes meet; `pairs` counts those found so far."""
+    """Raise InvalidScene for too many pairs of shapes whose boxes meet; `pairs`: those found so far."""
     if pairs > MAX_PAIRS:
         raise InvalidScene(
             f"more than {MAX_PAIRS:,} pairs of {shapes:,} shapes have bounding boxes that meet: this is the limit of "

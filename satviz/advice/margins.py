@@ -35,9 +35,9 @@ def max_coordinates(group: CornerColumns) -> Array:
 
 
 def signed_relative_margins(pairs: PartPairs, *, engine: str | None = None) -> Array:
-    """Return each pair's gap, or minus its overlap, in roundings (n,), right to one part in fifty; 0 only if touching.
+    """Return the (n,) relative margins, negative for overlapping pairs and 0 only for touching ones.
 
-    `engine` as in `batch.relate`.
+    They are right to one part in fifty.  `engine` as in `batch.relate`.
     """
     a, b, pa, pb = pairs.a.parts, pairs.b.parts, pairs.pa, pairs.pb
     margins = np.empty(len(pa))
@@ -62,7 +62,7 @@ def signed_relative_margins(pairs: PartPairs, *, engine: str | None = None) -> A
 def edge_clearances(own: CornerColumns, other: CornerColumns) -> Iterator[tuple[Array, Array]]:
     """Yield for each edge of `own` (least orientation determinant of the other's corners, larger edge component).
 
-    Both are (n,) arrays, one value for each pair of columns.
+    Both are (n,) arrays, one value for each pair of columns.  The first is positive where all corners lie beyond.
     """
     for e in range(len(own.x)):
         x, y = own.x[e - 1], own.y[e - 1]
@@ -134,7 +134,7 @@ def _circle_gap(a: CornerColumns, b: CornerColumns) -> Array:
 
 
 def _polygon_gap_by_errors(a: CornerColumns, b: CornerColumns) -> Array:
-    """Return the gaps of polygons within one part in a hundred, else NaN, by floats with their errors."""
+    """Return what `_polygon_gap` does where right to one part in a hundred, else NaN; by floats with their errors."""
     best, error_bound = np.full(a.x.shape[1], -np.inf), np.zeros(a.x.shape[1])
     for own, other in (a, b), (b, a):
         shape = other.x.shape
@@ -151,7 +151,7 @@ def _polygon_gap_by_errors(a: CornerColumns, b: CornerColumns) -> Array:
 
 
 def _circle_gap_by_errors(a: CornerColumns, b: CornerColumns) -> Array:
-    """Return the gaps of circles within one part in a hundred, else NaN, by a difference of squares."""
+    """Return what `_circle_gap` does where right to one part in a hundred, else NaN; by a difference of squares."""
     assert a.r is not None and b.r is not None
     (dx, ex), (dy, ey), (r, er) = two_sum(a.x[0], -b.x[0]), two_sum(a.y[0], -b.y[0]), two_sum(a.r, b.r)
     square, off, _ = sum_with_error([(dx, dx), (dy, dy), (-r, r)], 2 * ((dx * ex + dy * ey) - r * er))

@@ -25,7 +25,10 @@ DTYPES: dict[str, Any] = {"float32": np.float32, "float64": np.float64}
 
 
 def prepare(model: Model, shapes: Shapes) -> Any:
-    """Return the data that `evaluate` needs of the shapes for this model; cold times include this step."""
+    """Return the data that `evaluate` needs of the shapes for this model; cold times include this step.
+
+    Boxes (N, 4), circles (N, 3), ranges (N, k, 2), ConvertedParts for SAT; for the exact filter the batch itself.
+    """
     if model.kind == EXACT_FILTER:
         _ = shapes.groups, shapes.rings, shapes.slot
         return shapes
@@ -188,7 +191,7 @@ def relations_of(apart: Any, over: Any) -> Relations:
 
 
 def compare_circles(a: Array, b: Array) -> Relations:
-    """Return the relations of circles given as rows (x, y, radius), by squared distances."""
+    """Return the relation of row i of a with row i of b, which are circles (x, y, radius), by squared distances."""
     return relations_of_gaps(_squared_gap(a.T, b.T))
 
 
@@ -201,7 +204,7 @@ def _squared_gap(a: Iterable[NDArray[Any]], b: Iterable[NDArray[Any]]) -> NDArra
 
 
 def compare_ranges(a: Array, b: Array) -> Relations:
-    """Return the relations of shapes by their (N, k, 2) ranges: APART if one of k directions has a gap."""
+    """Return the relation of row i of a with row i of b, (N, k, 2) ranges: APART if one of k directions has a gap."""
     apart, over = np.zeros(len(a), bool), np.ones(len(a), bool)
     for k in range(a.shape[1]):
         apart |= (a[:, k, 0] > b[:, k, 1]) | (b[:, k, 0] > a[:, k, 1])
@@ -218,7 +221,7 @@ def sat(pairs: PartPairs, a: ConvertedParts, b: ConvertedParts, kernels: Any) ->
         for mine, p, q in pair_columns(a, pairs.pa, b, pairs.pb, PAIRS_PER_BLOCK):
             with np.errstate(all="ignore"):
                 found[mine] = relations_of_gaps(sat_gaps(p, q))
-    return pairs.whole(found)
+    return pairs.combine(found)
 
 
 def sat_gaps(p: CornerColumns, q: CornerColumns) -> NDArray[Any]:
@@ -233,7 +236,7 @@ def sat_gaps(p: CornerColumns, q: CornerColumns) -> NDArray[Any]:
 
 
 def circle_polygon_gap(circle: CornerColumns, ring: CornerColumns) -> NDArray[Any]:
-    """Return the squared distance of each center from the boundary less r squared; -1 if it is inside."""
+    """Return the squared distance of each center from its polygon's boundary less r squared; -1 if it is inside."""
     assert circle.r is not None
     inside = np.ones(ring.x.shape[1], bool)
     nearest = np.full(ring.x.shape[1], np.inf, ring.x.dtype)

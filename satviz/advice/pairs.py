@@ -35,7 +35,7 @@ class PartPairs(NamedTuple):
     pb: Indices
     of: Indices
 
-    def whole(self, of_parts: Relations) -> Relations:
+    def combine(self, of_parts: Relations) -> Relations:
         """Return the (n,) relations of the pairs of shapes: the largest one of their pairs of convex parts.
 
         of_parts: (m,) relations of the pairs of parts.  UNDECIDED for a part makes the pair UNDECIDED, unless another
@@ -95,9 +95,9 @@ def part_shape(shapes: Shapes, part: int) -> Shape:
 def pair_columns(
     a: Shapes | ConvertedParts, pa: Indices, b: Shapes | ConvertedParts, pb: Indices, most: int = 1 << 62
 ) -> Iterator[tuple[Indices, CornerColumns, CornerColumns]]:
-    """Yield (indices of pairs, group for a, group for b) for blocks of pairs with equal numbers of corners.
+    """Yield (indices of pairs, columns of a, columns of b) for blocks of pairs with equal numbers of corners.
 
-    `most` is the largest number of pairs in a block.
+    Pair k has part pa[k] of `a` and part pb[k] of `b`.  `most` is the largest number of pairs in a block.
     """
     key = a.count[pa] << 32 | b.count[pb]
     for kind in np.unique(key).tolist():

@@ -81,8 +81,7 @@ class InputSummary(NamedTuple):
     `kinds`: how many shapes of each kind; `corners`: the fewest and the most of a convex part; `size_ratio`: the width
     of the largest shape over that of the smallest; `relations`: pairs apart, touching and overlapping; `settled`:
     further pairs that are apart by their boxes; `relative_margin`: the smallest one, which the pair with the indices
-    `at` has; `search`:
-    the broad phase that suffices where all pairs of one batch are given, else None.
+    `at` has; `search`: the broad phase that suffices where all pairs of one batch are given, else None.
     """
 
     kinds: dict[str, int]
@@ -144,7 +143,10 @@ def model_for_any_position(summary: InputSummary, results: Sequence[ModelResult]
 def candidates_of(
     axes: int, directions: tuple[Vec, ...], kinds: Collection[str], given: GivenPairs
 ) -> tuple[Model, ...]:
-    """Return the candidate models; axes: the most that SAT tests for a given pair, kinds: of its shapes."""
+    """Return the candidate models for the given pairs.
+
+    axes: how many SAT tests for the largest pair; directions: as in `candidates`; kinds: those of all given shapes.
+    """
     if given.broad_phase is None:
         return candidates(axes, directions, set(kinds) == {CIRCLES})
     found = candidates(axes, directions, given.broad_phase.only_circles, given.broad_phase.kinds_without_boxes)

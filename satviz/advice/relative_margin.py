@@ -69,7 +69,10 @@ def _max_coordinate(shape: Shape, k: int) -> int:
 
 
 def exact_edge_clearances(ring: Sequence[IntPoint], points: Sequence[IntPoint]) -> Iterator[tuple[int, int]]:
-    """Yield (least orientation determinant of the points, larger side) of each edge; the first begins at ring[0]."""
+    """Yield (clearance, span) of each edge, as the module defines them; the first edge begins at ring[0].
+
+    The clearance is the least orientation of `points` about the edge; it is positive where all lie beyond the edge.
+    """
     for (px, py), (qx, qy) in cyclic_pairs(ring):
         nx, ny = qy - py, px - qx
         yield min(nx * x + ny * y for x, y in points) - nx * px - ny * py, max(abs(nx), abs(ny))
@@ -78,10 +81,10 @@ def exact_edge_clearances(ring: Sequence[IntPoint], points: Sequence[IntPoint]) 
 def exact_edge_distances(
     center: IntPoint, ring: Sequence[IntPoint]
 ) -> Iterator[tuple[tuple[int, int], int, tuple[int, int]]]:
-    """Yield (direction, orientation, (s, q)) for each edge of a ring.
+    """Yield (edge as a vector, orientation, (s, q)) for each edge of a ring.
 
-    orientation: the cross product of the edge's start, seen from the center, and its direction; positive where the
-    center lies on the inner side.  s / sqrt(q): the exact distance of the center from the edge as a segment.
+    orientation: the cross product of the edge's start, seen from the center, and the edge; positive where the center
+    lies on the inner side.  s / sqrt(q): the exact distance of the center from the edge as a segment.
     """
     seen = [(x - center[0], y - center[1]) for x, y in ring]
     for (px, py), (qx, qy) in cyclic_pairs(seen):

@@ -66,7 +66,10 @@ def allowed_coordinate(a: Shape, b: Shape) -> Fraction:
 
 
 def moved_bound(pairs: Iterable[tuple[AnyShape, AnyShape]]) -> float:
-    """Return the power of two up to which all these pairs of polygons may be moved; 0 if they exceed it already."""
+    """Return the power of two up to which the coordinates of these pairs of polygons may grow in a move.
+
+    SAT in float64 is still proven then.  0 if they exceed it already.
+    """
     parts = _parts(pairs)
     allowed = min(allowed_coordinate(p, q) for p, q in parts)
     return power_of_two_bound(

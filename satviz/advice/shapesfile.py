@@ -1,4 +1,7 @@
-"""Read many shapes from a file: an .npz of plain arrays, of which no code is run."""
+"""Read many shapes from a file: an .npz of plain arrays, of which no code is run.
+
+In the functions below `held` is the open file; `path` is only named in error messages.
+"""
 
 import zipfile
 from collections import Counter
@@ -69,7 +72,7 @@ def load_shapes(path: Path) -> tuple[batch.Shapes, NDArray[Any] | None]:
 
 
 def _members(path: Path, held: zipfile.ZipFile) -> dict[str, zipfile.ZipInfo]:
-    """Return the zip members by array name; InvalidScene for an unknown, repeated or missing name."""
+    """Return the zip members by array name; InvalidScene for unknown, repeated or missing names and compressions."""
     listed = [(member.filename.removesuffix(".npy"), member) for member in held.infolist()]
     names = Counter(name for name, _ in listed)
     if twice := next((name for name, count in names.items() if count > 1), None):

@@ -31,9 +31,10 @@ def time_in_turn(
 ) -> dict[str, Spread]:
     """Return the spread of the nanoseconds per item of each job, run once per round after an untimed warm-up.
 
-    `clock` returns seconds: time.thread_time leaves out the time of other programs.  All runs take about `seconds` at
-    most: a job that takes a quarter of this by itself is left out, and so are rounds for which no time is left.  The
-    garbage collector is off meanwhile, as it would charge one method for the garbage of another.
+    `items`: how many items one run of each job handles.  `clock` returns seconds: time.thread_time leaves out the time
+    of other programs.  All runs take about `seconds` at most: a job that takes a quarter of this by itself is left out,
+    and so are rounds for which no time is left.  The garbage collector is off meanwhile, as it would charge one method
+    for the garbage of another.
     """
     times: dict[str, list[float]] = {}
     begin = perf_counter()

@@ -138,7 +138,7 @@ def by_direction(a: Ring, b: Ring) -> list[Vec]:
 
 
 def of_each(cut: Callable[[int], slice], a: Ring, b: Ring) -> list[Vec]:
-    """Return the normals of some edges of each ring, by its number of vertices."""
+    """Return the normals of the edges that `cut` selects; it maps a ring's number of vertices to a slice."""
     return listed(a, b, cut_a=cut(len(a)), cut_b=cut(len(b)))
 
 
@@ -161,13 +161,13 @@ def outward(sign: int, a: Ring, b: Ring) -> list[Vec]:
 
 
 def angle_in_degrees(dx: float, dy: float) -> Vec:
-    """Return the direction of the angle in radians that an edge's normal has in degrees."""
+    """Return the unit vector that an edge's normal becomes when its angle in degrees is passed to cos and sin."""
     angle = degrees(atan2(dy, dx)) + 90
     return Vec(cos(angle), sin(angle))
 
 
 def rounded_to(round_to: Callable[[float], float], dx: float, dy: float) -> Vec:
-    """Return the normal (dy, -dx) of an edge at length 1, with both of its numbers rounded."""
+    """Return the unit normal of an edge (dx, dy), to the right of it, with both numbers rounded by `round_to`."""
     length = hypot(dx, dy)
     return Vec(round_to(dy / length), round_to(-dx / length))
 
@@ -201,7 +201,7 @@ def circle_about(middle: Middle, radius: Radius, ring: Ring, n: Vec) -> Interval
 
 
 def one_extreme_each(step: int, ring: Ring, n: Vec) -> Interval:
-    """Return the range of four vertices, one on each side of the bounding box; `step` -1 takes the last of several."""
+    """Return the range of four vertices alone: those of least and largest x and y; `step` -1: the last of equals."""
     return ends([pick(ring[::step], key=itemgetter(k)) for pick in (min, max) for k in (0, 1)], n)
 
 
@@ -221,20 +221,20 @@ def range_by_elif(sign: int, ring: Ring, n: Vec) -> Interval:
 
 
 def rounded_landings(round_to: Callable[[float], float], ring: Ring, n: Vec) -> Interval:
-    """Return a range on the normal of length 1 with both ends rounded, in units of n's length."""
+    """Return the range on n scaled to length 1, with both ends rounded, then multiplied by n's length."""
     length = hypot(*n)
     lo, hi = (length * round_to(end / length) for end in ends(ring, n))
     return Interval(lo, hi)
 
 
 def shortened(slop: float, ring: Ring, n: Vec) -> Interval:
-    """Return a range that is shorter by half of a tolerance at each end, so that small overlaps do not count."""
+    """Return the range of a ring, shorter by slop / 2 at each end, so that small overlaps do not count."""
     (lo, hi), less = ends(ring, n), slop / 2 * hypot(*n)
     return Interval(lo + less, hi - less)
 
 
 def half_is_whole(whole_middle: bool, ring: Ring, n: Vec) -> Interval:
-    """Return a range that is kept as its middle and half of its length, rounded down to a whole number."""
+    """Return the range left when half of its length, and its middle if `whole_middle`, are rounded down to integers."""
     return whole_halves(ends(ring, n), whole_middle)
 
 
@@ -313,7 +313,7 @@ SMALL_RADII: tuple[tuple[Middle, Radius], ...] = (
 
 
 def _chosen_edges() -> Iterator[Variant]:
-    """Yield the mistakes that leave out axes, or take others."""
+    """Yield (name of a failing case, method, how it differs) for mistakes that leave out axes, or take others."""
     half, one, opened = "half-the-normals", "one-overlap", "open-outline"
     cuts: tuple[tuple[str, Callable[[int], slice], str], ...] = (
         (half, lambda count: slice((count + 1) // 2), "here half of them, rounded up"),
@@ -361,7 +361,7 @@ def _chosen_edges() -> Iterator[Variant]:
 
 
 def _measured() -> Iterator[Variant]:
-    """Yield the mistakes in a range on an axis, or in the overlap of two ranges."""
+    """Yield (name of a failing case, method, how it differs) for mistakes in a range, or in the overlap of two."""
     for axes, words in (
         (partial(listed, sign=1), "here on the normal of each edge"),
         (partial(listed, sign=-1), "here on the normal of each edge"),
@@ -396,7 +396,7 @@ def _measured() -> Iterator[Variant]:
 
 
 def _pushed() -> Iterator[Variant]:
-    """Yield the mistakes in the choice of the push."""
+    """Yield (name of a failing case, method, how it differs) for mistakes in the choice of the push."""
     late = "here divided only after the axis was chosen"
     yield "raw-depth", Written(powers=(0, 2)), late
     yield "raw-depth", Written(powers=(0, 0)), "here the normal of the move is as long as its edge, too"

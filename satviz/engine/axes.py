@@ -41,8 +41,8 @@ PARALLEL, NO_DIRECTION, EARLY_EXIT = "parallel", "no direction", "early exit"
 class Source(NamedTuple):
     """The source of an axis: an edge, a vertex, a direction.  It names the axis exactly; its numbers may be rounded.
 
-    `kind`: one of the constants above; `shape`: "A", "B", or None where no single shape gives it; `ids`: which of
-    that shape's vertices (an edge's two ends), which world axis (0 for x) or which given direction.
+    `kind`: a constant above, such as "edge normal"; `shape`: "A", "B", or None where no single shape gives it; `ids`:
+    which of that shape's vertices (an edge's two ends), which world axis (0 for x) or which given direction.
     """
 
     kind: str
@@ -167,7 +167,10 @@ def centers(a: Shape, b: Shape) -> Choice:
 
 
 def nearest_vertex(a: Shape, b: Shape) -> Choice:
-    """Return the axis from a circle's center to the polygon's nearest vertex; no axis for other pairs."""
+    """Return the axis through a circle's center and the polygon's nearest vertex; none if they coincide.
+
+    Other pairs have no such axis.
+    """
     if a.core_is_point == b.core_is_point:
         return Choice(())
     axis, skip = _vertex_axis(a, b, {})
@@ -272,7 +275,7 @@ def _require_list(values: Any) -> Sequence[Any]:
 
 
 def _recompute_axis(axis: Axis, known: dict[Source, Axis]) -> Axis:
-    """Return an axis computed anew from its source; ValueError if these shapes have no axis equal to it."""
+    """Return an axis from `known`, the pair's `axes_by_source`, or given anew; ValueError if none equals `axis`."""
     source = axis.source
     ours = known.get(source)
     if source.kind == GIVEN and source.shape is None and len(source.ids) == 1:
@@ -289,7 +292,10 @@ def _recompute_axis(axis: Axis, known: dict[Source, Axis]) -> Axis:
 def _number_skips(
     axes: Sequence[Axis], skipped: Sequence[Skip], without_direction: Sequence[Skip], a: Shape, b: Shape
 ) -> Iterator[Skip]:
-    """Yield the skips, each parallel one with the number of the axis it repeats; ValueError for a false reason."""
+    """Yield `skipped`, each parallel one with the number of the axis in `axes` it repeats; ValueError if one is false.
+
+    `without_direction`: the only skips for which NO_DIRECTION is true in this pair.
+    """
     if not skipped:
         return
     corners = {role: {v: i for i, v in enumerate(shape.corner_ids)} for role, shape in (("A", a), ("B", b))}
@@ -338,7 +344,7 @@ class ExactDots(NamedTuple):
 
 
 def exact_dots(a: Shape, b: Shape, axis: Axis) -> ExactDots:
-    """Return the exact dot products of both cores with an axis, whose vector is recomputed from its source."""
+    """Return the exact dot products of both cores (corners, or a center) with the exact vector of an axis's source."""
     core_a, core_b, radii, k = to_common_unit(a, b)
     kind, role, ids = axis.source
     shape, core, other = (a, core_a, core_b) if role == "A" else (b, core_b, core_a)
@@ -397,7 +403,10 @@ def _make_axis(normal: IntPoint, k: int, source: Source, *, as_given: bool = Fal
 
 
 def _integer_edge_normal(shape: Shape, role: str, kind: str, i: int, j: int) -> tuple[IntPoint, int, Source]:
-    """Return (integer normal, its k, its source) of the edge from corner i to j, for `_make_axis`."""
+    """Return (integer normal, k, source) of the edge from corner i to j, as `_make_axis` takes them.
+
+    `role`: "A" or "B", the shape's place in the pair; `kind`: EDGE or HULL.
+    """
     k, points, _ = shape.integers
     (px, py), (qx, qy) = points[i], points[j]
     return (qy - py, px - qx), k, Source(kind, role, tuple(sorted((shape.corner_ids[i], shape.corner_ids[j]))))
@@ -410,7 +419,7 @@ def _keyed_normals(shape: Shape, role: str) -> tuple[tuple[Axis, IntPoint], ...]
     """
 
     def compute() -> tuple[tuple[Axis, IntPoint], ...]:
-        """Return the value to cache."""
+        """Return the pairs, which `cached` stores."""
         made = (_integer_edge_normal(shape, role, EDGE, *ends) for ends in cyclic_pairs(range(len(shape.corner_ids))))
         return tuple((_make_axis(*one), _direction_key(*one[0])) for one in made)
 
@@ -429,9 +438,9 @@ def _normals(shape: Shape, role: str) -> tuple[Axis, ...]:
 
 
 def _vertex_axis(a: Shape, b: Shape, number: dict[IntPoint, int]) -> tuple[Axis, Skip | None]:
-    """Return (axis from the polygon's nearest vertex to the circle's center, its Skip or None if needed).
+    """Return (axis from the polygon's nearest vertex to the circle's center, the Skip that says why it is left out).
 
-    `number`: the number of each axis already chosen, by its `_direction_key`.
+    The Skip is None if the axis is needed.  `number`: the number of each axis already chosen, by its `_direction_key`.
     """
     role, polygon = ("B", b) if a.core_is_point else ("A", a)
     core_a, core_b, _, k = to_common_unit(a, b)

@@ -16,8 +16,9 @@ def count_axes(a: Trace | Shape, b: Shape | None = None, names: ShapeNames = DEF
     """Return (number of axes that decide this pair at its present position, a sentence that names them).
 
     One axis with a gap proves that two shapes are apart, so it is enough.  Where no axis has a gap, a single
-    axis proves nothing: all axes of a complete set must be tested.  Concave shapes need one axis for each pair
-    of convex parts.  Takes a trace, or two shapes with their names.
+    axis proves nothing: all axes of a complete set must be tested.  Concave shapes that no
+    single axis separates need one axis for each pair of convex parts, or if they meet, all axes of one pair.  Takes a
+    trace, or two shapes with their names.
     """
     if isinstance(a, Trace):
         return count_axes(a.a, a.b, a.names)
@@ -45,7 +46,7 @@ def count_axes(a: Trace | Shape, b: Shape | None = None, names: ShapeNames = DEF
 
 
 def axes_hint(trace: Trace) -> str:
-    """Return a sentence on how many axes are enough, without any gap; "" for a shortcut's run.
+    """Return a sentence on how many axes are enough, without the size of a gap; "" for a shortcut's run.
 
     It fits beside a table of the trace's tests and a picture of any of them.
     """
@@ -61,7 +62,10 @@ def axes_hint(trace: Trace) -> str:
 
 
 def _any_position_sentence(axes: tuple[Axis, ...], a: Shape, b: Shape) -> str:
-    """Return a sentence on how many axes are enough in any position; "" for circles or a concave shape."""
+    """Return a sentence, after a space, on how many axes are enough in any position; `axes`: those of `needed`.
+
+    It is "" for two circles and for a concave shape.
+    """
     if not (a.is_convex and b.is_convex) or (a.core_is_point and b.core_is_point):
         return ""
     # the axis to the nearest vertex is not tested when it happens to be parallel to an edge's normal

@@ -185,7 +185,7 @@ def _exact_core(shape: Shape) -> list[Rational]:
 def _clip(
     subject: Sequence[tuple[Number, Number]], clip: Sequence[tuple[Number, Number]]
 ) -> Sequence[tuple[Number, Number]]:
-    """Return the ring of points that two convex rings share (Sutherland and Hodgman); exact in fractions."""
+    """Return the intersection of two convex rings as a ring (Sutherland and Hodgman); exact in fractions."""
     for p, q in cyclic_pairs(clip):
         kept: list[tuple[Number, Number]] = []
         for u, v in cyclic_pairs(subject):
@@ -212,7 +212,10 @@ def _nearest_point(ring: list[Rational], c: Rational) -> Rational:
 
 
 def _ring_contains(ring: Sequence[Any], point: Any, orientation: Callable[[Any, Any, Any], Any] = orient_det) -> bool:
-    """Return whether a convex ring contains a point, its border included."""
+    """Return whether a convex counter-clockwise ring contains a point, its border included.
+
+    `orientation`: a function of three points, positive for a left turn.
+    """
     return all(orientation(p, q, point) >= 0 for p, q in cyclic_pairs(ring))
 
 

@@ -104,7 +104,7 @@ class _Pieces:
                 todo.append((piece, [d for d in diagonals if d != best and held.issuperset(d)]))
 
     def _insert_balanced_cut(self, ring: Ring, ends: Edge, sides: "_ReflexCount") -> Edge | None:
-        """Find a balanced cut that extends an edge at a vertex of `ends`; insert its far end into `ring`, return it.
+        """Return a balanced cut that extends an edge at a vertex of `ends`, its far end inserted into `ring`.
 
         A cut is balanced if each side keeps an eighth of the ring's reflex vertices.  None if there is no such cut.
         """
@@ -126,7 +126,8 @@ class _Pieces:
     def _pair_cuts(self, ring: Ring) -> list[tuple[bool, int, int, int]]:
         """Return the cuts between two reflex vertices of a ring after which neither is reflex any more.
 
-        Each is (whether it makes a new normal, its squared length, its two ends).
+        Each is (whether it makes a new normal, its squared length, its two ends).  The first MAX_PARTNERS for each
+        vertex, in this order, are returned.
         """
         at = self.at
         pairs: list[tuple[bool, int, int, int]] = []
@@ -284,7 +285,7 @@ class _Pieces:
     def _first_beside(self, ring: Ring, a: int, v: int, hit: _LineEnd, left: bool) -> int:
         """Return the vertex that a ray from v first meets, turning left or right from the line through a, v.
 
-        Nothing is on that line up to the edge that it hits.  So it is the vertex at the smallest
+        Nothing is on that line up to the edge that it meets, `hit`.  So it is the vertex at the smallest
         angle among those before that edge, and of several the nearest.
         """
         at = self.at
@@ -302,7 +303,7 @@ class _Pieces:
         return best
 
     def _number_point(self, x: Fraction, y: Fraction) -> int | None:
-        """Return the number of the vertex at a point given in units; None if float64 cannot hold the point.
+        """Return the number of the vertex at a point in multiples of `self.unit`; None if float64 cannot hold it.
 
         If there is no such vertex, it is added.
         """
@@ -321,7 +322,7 @@ class _Pieces:
 
 
 class _ReflexCount:
-    """Counts the reflex vertices on either side of a cut through a ring."""
+    """Counts the reflex vertices on either side of a cut through a ring; `reflex`: which of its vertices are reflex."""
 
     def __init__(self, ring: Ring, reflex: list[bool]) -> None:
         self.place = {v: i for i, v in enumerate(ring)}

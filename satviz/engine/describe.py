@@ -37,7 +37,7 @@ def printable(text: str) -> str:
 
 
 def vertex_name(shape: Shape, name: str, i: int) -> str:
-    """Return a vertex's label, or the shape's small letter with a number from 1: b1, b2 ..."""
+    """Return a vertex's label, or the shape's small letter with a number from 1: b1, b2 ...; b2.1 for a part B2."""
     label = shape.labels[i] if shape.labels else ""
     return printable(label) or f"{name.lower()}{'.' if name[-1].isdigit() else ''}{i + 1}"
 
@@ -117,7 +117,7 @@ def outcome(t: AxisTest, numbers: Digits) -> str:
 
 
 def picture_outcome(t: AxisTest, numbers: Digits) -> str:
-    """Return what `outcome` says; for ranges that overlap, add the interval that they share."""
+    """Return what `outcome` says; on a second line the interval that overlapping ranges share, if it is printable."""
     shared = _shared_interval(t)
     if t.gap >= 0 or numbers.fine or numbers.origin or shared.lo >= shared.hi:
         return outcome(t, numbers)
@@ -157,7 +157,7 @@ def both_ranges(trace: Trace, t: AxisTest, numbers: Digits) -> str:
 
 
 def test_sentence(trace: Trace, i: int) -> str:
-    """Return the sentence of one test: the axis, both ranges, the gap, and what follows."""
+    """Return the sentence of test `i`: the axis, both ranges, the gap, and what follows."""
     t = trace.tests[i]
     head = f"Axis {i + 1} of {len(trace.choice.axes)}, {axis_name(t.axis, (trace.a, trace.b), trace.names)}"
     numbers = digits(trace, t)
@@ -216,8 +216,9 @@ RELATION_PHRASES = {Relation.APART: "are apart", Relation.TOUCHING: "touch", Rel
 
 
 def shortcut_verdict(trace: Trace, digits: NumberFormat = digits, *, name_axis: bool = True) -> str:
-    """Return sentences on what a shortcut claims and what is true: of its verdict, else of its number or its push.
+    """Return sentences on what a shortcut claims and what is true.
 
+    Where its relation is right, they say whether its numbers or its push are wrong.
     `digits`: a function that returns number formats; `name_axis`: whether to name the axis behind the claim.
     """
     assert trace.shortcut
@@ -295,7 +296,10 @@ def parts_sentence(trace: Trace) -> str:
 
 
 def stage_sentence(trace: Trace, i: int, name: str, first: str) -> str:
-    """Return the sentence for the drawing stage `name` of test `i`; `first`: "A" or "B", whose points drop first."""
+    """Return the sentence for the drawing stage `name` of test `i`; `first`: "A" or "B", whose points drop first.
+
+    `name`: "edge", "normal", "axis", "drops", "range" or "both ranges"; any other gives `test_sentence`.
+    """
     t = trace.tests[i]
     shapes = trace.a, trace.b
     at = "AB".index(first)
@@ -377,7 +381,10 @@ def join_words(words: list[str]) -> str:
 
 
 def shape_in_words(shape: Shape, name: str, numbers: Digits | None = None) -> str:
-    """Return a sentence about a shape: "A is a triangle", "B is a circle of radius 1 around (2, 2)"."""
+    """Return a sentence about a shape: "A is a triangle", "B is a circle of radius 1 around (2, 2)".
+
+    `numbers`: the number format of a circle, by default one that fits its size.
+    """
     if shape.core_is_point:
         numbers = numbers or digits_for_shapes(shape)
         return f"{name} is a circle of radius {numbers.number(shape.radius)} around {numbers.vector(shape.core[0])}"

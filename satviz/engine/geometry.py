@@ -37,6 +37,7 @@ class Relation(IntEnum):
     OVERLAPPING = 2
 
     def __str__(self) -> str:
+        """Return the name in lower case, such as "apart"."""
         return self.name.lower()
 
 
@@ -44,7 +45,7 @@ APART, TOUCHING, OVERLAPPING = Relation
 
 
 def relation_of_gap(gap: Any) -> Relation:
-    """Return the relation of two shapes from the exact sign of the gap between them."""
+    """Return APART for a gap > 0, TOUCHING for 0, OVERLAPPING for a gap < 0; the sign must be exact."""
     return APART if gap > 0 else OVERLAPPING if gap < 0 else TOUCHING
 
 

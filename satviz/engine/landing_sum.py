@@ -11,7 +11,7 @@ AXIS, POINT, PLAIN = "axis", "point", ""
 def landing_sum(digits: Digits, test: AxisTest, role: str, i: int) -> list[tuple[str, str]]:
     """Return the sum of the landing of point `i` of role "A" or "B" in pieces: "2", "\u00b7", "8" ... " = 6.934".
 
-    Each piece comes with whose number it is: AXIS, POINT or PLAIN.  `digits`: how the test's numbers are printed.
+    A piece is (text, whose number it is: AXIS, POINT or PLAIN).  `digits`: how the test's numbers are printed.
     The list is empty where a number would not be printed in full, and where a shortcut measures something else than
     this sum.
     """

@@ -134,14 +134,14 @@ class Border(NamedTuple):
     hull: tuple[complex, ...]  # corners of a convex polygon that contains the piece
 
     def contains(self, point: complex, tolerance: float) -> bool:
-        """Return whether a point of the segment's line, or of the arc's circle, is on the border, nearly."""
+        """Return whether a point of the segment's line, or of the arc's circle, lies between p and q, nearly."""
         seen = point - self.center
         after_p, before_q = _cross(self.p - self.center, seen), _cross(seen, self.q - self.center)
         return after_p >= -tolerance and before_q >= -tolerance
 
 
 class _ShortestFreeMove:
-    """The search for the shortest free move: one that no region forbids."""
+    """The search for the shortest free move: one that no region forbids.  `size`, `radius`: as in `_make_region`."""
 
     def __init__(self, size: int, radius: float, regions: list[Region]) -> None:
         self.size, self.radius, self.regions = size, radius, regions
@@ -149,7 +149,7 @@ class _ShortestFreeMove:
         self.move: Vec | None = None
 
     def try_all(self, candidates: Iterable[Candidate]) -> None:
-        """Find the shortest candidate that ends the overlap, nudged if needed; store it in `move`."""
+        """Store in `move` the shortest candidate that ends the overlap, made longer along its `out` if needed."""
         for _, move, out, error in sorted((c for c in candidates if c.length < self.length), key=lambda c: c.length):
             for nudge in NUDGES:
                 nudged = move + out * nudge

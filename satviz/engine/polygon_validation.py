@@ -1,4 +1,7 @@
-"""The checks that every outline must pass, with exact predicates: numbers, repeated vertices, turns, crossings."""
+"""The checks that every outline must pass, with exact predicates: numbers, repeated vertices, turns, crossings.
+
+A parameter `name` is what an error message calls the value.
+"""
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
@@ -74,7 +77,7 @@ def parse_point(value: Any, name: str) -> Vec:
 
 
 def to_lists(values: Any, name: str) -> Any:
-    """Return an array as nested lists of Python numbers, a sequence unchanged; InvalidShape for text and sets."""
+    """Return an array as nested lists of Python numbers, other values unchanged; InvalidShape for text, sets, dicts."""
     if isinstance(values, (str, bytes, dict, set, frozenset)) or getattr(values, "ndim", 1) == 0:
         raise InvalidShape(f"{name} is {short_repr(values)}: expected a list or an array of numbers")
     if hasattr(values, "tolist"):
@@ -236,15 +239,15 @@ def refuse_crossings(ring: Sequence[Vec], ids: Sequence[int]) -> None:
 
 
 def _segments_meet(p: Vec, q: Vec, r: Vec, s: Vec) -> bool:
-    """Return whether two closed segments share a point, if their ends in the order of (x, y) enclose a common point.
+    """Return whether the closed segments pq and rs, which one sweep line meets, share a point.
 
-    Two segments on one line then always share a point, so the orientations decide.
+    If both lie on one line, they always do, so the orientations decide.
     """
     return orient(p, q, r) * orient(p, q, s) <= 0 and orient(r, s, p) * orient(r, s, q) <= 0
 
 
 def _meeting_point(p: Vec, q: Vec, r: Vec, s: Vec) -> Vec:
-    """Return a point of two segments that meet; in fractions, since products of floats may overflow or vanish."""
+    """Return a point that the meeting segments pq and rs share; in fractions, since float products may overflow."""
     (px, py), (qx, qy), (rx, ry), (sx, sy) = (map(Fraction, v) for v in (p, q, r, s))
     dx, dy, ex, ey = qx - px, qy - py, sx - rx, sy - ry
     det = dx * ey - dy * ex

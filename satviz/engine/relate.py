@@ -197,7 +197,7 @@ def _relate_circle_polygon(circle: Shape, polygon: Shape) -> Relation:
     the orientation determinant of an edge of length L carries under 12 u D L (the factor is
     32 u), a squared distance under 45 u D**2 (the factor is 128 u).  Where a rounding turns the foot of
     the perpendicular into a vertex or back, the squared distance changes by the square of that rounding.
-    Where the error bound is below HUGE, products are at most 2**49 times larger; a
+    Where the error bound is below MAX_SAFE_PRODUCT, products are at most 2**49 times larger; a
     radius beyond 2D, whatever its rounding, covers every vertex.
     Where products vanish, a determinant proves nothing.  But what lies beyond such edges alone
     is as near to other edges as these are long, so one edge whose products do not vanish is enough.
@@ -220,10 +220,10 @@ def _locate_center(
 ) -> tuple[bool, bool, Any]:
     """Return (certainly inside the ring, certainly outside it, gap) for a circle's center.
 
-    The gap is the smallest squared distance to an edge minus `radius_squared`; nan if an edge is too short for its
-    square.  The sign of an edge's orientation determinant is certain where its size is above `error_factor` times
-    the edge's length in x plus that in y.  An error factor of 0 stands for integers: all signs are exact then, and
-    the gap has the right sign alone.  The ring may be one point, another circle's center.
+    The gap is the smallest squared distance to an edge minus `radius_squared`; inf inside, nan if an edge is too
+    short for its square.  The sign of an edge's orientation determinant is certain where its size is above
+    `error_factor` times the edge's length in x plus that in y.  An error factor of 0 stands for integers: all signs
+    are exact then, and of the gap only the sign is right.  The ring may be one point, another circle's center.
     """
     cx, cy = center
     inside, outside, least = True, False, inf

@@ -81,7 +81,7 @@ class _Shape:
 
     @property
     def integers(self) -> tuple[int, list[IntPoint], int]:
-        """Return (k, core, radius) with the core and the radius as integers in units of 2**-k."""
+        """Return (k, core, radius), integers in units of 2**-k; the core: a polygon's corners or a circle's center."""
         return self.cached("integers", self._to_integers)
 
     def _to_integers(self) -> tuple[int, list[IntPoint], int]:
@@ -201,7 +201,7 @@ def require_shape(shape: Any, name: str) -> Shape:
 
 
 def centroid(shape: Shape) -> Vec:
-    """Return the center of area, rounded; of corners whose area vanishes in floats, their mean."""
+    """Return the center of area, rounded; a circle's center; of corners whose area vanishes in floats, their mean."""
     (ox, oy), ring, size = shape.core[0], shape.core, shape.max_edge_component
     area = x = y = 0.0
     for (px, py), (qx, qy) in pairwise(((p.x - ox) / size, (p.y - oy) / size) for p in ring):
@@ -220,7 +220,7 @@ def _slabs(corners: tuple[Vec, ...], edges: list[tuple[float, float]]) -> tuple[
 
     (nx, ny) is the outward normal (dy, -dx) of the first edge and hi the first edge's value.
     If another edge runs exactly opposite (the far side of a box), lo is the value of that edge
-    and the slab has both edges; otherwise lo is -inf.
+    and the slab has both edges; otherwise lo is -inf.  `edges`: (dx, dy) from each corner to the next.
     """
     slabs: list[Slab] = []
     ends = list(cyclic_pairs(corners))
@@ -237,7 +237,7 @@ def _slabs(corners: tuple[Vec, ...], edges: list[tuple[float, float]]) -> tuple[
 
 
 def _validate_labels(labels: Sequence[str] | None, n: int) -> tuple[str, ...] | None:
-    """Return the labels of n vertices as a tuple; InvalidShape if they are not n texts."""
+    """Return the labels of n vertices as a tuple, None for None; InvalidShape if they are not n texts."""
     if labels is None:
         return None
     if isinstance(labels, str):

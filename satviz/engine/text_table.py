@@ -81,7 +81,10 @@ def _in_ascii(text: str) -> str:
 
 
 def untested_rows(trace: Trace) -> list[tuple[str, str, str]]:
-    """Return (number, name, reason) for untested axes; those with equal number and reason share a row."""
+    """Return (number or "", name, reason) for untested axes; those with equal number and reason share a row.
+
+    The number is the place in the choice of axes, which an axis skipped by the choice does not have.
+    """
     places = {axis: f"{i}" for i, axis in reversed([*enumerate(trace.choice.axes, 1)])}
     found: dict[tuple[str, str], list[str]] = {}
     for s in sorted(trace.skipped, key=lambda s: s.axis not in places):  # axes with a number come first

@@ -157,7 +157,9 @@ class Pasted:
         if self.open:
             for question in self.questions:
                 if question.what == "rest":
-                    return f"{question.asks} Write the result in its place, or take the shapes without it."
+                    doubtful = any(answer.choice == Form.TAKE_IN for answer in question.answers)
+                    way = "Choose which it is" if doubtful else "Write the result in its place"
+                    return f"{question.asks} {way}, or take the shapes without it."
             count = max(len(question.answers) for question in self.questions if question.matters)
             words = {2: "Two", 3: "Three", 4: "Four"}.get(count, "Several")
             return f"{words} readings are possible, and they give different answers: choose one."

@@ -103,8 +103,6 @@ class Reader(Calls):
                 self.used.add(id(points))
         kept = [(owner, shape) for owner, shape in found if owner not in self.used]
         self.asked = {}
-        for what, ask in (pair for owner, asks in asked if owner not in self.used for pair in asks.items()):
-            self.asked[what] = tuple(dict.fromkeys((*self.asked.get(what, ()), *ask)))
         known = (key, notation, SHAPE_WORDS.search)
         named = {name for name in map(str, self.env.earlier) if not any(look(name) for look in known)}
         steps = named if len(named) > 1 else set()  # player: ..., enemy: ..., and both again
@@ -139,7 +137,12 @@ class Reader(Calls):
         ]
         self.parts += [(s.start, s.end) for s in doubtful]
         self.doubts = bool(doubtful)
+        self.used |= {owner for owner, _ in kept} - {owner for owner, shape in kept if shape not in doubtful}
         kept = [(owner, shape) for owner, shape in kept if shape not in doubtful]
+        open_asks = [asks for owner, asks in asked if owner not in self.used] + [self.asked]
+        self.asked = {}
+        for what, ask in (pair for asks in open_asks for pair in asks.items()):
+            self.asked[what] = tuple(dict.fromkeys((*self.asked.get(what, ()), *ask)))
         made = {(s.points, s.radius) for _, s in kept if not s.repeats}
         named = {(s.points, s.radius, s.label) for _, s in kept if s.label}
         again = [s for _, s in kept if (s.repeats and (s.points, s.radius) in made) or self._is_print(s, named)]
