@@ -104,8 +104,8 @@ class Reader(Calls):
         kept = [(owner, shape) for owner, shape in found if owner not in self.used]
         self.asked = {}
         known = (key, notation, SHAPE_WORDS.search)
-        named = {name for name in map(str, self.env.earlier) if not any(look(name) for look in known)}
-        steps = named if len(named) > 1 else set()  # player: ..., enemy: ..., and both again
+        states = {name for name in map(str, self.env.earlier) if not any(look(name) for look in known)}
+        steps = states if len(states) > 1 else set()  # player: ..., enemy: ..., and both again
         earlier = {
             id(v) for name, values in self.env.earlier.items() for v in values if name in steps or self._is_assigned(v)
         }
@@ -130,8 +130,8 @@ class Reader(Calls):
             doubtful |= {s: "a hole of the first outline of its list" for s in shapes if s.start in self.holes}
             doubtful |= {s: "a bounding box" for p, s in pairwise(shapes) if s.form and _bounds(p) == s.points}
             first = {(s.points, s.radius, s.label): s for s in reversed(shapes)}
-            again = (s for s in shapes if first[s.points, s.radius, s.label] is not s and not s.repeats)
-            doubtful |= dict.fromkeys(again if len(first) > 1 else (), "the same shape again")
+            twins = (s for s in shapes if first[s.points, s.radius, s.label] is not s and not s.repeats)
+            doubtful |= dict.fromkeys(twins if len(first) > 1 else (), "the same shape again")
         self.problems += [
             f"{short(self.text[s.start : s.end])}: a shape of its own, or {why}" for s, why in doubtful.items()
         ]
