@@ -89,7 +89,10 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _report_failure(error: BaseException) -> int:
-    """Print an error in one line and return its exit code."""
+    """Print an error in one line and return its exit code; 0 where the reader of a pipe has gone.
+
+    SystemExit and, under `python -X dev`, a fault of satviz are raised again.
+    """
     if isinstance(error, BrokenPipeError):
         return 0  # the reader has gone: nothing left to say
     if isinstance(error, (Refused, InvalidScene)):
@@ -325,7 +328,7 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _add_folder(parser: argparse.ArgumentParser, name: str, default: str, about: str = "", **more: Any) -> None:
-    """Add the folder that a command writes to; `more` are further arguments of `add_argument`."""
+    """Add the argument `name` for the folder that a command writes to; `more`: further arguments of `add_argument`."""
     words = f"{about}(default: {default})"
     parser.add_argument(name, type=_folder, default=Path(default), metavar="DIR", help=words, **more)
 
@@ -404,7 +407,7 @@ def _clash_of_draw(args: argparse.Namespace) -> str | None:
 
 
 def _clash_of_frame(args: argparse.Namespace, formats: set[str]) -> str | None:
-    """Return an error line if an option is only for pages, links or frames and `formats` has none; otherwise None."""
+    """Return an error line if an option for pages, links or iframes does not fit the `formats`; otherwise None."""
     takes = {"predict": {"html", *PRINTED_FORMATS}, "goal": PRINTED_FORMATS, "play": {"embed"}, "show": {"embed"}}
     for name, forms in takes.items():
         if getattr(args, name) and not formats & forms:

@@ -39,7 +39,10 @@ class Failed(Exception):
 
 
 def _resolve(name: str, axes: str | None = None, every_axis: bool = False) -> "Resolved":
-    """Return what a built-in name, a file's path or a link stands for, with other axes; Refused for an unknown name."""
+    """Return what a built-in name, a file's path or a link stands for; Refused for an unknown name.
+
+    `axes`, `every_axis`: replace those of a scene if given.
+    """
     from dataclasses import replace
 
     from .scenes.link import parse_fragment
@@ -92,7 +95,7 @@ class _Drawable(NamedTuple):
 
 
 def draw(args: argparse.Namespace) -> int:
-    """Draw steps of a scene, or of a long run its contact sheet, in each format; print its link and its frame."""
+    """Draw steps of a scene, or of a long run its contact sheet, in each format; print its link and its iframe."""
     from .render.formats import FORMATS, STILL_FORMATS
 
     found = _resolve(args.scene, args.axes, args.every_axis)
@@ -116,7 +119,7 @@ def draw(args: argparse.Namespace) -> int:
 
 
 def _print_link_and_frame(args: argparse.Namespace, found: "Resolved") -> None:
-    """Print the link of a scene and the HTML of a frame with it, each if its format is asked for."""
+    """Print the link of a scene and the HTML of an iframe with it, each if its format is asked for."""
     from .pictures.stages import step_range
     from .render.embed import embed
     from .scenes.link import link
@@ -237,7 +240,8 @@ def _page(drawable: _Drawable) -> str:
 def _write(args: argparse.Namespace, files: "Sequence[File]") -> int:
     """Make and write each file once all are known to be writable; print warnings; return exit code 0.
 
-    The names of dark files end in -dark; a page has both themes.
+    `files`: (stem, format, function that makes the content) of each.  The names of dark files end in -dark; a page
+    has both themes.
     """
     from .pictures import THEMES
     from .pictures.moves import Animation
@@ -562,7 +566,7 @@ def site(args: argparse.Namespace) -> int:
 
 
 def _write_archive(args: argparse.Namespace, files: Mapping[str, bytes], lacks: Sequence[str]) -> int:
-    """Write the site as one zip beside the folder that it would have; return exit code 0."""
+    """Write the site as one zip beside the folder that it would have, print what it `lacks`; return exit code 0."""
     from .lessons.chapter_text import chapters
     from .site.hosting import archive
 

@@ -41,7 +41,7 @@ def say(text: str) -> None:
 
 
 def out(text: str) -> None:
-    """Print lines on standard output; an OSError names the stream."""
+    """Print lines on standard output, control characters escaped; an OSError names the stream."""
     _print("\n".join(map(visible, text.split("\n"))))
 
 

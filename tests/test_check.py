@@ -17,7 +17,7 @@ from satviz.checking import asking
 from satviz.checking.answers import Rules
 from satviz.checking.checked import Checked
 from satviz.checking.mistakes import HYPOTHESES, SYMPTOMS, mistakes_with, predicted_answer
-from satviz.checking.pairs import KINDS, kind_of, near_pairs, whole_number_pairs
+from satviz.checking.pairs import KINDS, kind_of_pair, near_pairs, whole_number_pairs
 from satviz.scenes.failing import NAMED
 
 SAME = {"line-for-axis": ("line-for-axis", "one-overlap")}  # the y axis alone
@@ -371,7 +371,7 @@ def test_generated_integer_pairs_cover_every_relation_of_their_kind(kind):
     relations = [sv.relate(p.a, p.b) for p in pairs]
     for relation in sv.Relation:
         assert relations.count(relation) >= (3 if kind != "repeated" else 1), relation
-    assert len(pairs) >= 60 and all(kind_of(p.a, p.b) in (kind, "boxes", "convex") for p in pairs)
+    assert len(pairs) >= 60 and all(kind_of_pair(p.a, p.b) in (kind, "boxes", "convex") for p in pairs)
     assert all(x == int(x) for p in pairs for s in p[:2] for v in s.core for x in (*v, s.radius))
 
 
@@ -413,7 +413,7 @@ def test_every_variant_of_a_mistake_is_recognised(i):
         predicted = predicted_answer(hypothesis, a, b, rules)
         return predicted[0] if predicted else sv.record(a, b).mtv if in_moves else bool(sv.relate(a, b))
 
-    kinds = {"boxes", "convex", kind_of(*case.shapes)} | (
+    kinds = {"boxes", "convex", kind_of_pair(*case.shapes)} | (
         {"circles", "circle and polygon"} if "circle" in hypothesis.variant else set()
     )
     found = sv.check(fn, form="shapes", returns=rules.returns, kinds=sorted(kinds), seconds=30)
@@ -543,7 +543,7 @@ def test_a_smaller_scene_is_of_a_kind_that_was_tested():
         return max(p[0] for p in a) >= min(p[0] for p in b)
 
     scene = sv.check(on_x, kinds="boxes").counterexample
-    assert kind_of(scene.a, scene.b) == "boxes"
+    assert kind_of_pair(scene.a, scene.b) == "boxes"
 
 
 def test_a_function_for_whole_numbers_only_gets_a_report_that_says_so():

@@ -6,7 +6,7 @@ from math import hypot
 import pytest
 
 from satviz.checking.mistakes import SYMPTOMS
-from satviz.checking.pairs import KINDS, KNOWN_SCENES, PAST_ONE_EDGE, kind_of, whole_number_pairs
+from satviz.checking.pairs import KINDS, KNOWN_SCENES, PAST_ONE_EDGE, kind_of_pair, whole_number_pairs
 from satviz.engine.geometry import Relation
 from satviz.engine.trace import record
 from satviz.scenes.failing import FAILURE_CASES, FALSE_HIT, MISSED_HIT, NAMED
@@ -51,7 +51,7 @@ def seen(case, a, b):
 def seen_of(case):
     """Return (what the own scene or most pairs show, what the own scene or at least many pairs show)."""
     found, of = Counter(), Counter()
-    kind = kind_of(*case.shapes)
+    kind = kind_of_pair(*case.shapes)
     for pair in PAIRS:
         if pair.kind not in (kind, "boxes", *(("convex",) if kind == "boxes" else ())):
             continue

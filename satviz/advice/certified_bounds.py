@@ -79,7 +79,7 @@ def certify_boxes(a: AnyShape, b: AnyShape) -> Relation | None:
 
 
 def _compare_boxes(a: tuple[float, ...], b: tuple[float, ...]) -> int:
-    """Return 1 if the boxes are apart, 0 if they touch, -1 if they overlap; no difference, which could underflow."""
+    """Return 1 if the boxes are apart, 0 if they touch, -1 if they overlap; a difference could underflow."""
     (ax0, ay0, ax1, ay1), (bx0, by0, bx1, by1) = a, b
     if ax1 < bx0 or bx1 < ax0 or ay1 < by0 or by1 < ay0:
         return 1

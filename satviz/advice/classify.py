@@ -164,7 +164,7 @@ def _boxes(shapes: Shapes, outwards: float) -> Array:
 
 
 def _classify_circles(a: Array, b: Array, form: FloatFormat) -> Relations:
-    """Return the relations of circles (x, y, radius) that squares of distances and ranges both certainly find."""
+    """Return the relations of circles in rows (x, y, radius) that squared distances and ranges both certainly find."""
     dx, dy, total = a[:, 0] - b[:, 0], a[:, 1] - b[:, 1], a[:, 2] + b[:, 2]
     distance, square = dx * dx + dy * dy, total * total
     size = np.maximum(np.maximum(np.abs(dx), np.abs(dy)), total)

@@ -52,7 +52,7 @@ class CornerColumns:
 
     @cached_property
     def block(self) -> NDArray[np.float64]:
-        """Return the shapes as rows of numbers, where they were made as columns."""
+        """Return the corners as the class describes them, computed from the ComplexColumns."""
         assert self.as_complex is not None
         closed, _, radius = self.as_complex
         corners = closed[: self.corners]
@@ -87,7 +87,7 @@ class CornerColumns:
 
     @cached_property
     def tile_maxima(self) -> "TileMaxima":
-        """Return the largest edge component and coordinate of each tile of polygons, for error bounds."""
+        """Return the largest absolute edge component and coordinate of each TILE_SHAPES polygons, for error bounds."""
         if self._maxima is not None:
             return TileMaxima(*self._maxima)
         starts = np.arange(0, len(self), TILE_SHAPES)
@@ -108,7 +108,7 @@ class CornerColumns:
         return len(self.x) == 4 and bool(upright_box_mask(self.x, self.y).all())
 
     def columns(self, where: slice | NDArray[np.integer[Any] | np.bool_]) -> "CornerColumns":
-        """Return the group of the shapes chosen by a slice, an index array or a mask, in contiguous rows."""
+        """Return the CornerColumns of the shapes chosen by a slice (a view), an index array or a mask (copies)."""
         if isinstance(where, slice):
             return CornerColumns(self.block[:, :, where])
         return CornerColumns(self.block.take(np.flatnonzero(where) if where.dtype == bool else where, axis=2))
@@ -142,10 +142,10 @@ class Flat(NamedTuple):
 class Shapes:
     """Hold many convex polygons and circles; make a batch with Polygons, Circles, from_shapely or concat.
 
-    `count`: (N,) corners of each part (a circle has one); `owner`: (N,) which shape each is a part of, where concave
-    polygons were split.  Made of `rings` with (N,) radii (None: all are polygons), of `runs`: groups whose shapes
-    follow each other, or of ComplexColumns and `count`.  Other attributes are computed when first needed, and kept;
-    several runs are then
+    N shapes have P convex parts, where concave polygons were split; else each shape is its own part.  `count`: (P,)
+    corners of each part (a circle has one); `owner`: (P,) index of the shape it is a part of, None if none was split.
+    Made of `rings` with (P,) radii (None: all are polygons), of `runs`: groups whose shapes follow each other, or of
+    ComplexColumns and `count`.  Other attributes are computed when first needed, and kept; several runs are then
     joined to rings.  These arrays are the batch's own memory: read them, but do not write to them, since what is
     written there is not checked.
     """
@@ -201,7 +201,7 @@ class Shapes:
 
     @cached_property
     def count(self) -> NDArray[np.int64]:
-        """Return the number of corners of each part, (N,) integers; a circle has one."""
+        """Return the number of corners of each convex part, (P,) integers; a circle has one."""
         if (run := self._only_run()) is not None:
             return np.full(len(run), len(run.x), np.int64)
         return np.diff(self.rings.start).astype(np.int64, copy=False)
@@ -219,7 +219,7 @@ class Shapes:
 
     @cached_property
     def radius(self) -> NDArray[np.float64]:
-        """Return the radius of each part, (N,) scene units: 0 for polygons."""
+        """Return the radius of each convex part, (P,) scene units: 0 for polygons."""
         if (columns := vars(self).get("as_complex")) is not None:
             return np.zeros(len(self.count)) if columns.radius is None else columns.radius
         if (run := self._only_run()) is None:
@@ -227,7 +227,7 @@ class Shapes:
         return np.zeros(len(run)) if run.r is None else run.r
 
     def _joined(self) -> tuple[RaggedRings, NDArray[np.float64]]:
-        """Return (rings, radius) of several runs, one after another, and keep these in the place of the runs."""
+        """Return (rings, radius) of all parts, one after another; where the batch has `runs`, replace them by these."""
         if (runs := vars(self).get("runs")) is not None:
             count = np.repeat([len(run.x) for run in runs], list(map(len, runs)))
             start = np.zeros(len(count) + 1, np.intp)
@@ -240,7 +240,7 @@ class Shapes:
 
     @cached_property
     def groups(self) -> dict[int, CornerColumns]:
-        """Return the parts grouped by their number of corners, in ascending order."""
+        """Return the parts with V corners as CornerColumns, {V: group} in ascending order."""
         if (run := self._only_run()) is not None:
             return {len(run.x): run}
         found = {}
@@ -261,7 +261,7 @@ class Shapes:
 
     @cached_property
     def slot(self) -> NDArray[np.intp]:
-        """Return the column of each part in its group, (N,) integers."""
+        """Return the column of each part in its group of `groups`, (P,) integers."""
         order = np.argsort(self.count, kind="stable")
         slot = np.empty_like(order)
         sizes = np.unique(self.count, return_counts=True)[1]
@@ -270,7 +270,7 @@ class Shapes:
 
     @cached_property
     def uniform(self) -> CornerColumns | None:
-        """Return the only group if all shapes are convex and have the same number of corners, else None."""
+        """Return the only group if none was split and all have the same number of corners; None if not, or if empty."""
         if (run := self._only_run()) is not None:
             return run if len(run) else None
         alike = self.owner is None and len(self.count) and (self.count == self.count[0]).all()
@@ -278,7 +278,7 @@ class Shapes:
 
     @cached_property
     def flat(self) -> Flat:
-        """Return all parts one after another with their boxes and kinds, for pairs picked by indices."""
+        """Return all parts one after another, with their bounding boxes and radii, for pairs picked by indices."""
         upright = np.zeros(len(self.count), bool)
         if (fours := np.flatnonzero(self.count == 4)).size:
             places = self.rings.start[fours] + np.arange(4)[:, None]
@@ -310,12 +310,12 @@ class Shapes:
 
     @property
     def parts(self) -> "Shapes":
-        """Return the convex parts as a batch of shapes of their own."""
+        """Return a batch in which each convex part is a shape of its own: this batch if nothing was split."""
         return self if self.owner is None else self._unowned_parts
 
     @cached_property
     def _unowned_parts(self) -> "Shapes":
-        """Return the parts as a batch in which each part is a shape of its own."""
+        """Return `parts` of a batch in which polygons were split, made once."""
         return Shapes(rings=self.rings, radius=self.radius)
 
     def __getitem__(self, where: Selection) -> "Shapes":
@@ -340,7 +340,7 @@ class Shapes:
 
     @property
     def bounds(self) -> NDArray[np.float64]:
-        """Return the boxes, (N, 4) as x min, y min, x max, y max in scene units, rounded outwards for circles."""
+        """Return each shape's bounding box, (N, 4): x min, y min, x max, y max; rounded outwards for circles."""
         if (run := self._only_run()) is not None:
             return _bounding_boxes(run)
         found = np.empty((len(self.count), 4))
@@ -357,7 +357,7 @@ class Shapes:
 
 
 def upright_box_mask(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.bool_]:
-    """Return a mask of the columns (four corners each) that are boxes with sides along x and y."""
+    """Return the (n,) mask of the columns of (4, n) corners that are boxes with sides along x and y."""
     level: list[NDArray[np.bool_]] = [
         (c[i] == c[i + 1]) & (c[i - 2] == c[i - 1]) for c, i in ((x, 0), (y, 1), (y, 0), (x, 1))
     ]

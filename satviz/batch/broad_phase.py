@@ -65,7 +65,7 @@ def candidate_pairs(bounds: validation.Points, *, engine: str | None = None) -> 
 
 
 def candidate_blocks(bounds: NDArray[np.float64], kernels: Engine) -> Iterator[Pairs]:
-    """Yield the pairs (i < j) of boxes that share a point, block by block, each pair once, unsorted."""
+    """Yield the pairs (i < j) of (N, 4) boxes that share a point, in (K, 2) blocks, each pair once, unsorted."""
     few, *_ = kernels.candidate_pairs(bounds)
     if few is not None:
         yield few
@@ -74,7 +74,7 @@ def candidate_blocks(bounds: NDArray[np.float64], kernels: Engine) -> Iterator[P
 
 
 def sort_pairs(blocks: list[Pairs]) -> Pairs:
-    """Return all pairs of some blocks sorted by first index, then by second."""
+    """Return all pairs of some (K, 2) blocks as one int64 array, sorted by first index, then by second."""
     pairs = np.concatenate(blocks).astype(np.int64, copy=False) if blocks else np.empty((0, 2), np.int64)
     base = int(pairs.max(initial=0)) + 1
     return np.stack(np.divmod(np.sort(pairs[:, 0] * base + pairs[:, 1]), base), axis=1)
@@ -118,9 +118,10 @@ def _grid_blocks(bounds: NDArray[np.float64], kernels: Engine) -> Iterator[Pairs
 
 
 def _take_out_outliers(bounds: NDArray[np.float64]) -> tuple[Indices, Indices]:
-    """Return (indices of the ordinary boxes, of a few that are far larger than the others or far away from them).
+    """Return (indices of the ordinary boxes, of the outliers: boxes far larger than the others or far from them).
 
-    A giant or far box would spoil the cells of all others; against it, comparing all boxes is cheaper.
+    A giant or far box would spoil the cells of all others; against it, comparing all boxes is cheaper.  More than
+    MAX_OUTLIERS are not taken out.
     """
     is_outlier: Mask = np.zeros(len(bounds), bool)
     some = bounds[:: -(-len(bounds) // SAMPLE_BOXES)]
@@ -148,10 +149,10 @@ def _pairs_of_outliers(bounds: NDArray[np.float64], outliers: Indices) -> Iterat
 
 
 def _cell_size_if_even(low: NDArray[np.float64], which: Indices) -> float:
-    """Return the length of cells along one axis for boxes that are spread evenly: about one box for each cell.
+    """Return the length along one axis of cells that would hold about one box each if the boxes lay evenly.
 
-    low: (N,) lower sides of all boxes on the axis; which: the boxes to spread.  The spread is that of their middle
-    half.
+    low: (N,) lower sides of all boxes on the axis; which: indices of the boxes to put into cells.  Their spread is
+    estimated from their middle half.
     """
     some = np.sort(low[which[:: -(-len(which) // SAMPLE_BOXES)]])
     first, last = float(some[len(some) // 4]) / 2, float(some[-1 - len(some) // 4]) / 2
@@ -159,7 +160,7 @@ def _cell_size_if_even(low: NDArray[np.float64], which: Indices) -> float:
 
 
 def _sizes(bounds: NDArray[np.float64], which: Indices, d: int) -> NDArray[np.float64]:
-    """Return the widths (d = 0) or heights (d = 1) of some boxes, between the smallest and the largest normal float."""
+    """Return the widths (d = 0) or heights (d = 1) of the boxes `which`, clipped to the range of normal floats."""
     with np.errstate(over="ignore"):
         size = bounds[which, d + 2] - bounds[which, d]
     return np.asarray(np.clip(size, np.finfo(float).tiny, np.finfo(float).max))

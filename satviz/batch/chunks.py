@@ -30,10 +30,11 @@ class ChunkFailed(RuntimeError):
 def in_chunks(
     job: Job, n: int, executor: Executor | None, progress: Callable[[int, int], None] | None, size: int
 ) -> Iterator[tuple[int, int, Any]]:
-    """Yield (start, stop, result) for each chunk in order; `job(start, stop)` returns a function and its arguments.
+    """Yield (start, stop, result) for each chunk of `size` of the items 0 to n, in order.
 
-    At most MAX_WAITING_CHUNKS chunks are under way, so memory does not grow with n.  An
-    interrupt or a failed chunk cancels those not yet started.
+    `job(start, stop)` returns the function to call for a chunk and its arguments; `executor` None calls it in this
+    thread.  At most MAX_WAITING_CHUNKS chunks are under way, so memory does not grow with n.  An interrupt or a failed
+    chunk (ChunkFailed) cancels those not yet started.  `progress(done, n)` is called after each.
     """
     ranges = ((start, min(start + size, n)) for start in range(0, n, size))
     waiting: Waiting = deque()
@@ -96,7 +97,7 @@ def _run_chunk(start: int, stop: int, job: Job) -> Any:
 
 
 def _pop_result(waiting: Waiting, progress: Callable[[int, int], None] | None, n: int) -> tuple[int, int, Any]:
-    """Wait for the oldest chunk, report progress, and return (start, stop, result) of it."""
+    """Take the oldest chunk from `waiting`, wait for it, report progress of n, and return (start, stop, result)."""
     start, stop, future = waiting.popleft()
     try:
         result = future.result()

@@ -115,7 +115,7 @@ def _stream_strips(
 
 
 def _names_from(start: int) -> Callable[[int], str]:
-    """Return a function that maps i to "polygon <start + i>", for error messages."""
+    """Return a function from i to the text "polygon <start + i>", for error messages."""
     return lambda i: f"polygon {start + i}"
 
 

@@ -63,12 +63,12 @@ def _certified_circles(centers: object, radii: object) -> CornerColumns | None:
 
 
 def _is_carray(values: object, axes: int) -> TypeGuard[Array]:
-    """Return whether this is a float64 array with `axes` axes, aligned, writable and contiguous in C order."""
+    """Return whether this is a float64 array with `axes` dimensions, aligned, writable and contiguous in C order."""
     return type(values) is np.ndarray and values.dtype == FLOAT64 and values.ndim == axes and values.flags.carray
 
 
 def _is_index_array(values: object) -> TypeGuard[Indices]:
-    """Return whether this is a plain array of integers with one axis, as large as a pointer."""
+    """Return whether this is an intp array with one dimension, aligned, writable and contiguous."""
     return type(values) is np.ndarray and values.dtype == INTP and values.ndim == 1 and values.flags.carray
 
 
@@ -102,7 +102,7 @@ class Polygons(Shapes):
 
 
 def from_shapely(geometries: Any, *, concave: str = "refuse") -> Polygons:
-    """Return a batch of the polygons in an array or sequence of shapely polygons; `concave` as in Polygons."""
+    """Return a batch of the shapely polygons in an array or sequence; `concave` and InvalidShape as in Polygons."""
     validation.check_word("concave", concave, validation.CONCAVE_OPTIONS)
     import shapely
 
@@ -160,7 +160,10 @@ def _unpadded(corners: Any, counts: Any, radii: validation.Numbers) -> tuple[Arr
 
 
 def corner_name(start: Indices, radius: Array) -> Callable[[int], str]:
-    """Return a function that names corner k of shapes that begin at `start`, for error messages."""
+    """Return a function that names corner k of the batch, such as "polygon 3: vertex 2", for error messages.
+
+    start: (N + 1,) the first corner of each shape, then the number of corners; radius: (N,), 0 for polygons.
+    """
 
     def name(k: int) -> str:
         """Return the name of corner `k`."""
@@ -171,7 +174,10 @@ def corner_name(start: Indices, radius: Array) -> Callable[[int], str]:
 
 
 def build_mixed(points: Array, start: Indices, radius: Array, concave: str | None) -> Shapes:
-    """Return a batch of circles, where the radius is positive, and polygons; other arguments as in build_shapes."""
+    """Return a batch of circles (center points[start[i]]) where the (N,) radius is positive, and polygons elsewhere.
+
+    Other arguments as in build_shapes.
+    """
     circles = radius > 0
     if len(radius) and circles.all():
         block = np.array([*points.T, radius])[:, None] + 0.0
@@ -212,7 +218,10 @@ def concat(many: Iterable[Shapes]) -> Shapes:
 
 
 def number_polygons(vertices: validation.Outlines, numbers: Indices | None, concave: str | None) -> Shapes:
-    """Return a batch of polygons; error messages call polygon i `numbers[i]`, or i if `numbers` is None."""
+    """Return a batch of polygons; error messages call polygon i `numbers[i]`, or i if `numbers` is None.
+
+    `vertices` as in Polygons, without offsets; `concave` as in build_shapes.
+    """
 
     def name(i: int) -> str:
         """Return the name of polygon `i` in error messages."""
@@ -232,7 +241,10 @@ def number_polygons(vertices: validation.Outlines, numbers: Indices | None, conc
 
 
 def _certified_group(vertices: object) -> CornerColumns | None:
-    """Return the polygons of an (N, V, 2) plain float array as a group; None if one is not certified convex."""
+    """Return the polygons of a plain float array, (N, V, 2) with V up to MAX_LANE_CORNERS, as a group.
+
+    None for anything else, or if floats do not certify each polygon as convex.
+    """
     if not _is_carray(vertices, 3):
         return None
     _, corners, axes = vertices.shape
@@ -244,7 +256,7 @@ def _certified_group(vertices: object) -> CornerColumns | None:
 
 
 def _certified_shapes(vertices: object, offsets: object = None) -> Shapes | None:
-    """Return the polygons of plain float arrays, as `Polygons` takes them; None if one is not certified convex."""
+    """Return a batch of plain float arrays, as `Polygons` takes them; None if floats do not certify all as convex."""
     if not _is_carray(vertices, 3 if offsets is None else 2) or vertices.shape[-1] != 2:
         return None
     if offsets is None:
@@ -266,10 +278,10 @@ def _certified_shapes(vertices: object, offsets: object = None) -> Shapes | None
 
 
 def build_shapes(points: Array, start: Indices, name: Callable[[int], str], concave: str | None) -> Shapes:
-    """Return a batch of outlines, points[start[i]] to points[start[i + 1]]; name(i): outline i in error messages.
+    """Return a batch of polygons from (M, 2) points: outline i is points[start[i]:start[i + 1]].
 
-    Those not certainly convex go through satviz.Polygon.  Concave ones are split for concave "split"; else InvalidShape
-    says so in the words of WAYS_OUT.
+    name(i) names outline i in error messages.  Outlines that are not certainly convex are checked by satviz.Polygon.
+    Concave ones are split if `concave` is "split"; else InvalidShape advises what WAYS_OUT has for `concave`.
     """
     given = RaggedRings(points[:, 0], points[:, 1], start)
     rings, plain = _convex_rings(points, given)
@@ -297,7 +309,10 @@ def build_shapes(points: Array, start: Indices, name: Callable[[int], str], conc
 
 
 def _convex_rings(points: Array, given: RaggedRings) -> tuple[RaggedRings, Mask]:
-    """Return what `convex_rings` returns for all outlines; the engine certifies most of them in one pass."""
+    """Return what `convex_rings` returns for the outlines `given`, made of the (M, 2) `points`, which stay as they are.
+
+    The engine certifies most of them in one pass, where it can.
+    """
     if (certified_rings := engine_for_checks(len(points)).certified_rings) is None:
         return convex_rings(RaggedRings(given.x + 0.0, given.y + 0.0, given.start))  # a copy, where -0.0 is 0.0
     rings, doubtful = certified_rings(points, given.start)

@@ -64,7 +64,7 @@ def engine_for_checks(corners: int) -> Engine:
 def load_engine(name: str | None) -> Engine:
     """Import and return the engine of that name; this is the only place that imports numba.
 
-    By default the best that works: where numba is installed but does not load or cannot keep
+    None stands for the best one that works: where numba is installed but does not load or cannot keep
     what it compiles, NumPy answers, and one warning says why.
     """
     if name == "numba" or (name is None and find_spec("numba")):
@@ -113,5 +113,5 @@ def load_engine(name: str | None) -> Engine:
 
 
 def _column_kernels_of(module: Any) -> tuple[int, Kernel, Kernel, Kernel, Kernel]:
-    """Return (block, polygons, boxes, circles, circle_polygons) of a module: the first fields of an Engine."""
+    """Return (block, polygons, boxes, circles, circle_polygons) of a `filter` module: the first fields of an Engine."""
     return module.BLOCK_PAIRS, module.polygons, module.boxes, module.circles, module.circle_polygons

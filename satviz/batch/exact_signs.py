@@ -28,7 +28,7 @@ MAX_BLOCK_CORNERS = 1 << 19  # side by side at most: what bounds the memory
 
 
 def pairs_per_block(corners: int, at_once: int = MAX_BLOCK_CORNERS) -> int:
-    """Return how many pairs to evaluate at a time if each has `corners` corners; this bounds the memory."""
+    """Return how many pairs of `corners` corners to evaluate at a time: `at_once` corners in all; bounds the memory."""
     return max(MIN_BLOCK_PAIRS, at_once // corners)
 
 
@@ -102,6 +102,7 @@ def sign_of_products(pairs: Products) -> Signs:
 def sum_with_error(pairs: Products, remainder: Array) -> tuple[Array, Array, Array]:
     """Return (float sum of up to three products and `remainder`, its error bound, floats that sum to the products).
 
+    All are arrays with one entry, or column, for each sum; the floats are rows as in `_expand_products`.
     With products of size R in all, u = 2**-53 and `remainder` at most 3uR: the errors of the products
     and of their sums are 3uR in all, and adding all this up rounds five times, by 30uuR.
     The bound is 256uuR, so it also covers an error of 226uuR in `remainder` itself.
@@ -118,7 +119,8 @@ def sum_with_error(pairs: Products, remainder: Array) -> tuple[Array, Array, Arr
 def _expand_products(pairs: Products) -> tuple[Array, Array]:
     """Return (floats that sum exactly to the k products, sum of |products|, which is inf where bits are lost).
 
-    The error of a product above MIN_SAFE_PRODUCT, and the parts it is made of, are multiples of 1e-312: floats.
+    The floats are (2k, n): the k rounding errors, then the k rounded products.  The error of a product above
+    MIN_SAFE_PRODUCT, and the parts it is made of, are multiples of 1e-312: floats.
     """
     k = len(pairs)
     terms = np.empty((2 * k, len(pairs[0][0])))
@@ -147,14 +149,14 @@ def two_product(a: Array, b: Array, error: Array, product: Array) -> None:
 
 
 def _split(a: Array) -> tuple[Array, Array]:
-    """Return a as the sum of two floats with half the bits each (Veltkamp)."""
+    """Return (high, low), floats with half the bits of a each, whose sum is a exactly (Veltkamp)."""
     high = a * SPLITTER
     high -= high - a
     return high, a - high
 
 
 def two_sum(a: Array, b: Array) -> tuple[Array, Array]:
-    """Return a + b as (rounded sum, error) (Knuth)."""
+    """Return a + b as (rounded sum, its rounding error), whose sum is exact (Knuth)."""
     total = a + b
     part = total - a
     error = b - part
@@ -171,7 +173,7 @@ def _vec_sum(terms: Array) -> None:
 
 
 def take_columns(terms: Array, where: NDArray[np.intp]) -> Array:
-    """Return the columns `where`, which must ascend; all of them are `terms` itself, not a copy.
+    """Return the columns of `terms` at the indices `where`, which must ascend; if these are all, `terms` itself.
 
     Indices are not checked (mode "clip"), since NumPy's check doubles the time.
     """
@@ -179,12 +181,12 @@ def take_columns(terms: Array, where: NDArray[np.intp]) -> Array:
 
 
 def certified_sign(values: Array, error_bound: Array | float) -> Signs:
-    """Return 1 where a value is above its error bound, -1 where it is below the negative bound, else 0."""
+    """Return an array: 1 where a value is above its error bound, -1 where below the negative bound, else 0."""
     return (values > error_bound).view(np.int8) - (values < -error_bound).view(np.int8)
 
 
 def sign_of_sum(terms: Array) -> Signs:
-    """Return the exact sign of each column's sum, UNKNOWN where it needs too many passes; overwrites the terms."""
+    """Return the exact sign of each column's sum of (k, n) `terms`, UNKNOWN after too many passes; overwrites them."""
     found = np.full(terms.shape[1], UNKNOWN, np.int8)
     left = np.arange(len(found))
     for _ in range(MAX_PASSES):

@@ -78,13 +78,16 @@ def place(shapes: Shapes, offsets: validation.Points, angles: Any = 0.0) -> Shap
 
 
 def _state_of(shapes: Shapes) -> MotionState:
-    """Return the MotionState of a batch, made at its first move."""
+    """Return the MotionState that a moved batch keeps; a new one for a batch that was never moved."""
     state = vars(shapes).get("_motion")
     return state if isinstance(state, MotionState) else MotionState(shapes)
 
 
 def _set_corners(shapes: Shapes, state: MotionState, corners: Any) -> None:
-    """Check the coordinates and make them those of the batch; its old arrays are not changed, only replaced."""
+    """Check `corners`, as `move` takes them, and replace the coordinates of the batch by them.
+
+    The batch gets new arrays; its old ones are not changed.
+    """
     made = _certified(state, corners) or _checked(state, corners)
     vars(shapes).clear()
     vars(shapes).update(vars(made), _motion=state)
@@ -129,7 +132,7 @@ def _checked(state: MotionState, corners: Any) -> Shapes:
 def _array_of_outlines(state: MotionState, corners: Any) -> Any:
     """Return a sequence of outlines with one number of corners as an (N, V, 2) array, checked number by number.
 
-    Of circles return the centers, unchecked; anything else as it is.
+    If the batch has circles, return a list of all points, unchecked; anything else is returned as it is.
     """
     try:
         corners = list(corners)

@@ -42,8 +42,8 @@ def relate(
 
     Pairs are a[i] with b[i], one against many, or the rows (i, j) of `pairs`.
     `engine`: "numpy" or "numba" (by default the best installed; the answers are the
-    same).  `executor`: any concurrent.futures.Executor; chunks of pairs come back in
-    order, `progress(done, total)` is called after each.  ValueError for lengths that do not
+    same).  `executor`: any concurrent.futures.Executor, which gets `chunk` pairs at a time;
+    `progress(done, total)` is called after each chunk.  ValueError for lengths that do not
     fit, IndexError for pairs out of range, TypeError or ValueError for an invalid option,
     ChunkFailed names the range that failed.
     """
@@ -79,20 +79,20 @@ def hits(a: Shapes, b: Shapes, pairs: ArrayLike | None = None, **options: Unpack
     return hit
 
 
-def check_options(engine: object, executor: object, progress: object, size: object, of: str = "chunk") -> int:
-    """Check the options of `relate` before any work is done; return `size` as an int (error lines call it `of`).
+def check_options(engine: object, executor: object, progress: object, size: object, size_name: str = "chunk") -> int:
+    """Check the options of `relate` before any work is done; return `size`, which errors call `size_name`, as an int.
 
     TypeError, ValueError and (where numba is not there) ImportError name the argument and say what it takes.
     """
     check_executor(executor)
     check_progress(progress)
-    number = check_size(of, size)
+    number = check_size(size_name, size)
     engine_of(engine)
     return number
 
 
 def check_pairs(pairs: ArrayLike, na: int, nb: int) -> tuple[Indices, Indices]:
-    """Return columns i and j of (K, 2) `pairs`; ValueError for a wrong form, IndexError if not below `na`, `nb`."""
+    """Return columns i and j of (K, 2) `pairs`; ValueError for a wrong form, IndexError unless i < na and j < nb."""
     refuse_masked(pairs, "pairs")
     pairs = np.asarray(pairs)
     if pairs.shape == (0,):  # an empty list
@@ -108,7 +108,7 @@ def check_pairs(pairs: ArrayLike, na: int, nb: int) -> tuple[Indices, Indices]:
 
 
 def _take_used(shapes: Shapes, indices: Indices) -> tuple[Shapes, Indices]:
-    """Return (the shapes that `indices` name, new indices into them), to send little to another process."""
+    """Return (the shapes at `indices`, each once; new indices into these), to send little to another process."""
     used, where = np.unique(indices, return_inverse=True)
     return shapes[used], where
 
@@ -161,7 +161,7 @@ BLOCK_PAIRS = 16384  # pairs: their columns are copied first, and where corners 
 
 
 def _relate_parts(a: Shapes, ia: Indices, b: Shapes, ib: Indices, engine: str | None) -> Relations:
-    """Return the relations of shapes made of convex parts: the largest relation code of any two parts."""
+    """Return the relations of a[ia[k]] with b[ib[k]], made of parts: the largest relation code of any two parts."""
     out = np.zeros(len(ia), np.int8)
     first_a, first_b = a.starts[ia], b.starts[ib]
     many_b = b.starts[ib + 1] - first_b
@@ -180,7 +180,7 @@ BLOCK_PART_PAIRS = 1 << 18  # pairs of parts at a time: what bounds the memory
 
 
 def _evaluate_block(kernels: Engine, a: CornerColumns, b: CornerColumns, first: int, out: Relations) -> None:
-    """Fill `out` with the relation of column k of `a` and of `b`, from `first` on; UNDECIDED if not certain."""
+    """Fill out[k] with the relation of column first + k of `a` and of `b`, or UNDECIDED if floats are not certain."""
     with np.errstate(all="ignore"):
         if a.upright and b.upright:
             kernels.boxes(a, b, first, out)

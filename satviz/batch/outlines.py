@@ -19,9 +19,10 @@ BLOCK_CORNERS = 1 << 15  # corners at a time: they and the scratch arrays stay i
 
 
 def convex_rings(rings: RaggedRings) -> tuple[RaggedRings, Mask]:
-    """Return (the outlines found convex, counter-clockwise, without repeated or straight-on corners; their mask).
+    """Return (the convex outlines, counter-clockwise, without repeated or straight-on corners; the mask of them).
 
-    The others are concave or not simple: satviz.Polygon decides.  The arrays given may be overwritten.
+    mask: (N,), True for the outlines that are convex.  The others are concave or no valid polygons: satviz.Polygon
+    says which.  The arrays given may be overwritten.
     """
     found, masks = [], []
     full = np.searchsorted(rings.start, np.arange(BLOCK_CORNERS, rings.start[-1], BLOCK_CORNERS), side="right") - 1
@@ -68,7 +69,7 @@ def _convex_in_block(rings: RaggedRings) -> tuple[RaggedRings, Mask]:
 
 
 def _previous_in_ring(c: NDArray[Value], start: Indices) -> NDArray[Value]:
-    """Return the value before each corner in its outline."""
+    """Return the (M,) values c of the corner before each corner, in its outline."""
     found = np.empty_like(c)
     found[1:] = c[:-1]
     found[start[:-1]] = c[start[1:] - 1]
@@ -76,7 +77,7 @@ def _previous_in_ring(c: NDArray[Value], start: Indices) -> NDArray[Value]:
 
 
 def _next_in_ring(c: NDArray[Value], start: Indices) -> NDArray[Value]:
-    """Return the value after each corner in its outline."""
+    """Return the (M,) values c of the corner after each corner, in its outline."""
     found = np.empty_like(c)
     found[:-1] = c[1:]
     found[start[1:] - 1] = c[start[:-1]]
@@ -90,7 +91,7 @@ def _leads_right(px: Array, py: Array, qx: Array, qy: Array) -> Mask:
 
 
 def _reverse_rings(ring: RaggedRings, back: Mask) -> RaggedRings:
-    """Reverse, in place, the corners of the outlines in the mask `back`; return all outlines."""
+    """Reverse, in place, the corners of the outlines where `back`, (N,), is True; return all outlines."""
     if not back.any():
         return ring
     x, y, start = ring

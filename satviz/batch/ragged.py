@@ -24,7 +24,7 @@ class RaggedRings(NamedTuple):
         return self if mask.all() else self.keep_corners(np.repeat(mask, np.diff(self.start)), mask)
 
     def keep_corners(self, kept: Mask, mask: Mask | None = None) -> "RaggedRings":
-        """Return the outlines where `mask` is True, with only the corners where `kept` (one per corner) is True.
+        """Return the outlines where `mask` (None: all) is True, with only the corners where `kept`, (M,), is True.
 
         `kept` must be False at all corners of the outlines that `mask` drops.
         """

@@ -29,14 +29,14 @@ def check_word(name: str, value: object, words: Sequence[str]) -> None:
 
 
 def rings_from_array(vertices: NDArray[Any], name: Callable[[int], str]) -> NDArray[np.float64]:
-    """Return an (N, V, 2) array as float64; InvalidShape names the first wrong number. name(i): of outline i."""
+    """Return an (N, V, 2) array as float64; InvalidShape names the first wrong number, and outline i by name(i)."""
     if vertices.ndim != 3 or vertices.shape[2] != 2 or vertices.shape[1] < 3:
         raise InvalidShape(f"vertices has the shape {vertices.shape}: expected (N, V, 2) with V at least 3")
     return floats(vertices, "vertices", lambda i, j, k: f"{name(i)}: vertex {j}.{'xy'[k]}")
 
 
 def rings_from_offsets(vertices: Points, offsets: Any) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
-    """Return ((M, 2) corners, start) of vertices split at `offsets`; InvalidShape names the first wrong value."""
+    """Return ((M, 2) corners, (N + 1,) offsets) in float64 and intp; InvalidShape names the first wrong value."""
     start = np.asarray(offsets)
     if start.ndim != 1 or not start.size or start.dtype.kind not in "iu":
         raise InvalidShape(f"offsets is {start.dtype} of the shape {start.shape}: expected N + 1 integers")
@@ -61,12 +61,12 @@ def rings_from_offsets(vertices: Points, offsets: Any) -> tuple[NDArray[np.float
 
 
 def rings_from_sequence(vertices: Any, name: Callable[[int], str]) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
-    """Return ((M, 2) corners, start) of a sequence of outlines; InvalidShape names the first wrong one by name(i)."""
+    """Return ((M, 2) corners, (N + 1,) starts) of N outlines; InvalidShape names the first wrong one by name(i)."""
     given = _as_list(vertices, "vertices")
     arrays: list[NDArray[np.float64]] = []
 
     def joined() -> tuple[NDArray[np.float64], NDArray[np.intp]]:
-        """Return ((M, 2) corners read so far, their start); InvalidShape if a number is not finite."""
+        """Return the corners read so far and their starts; InvalidShape if a number is not finite."""
         start = np.cumsum([0, *map(len, arrays)])
         flat = np.concatenate([np.empty((0, 2)), *arrays])
         if (bad := np.flatnonzero(~np.isfinite(flat).all(axis=1))).size:
@@ -113,7 +113,7 @@ def ring(vertices: Any, name: str) -> NDArray[np.float64]:
 
 
 def points(values: Points, name: str, item: Callable[[int], str]) -> NDArray[np.float64]:
-    """Return points as (N, 2) float64; InvalidShape names the first wrong one by item(i), the whole by `name`."""
+    """Return points as (N, 2) float64; InvalidShape calls the first wrong one item(i), and `values` `name`."""
     if not _is_plain(values):
         return np.array(
             [polygon_validation.parse_point(p, item(i)) for i, p in enumerate(_as_list(values, name))]
@@ -152,7 +152,7 @@ def _as_list(values: Any, name: str) -> list[Any]:
 
 
 def numbers(values: Numbers, name: str, one: str, item: Callable[[int], str]) -> NDArray[np.float64]:
-    """Return (N,) float64, or a 0-d array for one number; InvalidShape names a wrong one by item(i), or by `one`."""
+    """Return (N,) float64, or a 0-d array for one number; InvalidShape calls number i item(i), a single one `one`."""
     if _is_plain(values):
         return floats(values, name, lambda *i: item(i[0]) if i else one)
     if isinstance(values, Iterable):
@@ -161,12 +161,12 @@ def numbers(values: Numbers, name: str, one: str, item: Callable[[int], str]) ->
 
 
 def _is_plain(values: Any) -> bool:
-    """Return whether this is an array of NumPy's own numbers; other values are checked one by one."""
+    """Return whether this is an array of any dtype but object; other values are checked one by one."""
     return isinstance(values, np.ndarray) and values.dtype != object
 
 
 def floats(array: NDArray[Any], name: str, entry: Callable[..., str]) -> NDArray[np.float64]:
-    """Return `array` in float64; InvalidShape names the first wrong value by `entry` of its indices."""
+    """Return `array` in float64; InvalidShape calls the first wrong value entry(*its indices), the array `name`."""
     warn_if_flushed()
     polygon_validation.refuse_array(array, name)
     if array.dtype == object:

@@ -104,7 +104,7 @@ def plain(raw: Any, depth: int = 3) -> Any:
 
 
 def _parts(raw: Any) -> Sequence[Any] | None:
-    """Return the parts of an answer that has some; None where it has none or very many."""
+    """Return the items of a list, (x, y), or (hit, move) of an answer; None for other answers and for long lists."""
     if isinstance(raw, dict) and {"x", "y"} <= raw.keys():
         return raw["x"], raw["y"]
     if isinstance(raw, dict) and "hit" in raw:
@@ -213,7 +213,8 @@ def same_answer(one: Answer, other: Answer, kind: str, margin: float) -> bool:
 def recognize(raws: Sequence[Any], pairs: Sequence[tuple[Shape, Shape]], touching: str) -> str | None:
     """Return the kind in which most of the raw answers can be read; None if no answer can be read in any kind.
 
-    Where two kinds can read equally many, it is the kind in which more of these answers are right.
+    Where two kinds can read equally many, it is the kind in which more of these answers are right.  `touching`: as in
+    Rules.
     """
     best, found = (0, -1), None
     for kind in KINDS:

@@ -37,7 +37,7 @@ class Asker(Protocol):
 
 
 class CalledHere:
-    """A Python function that is called in this process."""
+    """A Python function that is called in this process; `form` turns a shape into its argument."""
 
     def __init__(self, fn: Callable[[Any, Any], Any], form: Form) -> None:
         self.fn, self.form = fn, form
@@ -46,7 +46,7 @@ class CalledHere:
             self.file = getattr(fn, "file", None) or fn.__code__.co_filename
 
     def ask(self, a: Shape, b: Shape) -> Outcome:
-        """Call the function with fresh arguments, and compare them afterwards with a second set of them.
+        """Call the function with fresh arguments; the problem is WROTE if they then differ from a second set of them.
 
         Arguments are compared only where two sets are equal at first, since an object may be equal to itself alone.
         """
@@ -88,7 +88,7 @@ def _are_equal(one: Any, other: Any) -> bool:
 
 
 def error_line(error: BaseException, file: str | None) -> str:
-    """Return one line on an exception: its type, its message, and the last line of `file` in its traceback."""
+    """Return one line on an exception: its type, its message, and the last line number of `file` in its traceback."""
     words = ""
     with suppress(BaseException):  # the exception's own __str__ may raise
         words = short_repr(str(error))[1:-1]
@@ -98,7 +98,10 @@ def error_line(error: BaseException, file: str | None) -> str:
 
 
 class CalledInProcess:
-    """A Python function that is called in a process of its own, which is ended where a call takes too long."""
+    """A Python function that is called in a process of its own, which is ended where a call takes too long.
+
+    `seconds`: the time for each call; `start_seconds`: additional time for the first one.
+    """
 
     def __init__(self, fn: Callable[[Any, Any], Any], form: Form, seconds: float, start_seconds: float = 0.0) -> None:
         self.fn, self.form, self.seconds, self.start_seconds = fn, form, seconds, start_seconds
@@ -120,7 +123,7 @@ class CalledInProcess:
         theirs.close()
 
     def ask(self, a: Shape, b: Shape) -> Outcome:
-        """Call the function in the process; end the process after `seconds`."""
+        """Call the function in the process and return the Outcome; end the process where none comes in time."""
         seconds = self.seconds
         if self.process is None:
             try:

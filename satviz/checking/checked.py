@@ -180,7 +180,7 @@ class Checked:
 
     @property
     def said_in_words(self) -> str:
-        """Return in words the answer that the function gave for the counterexample."""
+        """Return in words what the function answered for the counterexample, or its problem; "" if there is none."""
         result = self.smallest
         return "" if result is None else result.line if result.problem else in_words(result.answer, self.rules.returns)
 
@@ -266,7 +266,7 @@ def _passed_lines(checked: Checked) -> list[str]:
 
 
 def scene_of(result: Result, likeness: str) -> Scene:
-    """Return a result's pair as a scene; with the axes of the known mistake of that name, "" for none."""
+    """Return a result's pair as a scene with the axes of the known mistake `likeness`, those of `needed` for ""."""
     axes = likeness if likeness in NAMED else "needed"
     return Scene("counterexample", result.a, result.b, axes, title="Where your function is wrong")
 

@@ -10,7 +10,7 @@ Form = Callable[[Shape], Any]
 
 
 def plain_number(value: float) -> float:
-    """Return the number as an int where it is whole and small enough to read."""
+    """Return the number as an int if it is whole and below 2**53, else unchanged."""
     return int(value) if value == int(value) and abs(value) < 2**53 else value
 
 

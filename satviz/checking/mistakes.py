@@ -1,4 +1,7 @@
-"""Known mistakes as hypotheses: what each failing case would have answered, compared with what a function answered."""
+"""Known mistakes as hypotheses: what each failing case would have answered, compared with what a function answered.
+
+A *failing case* (`scenes/failing`) is a common mistake, as a Shortcut, with a scene where it is wrong.
+"""
 
 from collections.abc import Iterator, Sequence
 from functools import lru_cache, partial
@@ -25,7 +28,7 @@ from .answers import (
 )
 from .other_methods import VARIANTS as VARIANTS_OF_OTHERS
 from .other_methods import by_shortcut
-from .pairs import BOXES, CIRCLE_AND_POLYGON, CIRCLES, CONVEX, KNOWN_SCENES, kind_of
+from .pairs import BOXES, CIRCLE_AND_POLYGON, CIRCLES, CONVEX, KNOWN_SCENES, kind_of_pair
 from .results import Result
 from .written import VARIANTS, Predict
 
@@ -61,12 +64,12 @@ SYMPTOMS = {
 
 
 def symptom_of(name: str) -> str:
-    """Return the symptom of a mistake in the words of people who see it, such as "falls through"; "" if unseen."""
+    """Return the symptom of a mistake in the words of those who see it, such as "falls through"; "" if it has none."""
     return next((words for words, names in SYMPTOMS.items() if name in names), "")
 
 
 def mistakes_with(words: str) -> list[str]:
-    """Return the known mistakes that look like these words, such as "falls through"; [] if no symptom is like them."""
+    """Return the names of the mistakes whose symptom has most of these words, such as "falls through"; [] if none."""
     asked = {word.strip(".,:;!?").lower() for word in words.split()} - {"it", "the", "a", "is", "in", "my", "and", "to"}
     scored = [
         (len(asked & set(symptom.lower().replace(":", "").replace(",", "").split())), symptom) for symptom in SYMPTOMS
@@ -132,7 +135,7 @@ NOT_AT_REST = "faces-in-3d", "tunnelling"  # about boxes in space, and about mot
 
 def _own_kind(name: str) -> str:
     """Return the kind of pair in the failing case of this name; upright boxes count as convex polygons."""
-    kind = kind_of(*NAMED[name].shapes)
+    kind = kind_of_pair(*NAMED[name].shapes)
     return CONVEX if kind == BOXES else kind
 
 
@@ -156,7 +159,7 @@ MAX_COMPARED = 160  # pairs on which each hypothesis is run, those first about w
 
 
 def likenesses(results: Sequence[Result], rules: Rules) -> list[Likeness]:
-    """Return the known mistakes that a function behaves like, the likest first; none that agrees on no wrong answer."""
+    """Return the known mistakes that share wrong answers with a function, the likest first (by `_rank`)."""
     readable = [result for result in results if not result.problem]
     wrong = [result for result in readable if not result.right]
     compared = [*wrong[: MAX_COMPARED // 2]]
@@ -225,7 +228,10 @@ def _likeness(hypothesis: Hypothesis, results: Sequence[Result], rules: Rules, a
 
 
 def _alike(one: Answer, other: Answer, kind: str, margin: float, one_is_right: bool) -> bool:
-    """Return whether two answers are equal, or both wrong moves of one length: several axes may have one depth."""
+    """Return whether two answers are equal, or both wrong moves of one length: several axes may have one depth.
+
+    `one_is_right`: whether any of the two is right.
+    """
     if same_answer(one, other, kind, margin):
         return True
     if kind == HIT_AND_MTV:

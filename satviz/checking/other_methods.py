@@ -1,4 +1,7 @@
-"""Other methods than SAT in floats, with their names: corners, edges, circles, distances; and shortcuts of cases."""
+"""Other methods than SAT in floats, mostly wrong: by corners, edges, circles, distances; and shortcuts of cases.
+
+Each method of two shapes returns (claimed relation, push of B or None); its first arguments choose how it is done.
+"""
 
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
@@ -32,7 +35,7 @@ def push_along_centers(a: Shape, b: Shape, tests: Sequence[AxisTest]) -> Vec:
 
 
 def spot_inside(spot_of: Callable[[Shape], Vec], a: Shape, b: Shape) -> tuple[Relation, None]:
-    """Return OVERLAPPING if this spot of one convex polygon lies in the other."""
+    """Return (OVERLAPPING, None) if the point `spot_of` a convex polygon lies in the other one, else (APART, None)."""
     return (OVERLAPPING if min(_outside(spot_of(a), b), _outside(spot_of(b), a)) <= 0 else APART), None
 
 
@@ -42,13 +45,16 @@ def first_corner(shape: Shape) -> Vec:
 
 
 def corners_in(owner: str, a: Shape, b: Shape) -> tuple[Relation, None]:
-    """Return OVERLAPPING if a corner of the other shape lies in A or B, as `owner` says."""
+    """Return (OVERLAPPING, None) if a corner of one shape lies in `owner`, "A" or "B", else (APART, None)."""
     gaps = [test.gap for test in corner_tests(a, b) if test.axis.source.shape == owner]
     return (OVERLAPPING if min(gaps) <= 0 else APART), None
 
 
 def with_circle(gap_of: Callable[[Shape, Vec, float], float], a: Shape, b: Shape) -> tuple[Relation, None]:
-    """Return the relation that `gap_of` (polygon, center, radius) claims by its sign; ValueError for other pairs."""
+    """Return (relation by the sign of `gap_of`, None); ValueError unless one shape is a circle.
+
+    `gap_of`: a function of (polygon, center, radius).
+    """
     if a.core_is_point == b.core_is_point:
         raise ValueError("this method compares a circle with a convex polygon")
     shape, circle = (a, b) if b.core_is_point else (b, a)
@@ -56,36 +62,36 @@ def with_circle(gap_of: Callable[[Shape, Vec, float], float], a: Shape, b: Shape
     return relation_of_gap(gap), None
 
 
-def nearest_corner(shape: Shape, center: Vec, radius: float) -> float:
+def gap_to_nearest_corner(shape: Shape, center: Vec, radius: float) -> float:
     """Return the distance of a circle from the nearest corner of a polygon; negative if the corner is inside."""
     return min(dist(vertex, center) for vertex in shape.vertices) - radius
 
 
-def corner_or_center(shape: Shape, center: Vec, radius: float) -> float:
-    """Return the smaller of `nearest_corner` and `center_outside`: either below 0 is a hit."""
-    return min(nearest_corner(shape, center, radius), _outside(center, shape))
+def gap_to_corner_or_center(shape: Shape, center: Vec, radius: float) -> float:
+    """Return the smaller of `gap_to_nearest_corner` and `_outside` of the center: either below 0 is a hit."""
+    return min(gap_to_nearest_corner(shape, center, radius), _outside(center, shape))
 
 
-def box_and_circle(shape: Shape, center: Vec, radius: float) -> float:
-    """Return the gap between the polygon's bounding box and the circle."""
+def gap_to_box(shape: Shape, center: Vec, radius: float) -> float:
+    """Return the gap between the polygon's bounding box and the circle, negative if they overlap."""
     x0, y0, x1, y1 = shape.bounds
     return hypot(max(x0 - center.x, 0.0, center.x - x1), max(y0 - center.y, 0.0, center.y - y1)) - radius
 
 
-def raw_radius(shape: Shape, center: Vec, radius: float) -> float:
+def gap_by_unscaled_radius(shape: Shape, center: Vec, radius: float) -> float:
     """Return the largest gap on edge normals that are not of length 1, from which the radius is subtracted unscaled."""
     ranges = [(ends(shape.vertices, n), ends([center], n).lo) for n in listed(shape.vertices, ())]
     return max(max(at - radius - on.hi, on.lo - at - radius) for on, at in ranges)
 
 
 def rims_meet(a: Shape, b: Shape) -> tuple[Relation, None]:
-    """Return (OVERLAPPING if the rims of two circles meet, else APART; no MTV); ValueError for other shapes."""
+    """Return (OVERLAPPING, None) if the rims of two circles meet, else (APART, None); ValueError for other shapes."""
     away = dist(*_centers(a, b))
     return (OVERLAPPING if abs(a.radius - b.radius) <= away <= a.radius + b.radius else APART), None
 
 
 def edges_cross(strict: bool, a: Shape, b: Shape) -> tuple[Relation, None]:
-    """Return OVERLAPPING if two edges cross by the orientations of their ends.
+    """Return (OVERLAPPING, None) if the orientations of their ends say that two edges cross, else (APART, None).
 
     `strict`: three collinear points decide nothing; otherwise they count as clockwise.
     """
@@ -107,14 +113,14 @@ def edges_cross(strict: bool, a: Shape, b: Shape) -> tuple[Relation, None]:
 
 
 def squared_distance(a: Shape, b: Shape) -> tuple[Relation, None]:
-    """Return the relation of two circles as claimed if the squared distance is compared with the sum of the radii."""
+    """Return (relation, None) of two circles by comparing the squared distance with the sum of the radii."""
     (ax, ay), (bx, by) = _centers(a, b)
     gap = (bx - ax) ** 2 + (by - ay) ** 2 - a.radius - b.radius
     return relation_of_gap(gap), None
 
 
 def normals_and_centers(a: Shape, b: Shape) -> Choice:
-    """Return the edge normals and the line between the centers."""
+    """Return the choice of all edge normals and the line between the centers."""
     return Choice((*edge_normals(a, b).axes, *centers(a, b).axes))
 
 
@@ -126,7 +132,10 @@ def _centers(a: Shape, b: Shape) -> tuple[Vec, Vec]:
 
 
 def _outside(spot: Vec, shape: Shape) -> float:
-    """Return the largest distance of a point beyond an edge, multiplied by that edge's length; 0 or less inside."""
+    """Return the largest gap from a polygon's range on an edge's normal to a point, times the edge's length.
+
+    It is 0 or less for a point inside.
+    """
     landings = [(ends(shape.vertices, n), ends([spot], n).lo) for n in listed(shape.vertices, ())]
     return max(max(at - on.hi, on.lo - at) for on, at in landings)
 
@@ -136,7 +145,7 @@ def outward_from_each_middle(a: Shape, b: Shape, axis: Axis) -> AxisTest:
     start, n = (a if axis.source.shape == "A" else b).vertices[axis.source.ids[0]], axis.direction
 
     def project_outward(shape: Shape) -> Projection:
-        """Return the projection of a shape on the normal or its opposite."""
+        """Return the projection of a shape on the normal or its opposite, which leads away from its mean."""
         middle, points = vertex_mean(shape), project(shape, axis).points
         sign = -1 if (middle.x - start.x) * n.x + (middle.y - start.y) * n.y > 0 else 1
         return Projection(points, tuple(sign * (p.x * n.x + p.y * n.y) for p in points))
@@ -145,12 +154,12 @@ def outward_from_each_middle(a: Shape, b: Shape, axis: Axis) -> AxisTest:
 
 
 def reversed_verdict(a: Shape, b: Shape) -> tuple[Relation, None]:
-    """Return APART for shapes that meet, and OVERLAPPING for those that are apart."""
+    """Return (APART, None) for shapes that meet, and (OVERLAPPING, None) for those that are apart."""
     return (OVERLAPPING if relate(a, b) is APART else APART), None
 
 
 def within_reach(reach: float, a: Shape, b: Shape) -> tuple[Relation, None]:
-    """Return OVERLAPPING if the distance of both vertex means is at most `reach`, else APART."""
+    """Return (OVERLAPPING, None) if the distance of both vertex means is at most `reach`, else (APART, None)."""
     p, q = a.vertices or a.core, b.vertices or b.core
     return (OVERLAPPING if dist(mean(p), mean(q)) <= reach else APART), None
 
@@ -158,7 +167,7 @@ def within_reach(reach: float, a: Shape, b: Shape) -> tuple[Relation, None]:
 def beyond_reach(
     middle: Middle, radius: Radius, join: Callable[[tuple[float, float]], float], a: Shape, b: Shape
 ) -> tuple[Relation, Vec | None]:
-    """Return APART where the middles are further apart than `join` of both radii, else the right answer and push.
+    """Return (APART, None) if the middles are further apart than `join` of both radii, else the right answer and push.
 
     `middle`, `radius`: functions of a ring of vertices (of a circle, its center); `join`: such as sum or max.
     """
@@ -178,15 +187,15 @@ def _other_ways() -> Iterator[Variant]:
     yield "corner-inside", partial(corners_in, "A"), "here a corner of B in A alone"
     yield "corner-inside", partial(spot_inside, first_corner), "here the first corner of one"
     for gap_of, words in (
-        (nearest_corner, "here a corner in the circle"),
+        (gap_to_nearest_corner, "here a corner in the circle"),
         (lambda shape, center, radius: _outside(center, shape), "here the center of the circle in the polygon"),
-        (corner_or_center, "here the center of the circle, too"),
+        (gap_to_corner_or_center, "here the center of the circle, too"),
     ):
         yield "corner-inside", partial(with_circle, gap_of), words
-    yield "aabb-not-upright", partial(with_circle, box_and_circle), "here beside a circle"
+    yield "aabb-not-upright", partial(with_circle, gap_to_box), "here beside a circle"
     yield (
         "no-nearest-vertex",
-        partial(with_circle, raw_radius),
+        partial(with_circle, gap_by_unscaled_radius),
         "here with a radius that is not scaled like the normals",
     )
     to_center = NAMED["no-nearest-vertex"].shortcut._replace(choose=normals_and_centers)

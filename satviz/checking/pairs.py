@@ -1,4 +1,7 @@
-"""The pairs that a function is asked about, the smallest first."""
+"""The pairs that a function is asked about, the smallest first.
+
+The functions that make one shape give it whole coordinates from 0 to `size`.
+"""
 
 from collections.abc import Callable, Iterator, Sequence
 from functools import lru_cache
@@ -42,7 +45,7 @@ class CheckPair(NamedTuple):
     group: str
 
 
-def kind_of(a: Shape, b: Shape) -> str:
+def kind_of_pair(a: Shape, b: Shape) -> str:
     """Return the kind of a pair of shapes, a key of KINDS.
 
     A concave outline decides before a circle, and a vertex that is listed twice before upright boxes.
@@ -63,7 +66,10 @@ def kind_of(a: Shape, b: Shape) -> str:
 
 @lru_cache(maxsize=16)
 def whole_number_pairs(kinds: tuple[str, ...], seed: int) -> tuple[CheckPair, ...]:
-    """Return the pairs that judge a function, in order: small boxes, small shapes, failing cases, seeded pairs."""
+    """Return the pairs that judge a function, in order: small boxes, small shapes, failing cases, seeded pairs.
+
+    The last ones lie just past one edge.  `kinds`: keys of KINDS; `seed`: of the random numbers.
+    """
     random = Random(seed)
     found = [*_small_boxes()] if BOXES in kinds else []
     small = [pair for size in SIZES[:3] for pair in _seeded(kinds, random, size, "small shapes")]
@@ -74,8 +80,8 @@ def whole_number_pairs(kinds: tuple[str, ...], seed: int) -> tuple[CheckPair, ..
         a, b = case.shapes
         if not _is_whole(a, b):
             a, b = _in_tenths(a), _in_tenths(b)
-        if kind_of(a, b) in kinds and _is_whole(a, b):
-            found.append(CheckPair(a, b, kind_of(a, b), KNOWN_SCENES))
+        if kind_of_pair(a, b) in kinds and _is_whole(a, b):
+            found.append(CheckPair(a, b, kind_of_pair(a, b), KNOWN_SCENES))
     for size in SIZES[3:]:
         found += _seeded(kinds, random, size, f"coordinates up to {size}")
     return (*found, *_past_one_edge(random)) if CONVEX in kinds else tuple(found)
@@ -128,11 +134,11 @@ def _seeded(kinds: Sequence[str], random: Random, size: int, group: str) -> Iter
             if i % 2 and kind in (CIRCLES, CIRCLE_AND_POLYGON):
                 a, b = b, a
             b = _placed(a, b, random, size, i % 4)
-            yield CheckPair(a, b, kind_of(a, b), group)
+            yield CheckPair(a, b, kind_of_pair(a, b), group)
 
 
 def _past_one_edge(random: Random) -> Iterator[CheckPair]:
-    """Yield convex polygons with B just past the middle of the first or last edge of either, which alone shows it."""
+    """Yield convex pairs just apart, where hardly any normal but that of A's or B's first or last edge has a gap."""
     for of_a, index in tuple(product((True, False), (0, -1))) * 4:
         a, b = (_convex(random, ONE_EDGE_SIZE) for _ in "ab")
         ring = (a if of_a else b).vertices
@@ -145,7 +151,7 @@ def _past_one_edge(random: Random) -> Iterator[CheckPair]:
         s = middle if of_a else _support(a, n, random)
         t = _support(b, Vec(-n.x, -n.y), random) if of_a else middle
         beside = translated(b, Vec(s.x - t.x + step.x, s.y - t.y + step.y))
-        yield CheckPair(a, beside, kind_of(a, beside), PAST_ONE_EDGE)
+        yield CheckPair(a, beside, kind_of_pair(a, beside), PAST_ONE_EDGE)
 
 
 def _placed(a: Shape, b: Shape, random: Random, size: int, how: int) -> Shape:
@@ -205,7 +211,7 @@ def _middle(shape: Shape) -> Vec:
 
 
 def _box(random: Random, size: int) -> Polygon:
-    """Return an upright box."""
+    """Return an upright box from (0, 0), with whole sides up to `size`."""
     w, h = (random.randint(1, size) for _ in range(2))
     return box(0, 0, w, h)
 

@@ -36,7 +36,10 @@ def line_for(a: Shape, b: Shape) -> str:
 
 
 class Program:
-    """A program in another process that is started once, then reads a pair and writes an answer line by line."""
+    """A program in another process that is started once, then reads a pair and writes an answer line by line.
+
+    `command`: the command line that starts it; `seconds`: the time for each answer.
+    """
 
     def __init__(self, command: str, seconds: float) -> None:
         self.command, self.seconds, self.process = shlex.split(command), seconds, None
@@ -71,7 +74,7 @@ class Program:
             self.errors.append(line.strip())
 
     def ask(self, a: Shape, b: Shape) -> Outcome:
-        """Write one line to the program and read one; end the program where it gives no answer in time."""
+        """Write one line to the program, return the line it answers as Outcome; end it where none comes in time."""
         seconds = self.seconds
         try:
             if self.process is None:

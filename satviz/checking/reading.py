@@ -49,7 +49,7 @@ class ReaderPython:
         return outcome_data(self.called.ask_untrusted(a, b))
 
     def _define(self, code: str) -> dict[str, Any]:
-        """Run the code and keep its `collide`, or its only function of two arguments; return {"why": fault or ""}."""
+        """Run the code and keep its `collide`, or its last function of two arguments; return {"why": fault or ""}."""
         names: dict[str, Any] = {"__name__": "reader"}
         if "\0" in code:  # Python's versions raise different errors for it
             return {"why": "This is not Python: the code has a null character."}
@@ -59,14 +59,14 @@ class ReaderPython:
             return {"why": f"This is not Python: {error.msg} in line {error.lineno or 1}."}
         except BaseException as error:
             return {"why": f"The code {error_line(error, FILE)}."}
-        fn = names.get("collide") or _only_function_of_two(names)
+        fn = names.get("collide") or _last_function_of_two(names)
         if not callable(fn):
             return {"why": "There is no function of two shapes: write def collide(a, b): ..."}
         self.called = CalledHere(fn, as_points)
         return {"why": ""}
 
 
-def _only_function_of_two(names: dict[str, Any]) -> Callable[..., Any] | None:
+def _last_function_of_two(names: dict[str, Any]) -> Callable[..., Any] | None:
     """Return the last function of two arguments that the code defines, or None."""
     found = [f for f in names.values() if inspect.isfunction(f) and f.__code__.co_argcount == 2]
     return found[-1] if found else None

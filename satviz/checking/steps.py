@@ -29,7 +29,7 @@ from .asking import LAST, Outcome
 from .checked import Checked, Near, scene_of, wrong_line
 from .mistakes import Likeness, explains, likenesses
 from .options import Options
-from .pairs import BOXES, CheckPair, kind_of, near_pairs, whole_number_pairs
+from .pairs import BOXES, CheckPair, kind_of_pair, near_pairs, whole_number_pairs
 from .results import UNSTEADY, WRONG, Result, judge
 from .shrinking import shrink
 
@@ -95,7 +95,7 @@ def _is_over(outcomes: Sequence[Outcome]) -> bool:
 
 
 def _counter_clockwise(shape: Shape) -> Shape:
-    """Return a polygon with its vertices in counter-clockwise order."""
+    """Return a polygon with its vertices in counter-clockwise order, a circle unchanged."""
     if not isinstance(shape, Polygon):
         return shape
     area = sum(p.x * q.y - q.x * p.y for p, q in zip(shape.vertices, (*shape.vertices[1:], shape.vertices[0])))
@@ -137,7 +137,7 @@ def _right_count(answered: Sequence[tuple[Any, tuple[Shape, Shape]]], rules: Rul
 
 
 def _changed(results: Sequence[Result], before: Sequence[Outcome], after: Sequence[Outcome]) -> Result | None:
-    """Return the first pair whose second answer differs from its first one, as a Result with that problem.
+    """Return the first pair whose second answer differs from its first one, as a Result with that problem, else None.
 
     Values that are no answer are not compared: most objects differ even from themselves.
     """
@@ -159,7 +159,7 @@ def _easiest(results: Sequence[Result]) -> Result:
 
 
 def _shrunk(bad: Result, rules: Rules, options: Options) -> Generator[Asked, list[Outcome], Result]:
-    """Return the smallest scene about which the function is wrong in the same way."""
+    """Yield smaller pairs, as `steps` does; return the Result of the smallest that is wrong as `bad` is."""
     smallest, begun = bad, monotonic()
     trials = shrink(bad.a, bad.b)
     wrong: bool | None = None
@@ -186,7 +186,7 @@ def _is_fit(pair: CheckPair, bad: Result, options: Options) -> bool:
     for shape, old in zip(pair[:2], bad.pair[:2], strict=True):
         if shape.is_convex < old.is_convex or _has_repeats(shape) > _has_repeats(old):
             return False
-    if set(options.named_kinds) == {BOXES} and kind_of(*pair[:2]) != BOXES:
+    if set(options.named_kinds) == {BOXES} and kind_of_pair(*pair[:2]) != BOXES:
         return False
     if not options.clockwise:
         return all(_counter_clockwise(shape) == shape for shape in pair[:2])
@@ -199,13 +199,13 @@ def _has_repeats(shape: Shape) -> bool:
 
 
 def _always_note(results: Sequence[Result], rules: Rules) -> str:
-    """Return a note where the answer is the same for every pair: such a function has no mistake yet, only a result."""
+    """Return a note if the answer is the same for every pair, else ""; such a function has no mistake yet."""
     answers = [None if result.problem else in_words(result.answer, rules.returns) for result in results]
     return f"It says {answers[0]} for every pair." if len(set(answers)) == 1 and answers[0] else ""
 
 
 def _touching_notes(results: Sequence[Result], rules: Rules) -> list[str]:
-    """Return a note where the function is wrong about touching shapes only."""
+    """Return a list with a note if the function is wrong about touching shapes only, else []."""
     wrong = [result for result in results if not result.right]
     if rules.touching == "either" or any(r.problem or r.truth.relation is not Relation.TOUCHING for r in wrong):
         return []
@@ -217,7 +217,7 @@ def _touching_notes(results: Sequence[Result], rules: Rules) -> list[str]:
 
 
 def _order_notes(results: Sequence[Result]) -> list[str]:
-    """Return a note where the function is wrong only about shapes with vertices in clockwise order."""
+    """Return a list with a note if the function is wrong only about vertices in clockwise order, else []."""
     wrong = [result for result in results if not result.right]
     if any(_counter_clockwise(r.a) == r.a and _counter_clockwise(r.b) == r.b for r in wrong):
         return []
@@ -225,7 +225,7 @@ def _order_notes(results: Sequence[Result]) -> list[str]:
 
 
 def _near(options: Options, rules: Rules) -> Generator[Asked, list[Outcome], Near | Result | None]:
-    """Return the Near of the function on pairs that nearly touch, in rounded numbers.
+    """Yield pairs that nearly touch, in rounded numbers, as `steps` does; return the Near of the function on them.
 
     None where its kind of answer has no hit or relation; the Result of a pair for which it gives no answer at all,
     since rounding is not the reason for that.

@@ -138,7 +138,7 @@ def by_direction(a: Ring, b: Ring) -> list[Vec]:
 
 
 def of_each(cut: Callable[[int], slice], a: Ring, b: Ring) -> list[Vec]:
-    """Return the normals of some edges of each ring, by its number of vertices."""
+    """Return the normals of the edges that `cut` selects; it maps a ring's number of vertices to a slice."""
     return listed(a, b, cut_a=cut(len(a)), cut_b=cut(len(b)))
 
 
@@ -161,13 +161,13 @@ def outward(sign: int, a: Ring, b: Ring) -> list[Vec]:
 
 
 def angle_in_degrees(dx: float, dy: float) -> Vec:
-    """Return the direction of the angle in radians that an edge's normal has in degrees."""
+    """Return the unit vector that an edge's normal becomes when its angle in degrees is passed to cos and sin."""
     angle = degrees(atan2(dy, dx)) + 90
     return Vec(cos(angle), sin(angle))
 
 
 def rounded_to(round_to: Callable[[float], float], dx: float, dy: float) -> Vec:
-    """Return the normal (dy, -dx) of an edge at length 1, with both of its numbers rounded."""
+    """Return the unit normal of an edge (dx, dy), to the right of it, with both numbers rounded by `round_to`."""
     length = hypot(dx, dy)
     return Vec(round_to(dy / length), round_to(-dx / length))
 
@@ -201,7 +201,7 @@ def circle_about(middle: Middle, radius: Radius, ring: Ring, n: Vec) -> Interval
 
 
 def one_extreme_each(step: int, ring: Ring, n: Vec) -> Interval:
-    """Return the range of four vertices, one on each side of the bounding box; `step` -1 takes the last of several."""
+    """Return the range of four vertices alone: those of least and largest x and y; `step` -1: the last of equals."""
     return ends([pick(ring[::step], key=itemgetter(k)) for pick in (min, max) for k in (0, 1)], n)
 
 
@@ -221,20 +221,20 @@ def range_by_elif(sign: int, ring: Ring, n: Vec) -> Interval:
 
 
 def rounded_landings(round_to: Callable[[float], float], ring: Ring, n: Vec) -> Interval:
-    """Return a range on the normal of length 1 with both ends rounded, in units of n's length."""
+    """Return the range on n scaled to length 1, with both ends rounded, then multiplied by n's length."""
     length = hypot(*n)
     lo, hi = (length * round_to(end / length) for end in ends(ring, n))
     return Interval(lo, hi)
 
 
 def shortened(slop: float, ring: Ring, n: Vec) -> Interval:
-    """Return a range that is shorter by half of a tolerance at each end, so that small overlaps do not count."""
+    """Return the range of a ring, shorter by slop / 2 at each end, so that small overlaps do not count."""
     (lo, hi), less = ends(ring, n), slop / 2 * hypot(*n)
     return Interval(lo + less, hi - less)
 
 
 def half_is_whole(whole_middle: bool, ring: Ring, n: Vec) -> Interval:
-    """Return a range that is kept as its middle and half of its length, rounded down to a whole number."""
+    """Return the range left when half of its length, and its middle if `whole_middle`, are rounded down to integers."""
     return whole_halves(ends(ring, n), whole_middle)
 
 

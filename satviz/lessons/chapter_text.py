@@ -53,7 +53,10 @@ def link_targets(source: str) -> str:
 
 
 def choices_of(comment: str) -> list[tuple[str, str, str]]:
-    """Return (sign, choice, reason) of each line of a comment with choices; the sign of the right one is "+"."""
+    """Return (sign, choice, reason) of each line of a comment with choices; the sign of the right one is "+", else "-".
+
+    ValueError for a comment of another form, or without exactly one right choice.
+    """
     lines = comment.strip().removeprefix(CHOICES).removesuffix("-->").strip().splitlines()
     found = [CHOICE.fullmatch(line.strip()) for line in lines]
     signs = [match[1] for match in found if match]
@@ -65,7 +68,7 @@ def choices_of(comment: str) -> list[tuple[str, str, str]]:
 
 
 def blocks(tokens: list[Any]) -> Iterator[list[Any]]:
-    """Yield the tokens of each top-level block: a heading, a paragraph, a list and so on."""
+    """Yield those of a Markdown parser's tokens that form one top-level block: a heading, a paragraph, a list, ..."""
     begin = depth = 0
     for end, token in enumerate(tokens, 1):
         depth += token.nesting

@@ -146,7 +146,10 @@ def _lines(count: int) -> str:
 
 
 def _worksheet(trace: Trace, name: str) -> tuple[str, str]:
-    """Return the HTML of a scene to compute by hand, and of its solution; a shortcut's scene is solved exactly."""
+    """Return the HTML of a scene to compute by hand, and of its solution; a shortcut's scene is solved exactly.
+
+    `name`: the scene's.  InvalidScene for a scene that cannot be drawn.
+    """
     case, true = NAMED.get(name), trace.truth
     if not trace.shortcut and case:
         case = None
@@ -195,7 +198,7 @@ def _number(value: float, figures: int) -> str:
 
 
 def _table(trace: Trace, *, filled: bool) -> str:
-    """Return the table of a run over every axis as HTML; `filled`: with ranges and gaps, else with empty cells."""
+    """Return the table of a run's tests, at most 12, as HTML; `filled`: with ranges and gaps, else with empty cells."""
     heads = ("axis", "direction", f"range of {trace.names.a}", f"range of {trace.names.b}", "gap", "separates?")
     head = "<td></td>" + "".join(f'<th scope="col">{escape(name)}</th>' for name in heads)
     lines, pair = [], ""

@@ -29,7 +29,7 @@ def reading_time_ms(sentence: str) -> int:
 
 
 def caption_time_ms(picture: Picture) -> int:
-    """Return the milliseconds for which a picture is shown in an animation at speed 1."""
+    """Return the milliseconds for which an animation shows a picture at speed 1: by its caption, else its sentence."""
     if not picture.caption:
         return reading_time_ms(picture.sentence)
     return MIN_CAPTION_MS + MS_PER_CAPTION_LETTER * len(picture.caption)

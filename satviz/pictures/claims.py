@@ -1,4 +1,7 @@
-"""The answer of a shortcut in words, the right answer, and whether the first is wrong."""
+"""The answer of a shortcut in words, the right answer, and whether the first is wrong.
+
+A shortcut is a mistaken or cheaper collision test.  A failing case has a shortcut, and shapes for which it is wrong.
+"""
 
 import re
 from functools import lru_cache
@@ -109,8 +112,8 @@ def digits_of_answers(trace: Trace, digits: describe.NumberFormat = describe.dig
 def error_in_words(trace: Trace, digits: describe.NumberFormat = describe.digits) -> str | None:
     """Return what is wrong with a shortcut's answer and what is right, or "" where the answer is right.
 
-    None where float64 cannot hold the shapes that tell, or they have too many convex parts.  `digits`: as in
-    `digits_of_answers`.
+    None where the right answer needs shapes that float64 cannot hold, or that have too many convex parts.  `digits`:
+    as in `digits_of_answers`.
     """
     try:
         found, case = answers(trace, digits_of_answers(trace, digits)), case_of(trace.shortcut)

@@ -129,7 +129,7 @@ def _is_inside(place: AxisPlace, layout: Layout) -> bool:
 
 @lru_cache(maxsize=64)
 def _space_for_all_steps(trace: Trace, largest: tuple[float, float]) -> tuple[float, float]:
-    """Return the width and height of the largest panel of all steps."""
+    """Return the width and height in points of the larger panel, the same for all steps."""
     sizes = _frame(trace, largest).claimed.size, _claimed_panel(trace, largest).size, _actual_panel(trace, largest).size
     heads = (text_size(name)[0] + RIM for name in (CLAIMED, ACTUAL))
     return max(*heads, *(w for w, _ in sizes)), max(h for _, h in sizes)
@@ -186,7 +186,7 @@ def _actual_panel(trace: Trace, largest: tuple[float, float]) -> Picture:
 
 
 def draw_answer(sketch: Sketch, trace: Trace, part: str, word: str, number: str) -> None:
-    """Write the verdict `word`, if there is one, as the label `part`.
+    """Write the verdict `word`, if it is not "", as the label `part`.
 
     Write `number` too if the failing case is about a quantity other than a gap, which its bar shows.
     """
@@ -214,7 +214,10 @@ def strike_wrong_answers(drawn: Picture, trace: Trace) -> Picture:
 
 
 def _strike(label: Mark, scale: float) -> Mark:
-    """Return the mark that strikes out a label: a segment through each line of its text, except through a remark."""
+    """Return the mark that strikes out a label: a segment through each line of its text; of a gap's, only the first.
+
+    `scale`: points in a scene unit.
+    """
     (x, y), lines = label.points[0], label.text.split("\n")
     high = text_size(label.text, label.weight)[1] / len(lines) / scale
     ends: list[Vec] = []
@@ -281,7 +284,7 @@ def _lies_on(p: Vec, edge: tuple[Vec, Vec]) -> bool:
 
 
 def _with_corner_names(words: str, outlines: Sequence[Sequence[Vec]]) -> str:
-    """Return an error line that names crossing edges by their corners, with "(rings)" for the circles around them."""
+    """Return the error line `words` with crossing edges named by corners ("a1a2") and "(rings)" for their point."""
     for name, ring in zip("ab", outlines, strict=False):
         for _, i, j in _crossings(ring):
             one, other = (f"{name}{k + 1}{name}{(k + 1) % len(ring) + 1}" for k in (i, j))

@@ -66,7 +66,10 @@ def drag_view(
 
 
 def error_region_marks(trace: Trace, layout: Layout) -> list[Mark]:
-    """Return marks of the positions of B's vertex mean that give a wrong answer, and of its position."""
+    """Return marks of where the shortcut is wrong, as positions of B's vertex mean, and a dot at the present one.
+
+    The list is empty if there are none on the canvas.
+    """
     mean, found = vertex_mean(trace.b), _error_region(trace, layout)
     if isinstance(found, str):
         return []

@@ -1,5 +1,8 @@
 """The panels of failing cases by name, and those that show something else than tests and proofs.
 
+The claimed tests are those that a shortcut's answer comes from (`default_panels.claimed_tests`).  A push is the move
+of B by which a shortcut would end an overlap.  A landing is a point's coordinate on an axis.
+
 A new panel is a `Panel` in `PANELS` below: what it needs space for, and a function of a trace and of a layout with
 that space, which returns the sketch it has drawn.
 """
@@ -59,14 +62,14 @@ MOVE = Vec(*map(float, FLIGHT))  # how far A flies in one frame
 
 
 def draw_pieces_panel(trace: Trace, layout: Layout) -> Sketch:
-    """Draw A as the pieces that the shortcut takes one by one, and each piece's push of B."""
+    """Draw B, the pieces of A that the shortcut tests one by one, and an arrow for each piece's push of B."""
     sketch = Sketch(trace, layout)
     draw_pieces(sketch)
     return sketch
 
 
 def draw_pieces(sketch: Sketch) -> None:
-    """Draw, on a given sketch, A as the shortcut's pieces, and each piece's push of B."""
+    """Draw on a sketch what `draw_pieces_panel` draws."""
     trace = sketch.trace
     for pair in trace.pairs:
         sketch.shape("A", pair.names.a, pair.a)
@@ -117,7 +120,10 @@ def first_edge_test(trace: Trace) -> list[AxisTest]:
 
 
 def digits_panel(exact: bool) -> Panel:
-    """Return a panel of B's points landing on its first edge's normal, in all digits, rounded or exact."""
+    """Return a panel of B's corners projected on the normal of B's first edge, with all digits of the coordinates.
+
+    They are those that the shortcut rounded, or with `exact` the exact ones as float64.
+    """
 
     def panel(trace: Trace, layout: Layout) -> Sketch:
         """Draw the normal as an axis, the drops of B, and the highest landings with all their digits."""
@@ -145,7 +151,10 @@ def digits_panel(exact: bool) -> Panel:
 
 
 def _draw_neighbouring_floats(sketch: Sketch, landings: Sequence[tuple[str, float]]) -> None:
-    """Draw a line with a tick for each float64 number near some landings, and each landing with its name."""
+    """Draw a line with ticks for 5 float64 numbers around the least of `landings`, which are pairs (name, coordinate).
+
+    A landing is a named dot on that line.
+    """
     units, (x0, y0, _, _) = sketch.layout.units, sketch.layout.limits
     least = min(t for _, t in landings)
     step, start = ulp(least), Vec(x0 + units(FLOATS_CORNER_PT[0]), y0 + units(FLOATS_CORNER_PT[1]))
@@ -192,7 +201,10 @@ def dots_panel(every_pair: bool) -> Panel:
 
 
 def draw_searches(trace: Trace, layout: Layout) -> Sketch:
-    """Draw how often GJK evaluates each corner: once in each of 3 searches for the furthest one, or in 1 for a miss."""
+    """Draw both shapes, and at each corner how often GJK evaluates it.
+
+    It does so once in each search for the furthest corner: in 3 searches for a hit, in 1 for a miss.
+    """
     sketch = draw_shapes(trace, layout)
     count = len(trace.a.core) + len(trace.b.core)
     searches = MIN_SUPPORT_POINTS if trace.hit else 1
@@ -211,7 +223,7 @@ def _sum_of_evaluations(trace: Trace, times: int, count: int) -> str:
 
 
 def draw_evaluation_counts(sketch: Sketch, times: int) -> None:
-    """Write beside each corner how often it is evaluated."""
+    """Write at each corner that it is evaluated `times` times, as "3\u00d7"."""
     for role, name, shape in sketch.roles():
         middle = centroid(shape)
         for i, v in enumerate(shape.vertices):  # a circle has none
@@ -228,7 +240,7 @@ def drawn_tests_of_sat(run: Trace) -> Sequence[AxisTest]:
 
 
 def draw_axes_of_sat(trace: Trace, layout: Layout) -> Sketch:
-    """Draw the axes that SAT tests until it is certain; of more than 3 only that of the largest gap."""
+    """Draw both shapes, `drawn_tests_of_sat` of the run of SAT, and how many evaluations its tests take."""
     run = record(trace.a, trace.b)
     tests = drawn_tests_of_sat(run)
     sketch = draw_shapes(run, layout)
@@ -246,7 +258,7 @@ def draw_axes_of_sat(trace: Trace, layout: Layout) -> Sketch:
 
 
 def draw_corners(trace: Trace, layout: Layout) -> Sketch:
-    """Draw a ring round every corner that lies outside the other polygon, and say how many lie in it."""
+    """Draw a ring round each corner, coloured by whether it lies in the other polygon, and say how many lie in it."""
     sketch, tests = draw_shapes(trace, layout), corner_tests(trace.a, trace.b)
     for i, test in enumerate(tests):
         (corner,) = min(test.a.points, test.b.points, key=len)
@@ -356,7 +368,7 @@ def draw_line_as_axis(trace: Trace, layout: Layout) -> Sketch:
 
 
 def draw_rounded_normal(trace: Trace, layout: Layout) -> Sketch:
-    """Draw the claimed tests, and the edge of the separating axis with its true normal and what this was rounded to."""
+    """Draw the claimed tests and, for a false hit, the separating axis's edge, its true normal and the rounded one."""
     sketch, test = draw_claimed_tests(trace, layout), true_test(trace)
     if trace.false_hit and test and test.source.kind == EDGE:
         sketch.edge(test)
@@ -370,7 +382,7 @@ def draw_rounded_normal(trace: Trace, layout: Layout) -> Sketch:
 
 
 def with_note(panel: Panel, words: Callable[[Trace], str], role: str = "wrong") -> Panel:
-    """Return a panel with words above its shapes that say what a shortcut did, or what it left out."""
+    """Return the panel with the text `words(trace)` above its shapes, in the colour of `role`; "" adds no text."""
 
     def has_space(trace: Trace) -> bool:
         """Check whether there is space for words: not among the labels of very many axes."""
@@ -409,7 +421,10 @@ def questions_asked(trace: Trace) -> str:
 
 
 def facing_ends(trace: Trace, how: str) -> str:
-    """Return where the ranges of the largest gap face each other, with all digits, after `how` they were stored."""
+    """Return as text, after `how`, the facing ends of the two ranges with the largest gap, with all digits.
+
+    `how` says how they were stored, such as "in float64".  "" without a test.
+    """
     test = max(trace.tests, key=lambda test: test.gap, default=None)
     if test is None:
         return ""
@@ -419,7 +434,10 @@ def facing_ends(trace: Trace, how: str) -> str:
 
 
 def length_rounded(trace: Trace) -> str:
-    """Return by which root a normal was divided, which float64 rounds, and where the ranges then end; "" if by none."""
+    """Return as text the rounded length that the first normal was divided by, and where its ranges then end.
+
+    "" if that length is a whole number or the claim is right.
+    """
     for test in claimed_tests(trace)[:1]:
         (x, y), length = test.axis.normal, test.axis.length
         if not length.is_integer() and trace.claim is not trace.relation:
@@ -430,7 +448,7 @@ def length_rounded(trace: Trace) -> str:
 
 
 def halves_rounded(trace: Trace) -> str:
-    """Return how the first range with a middle or half length that is not whole was rounded; "" if there is none."""
+    """Return as text how the first range whose middle or half length is no whole number was rounded, else ""."""
     for test in axis_tests(trace.a, trace.b, [test.axis for test in claimed_tests(trace)]):
         digits = describe.digits(trace, test)
         for name, (lo, hi) in zip(trace.names, (test.a.interval, test.b.interval), strict=True):
@@ -443,7 +461,7 @@ def halves_rounded(trace: Trace) -> str:
 
 
 def radii_compared(trace: Trace) -> str:
-    """Return how the sum of the radii of two circles apart compares with the distance of their centers, else ""."""
+    """Return text such as "r1 + r2 = 2 < distance = 3: taken for a hit"; "" unless two circles apart are so taken."""
     lengths = trace.a.radius + trace.b.radius, dist(centroid(trace.a), centroid(trace.b))
     radii, apart = map(describe.digits(trace).number, lengths)
     both_circles = trace.a.core_is_point and trace.b.core_is_point
@@ -451,7 +469,7 @@ def radii_compared(trace: Trace) -> str:
 
 
 def centers_compared(trace: Trace) -> str:
-    """Return how far apart the centers lie, and from where on that counts as far."""
+    """Return as text how far apart the centers lie, and from what distance on that counts as far."""
     centers = [centroid(shape) for shape in (trace.a, trace.b)]
     return f"centers {number(round(dist(*centers), 9))} apart; more than {FAR_APART:g} counts as far apart"
 
@@ -463,14 +481,14 @@ def needs_push(trace: Trace) -> PanelContents:
 
 
 def draw_push_alone(trace: Trace, layout: Layout) -> Sketch:
-    """Draw B where the shortcut pushes it, and the area in which it still overlaps A."""
+    """Draw both shapes, and the shortcut's push as `draw_push` draws it."""
     sketch = draw_shapes(trace, layout)
     draw_push(sketch)
     return sketch
 
 
 def draw_push_from_center(trace: Trace, layout: Layout) -> Sketch:
-    """Draw B where the shortcut pushes it, and a segment between the two vertex means that gave the direction."""
+    """Draw as `draw_push_alone`, and the segment between both vertex means, which gave the push its direction."""
     sketch = draw_push_alone(trace, layout)
     means = vertex_mean(trace.a), vertex_mean(trace.b)
     sketch.add("joined", "segment", "wrong", *means)
@@ -482,10 +500,13 @@ def draw_push_from_center(trace: Trace, layout: Layout) -> Sketch:
 
 
 def with_normal_of_push(panel: Panel, move_of: Callable[[Trace], Vec | None]) -> Panel:
-    """Return a panel with A's edge across a push, named, and its normal in the direction of the push."""
+    """Return the panel with that edge of A whose outward normal the MTV follows, and an arrow along a push.
+
+    `move_of(trace)`: the push, or None.  The arrow stands on the edge; its label says if it points out of A or into A.
+    """
 
     def draw(trace: Trace, layout: Layout) -> Sketch:
-        """Draw the panel; the edge and its normal only where the push, or its opposite, is along a normal of A."""
+        """Draw the panel; the edge and the arrow only where there is a push and the MTV is along a normal of A."""
         sketch, move, out = panel.draw(trace, layout), move_of(trace), trace.truth.known_mtv
         if not (move and out and any(move)):
             return sketch
@@ -513,7 +534,7 @@ def with_normal_of_push(panel: Panel, move_of: Callable[[Trace], Vec | None]) ->
 
 
 def draw_moved_by_mtv(trace: Trace, layout: Layout) -> Sketch:
-    """Draw B moved by the MTV, and the MTV."""
+    """Draw both shapes and, for an overlap, the MTV and B moved by it."""
     sketch = draw_shapes(trace, layout)
     move = trace.truth.known_mtv
     if trace.relation is Relation.OVERLAPPING and move:
@@ -530,7 +551,7 @@ class PushOnAxis(NamedTuple):
 
 
 def pushes_on_axes(trace: Trace, *, raw: bool = False) -> list[PushOnAxis]:
-    """Return the shortcut's push and the right one, with true lengths, or with `raw` as the shortcut measured them."""
+    """Return B's push on each axis of the claimed tests: by the exact overlap, or if `raw` by the measured one."""
     tests = [test for test in claimed_tests(trace) if any(test.axis.normal)]
     exact = axis_tests(trace.a, trace.b, [test.axis for test in tests])
     gaps = [test.gap for test in (tests if raw else exact)]
@@ -559,7 +580,7 @@ def needs_pushes(trace: Trace) -> PanelContents:
 
 
 def draw_raw_pushes(trace: Trace, layout: Layout) -> Sketch:
-    """Draw both pushes as long as the shortcut measured them, and the length of the normal that is the reason."""
+    """Draw the push on each axis as long as the shortcut measured it, and the length of the normal, which is why."""
     sketch = draw_shapes(trace, layout)
     draw_push(sketch)
     digits = describe.digits(trace).gap
@@ -571,7 +592,7 @@ def draw_raw_pushes(trace: Trace, layout: Layout) -> Sketch:
 
 
 def draw_true_pushes(trace: Trace, layout: Layout) -> Sketch:
-    """Draw both pushes with their true lengths, the shortest as the MTV."""
+    """Draw the push on each axis with its true length, the shortest as the MTV."""
     sketch = draw_moved_by_mtv(trace, layout)
     mtv = trace.truth.known_mtv or Vec(0.0, 0.0)
     for push in pushes_on_axes(trace):
@@ -584,9 +605,9 @@ def draw_true_pushes(trace: Trace, layout: Layout) -> Sketch:
 def _draw_push_on_axis(
     sketch: Sketch, push: PushOnAxis, role: str, pieces: tuple[tuple[str, str], ...], *, drawn: bool = False
 ) -> None:
-    """Draw a push as an arrow from the centroid of B, unless it is `drawn` already, and the words at its tip.
+    """Draw a push as an arrow of colour `role` from the centroid of B, unless it is `drawn` already.
 
-    `pieces`: the words, as pairs (text, role).
+    `pieces`: the words at its tip, as pairs (text, role).
     """
     start, near = centroid(sketch.trace.b), is_near(sketch.trace, push.move)
     tip, axis = point_along(start, push.move, 1.0) if near else start, sketch.axis_id(push.test)

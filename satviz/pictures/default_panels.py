@@ -1,4 +1,7 @@
-"""The two panels of most shortcuts: the tests that the answer comes from, and the proof of the truth."""
+"""The two panels of most shortcuts: the tests that the answer comes from, and the proof of the truth.
+
+A shortcut is a mistaken or cheaper collision test; its push is the move of B by which it would end an overlap.
+"""
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -79,7 +82,7 @@ class Panel(NamedTuple):
 
 
 def contents_of_claimed_tests(trace: Trace) -> PanelContents:
-    """Return both shapes, B where the shortcut pushes it, and the tests that its answer comes from."""
+    """Return what the panel of claimed tests needs: both shapes, B where the shortcut pushes it, `claimed_tests`."""
     push = trace.push if is_about_push(trace) else None
     return PanelContents(
         _shapes_with_moved_b(trace, push), [drawable_test(trace, test) for test in claimed_tests(trace)]
@@ -87,7 +90,7 @@ def contents_of_claimed_tests(trace: Trace) -> PanelContents:
 
 
 def draw_claimed_tests(trace: Trace, layout: Layout) -> Sketch:
-    """Draw the tests that the shortcut's answer comes from, what it left out, and its push."""
+    """Draw `claimed_tests`, what the shortcut left out, and its push."""
     sketch = PanelSketch(trace, layout)
     tests = claimed_tests(trace)
     if {test.source for test in trace.tests} == {axis.source for axis in world(trace.a, trace.b).axes} and not (
@@ -157,7 +160,7 @@ def forgotten_normals(trace: Trace) -> list[Axis]:
 
 
 def _draw_what_is_missing(sketch: Sketch, test: AxisTest) -> None:
-    """Draw the normals that a shortcut never tested, the corners that it never projected, and its circles."""
+    """Draw normals that a shortcut never tested, corners it never projected, and circles it takes the shapes for."""
     trace = sketch.trace
     left_out = forgotten_normals(trace) if trace.false_hit and trace.ended_by is None else []
     if left_out and not _draw_missing_edges(sketch, left_out):
@@ -216,7 +219,10 @@ def claimed_tests(trace: Trace) -> list[AxisTest]:
 
 
 def draw_push(sketch: Sketch) -> None:
-    """Draw B where the shortcut pushes it, if the shortcut's answer depends on this push."""
+    """Draw the shortcut's push as a named arrow with B at its end, if the shortcut's answer depends on this push.
+
+    Of a push too long for the picture, draw the name alone.
+    """
     trace = sketch.trace
     if not is_about_push(trace) or not trace.push:
         return
@@ -273,9 +279,9 @@ def draw_proof(trace: Trace, layout: Layout) -> Sketch:
 
 
 def true_test(trace: Trace) -> AxisTest | None:
-    """Return the exact test to show: that of the largest gap, or on a hit that on the axis that ended the run.
+    """Return the exact test to show: that of the largest gap, or for a hit that on the axis that ended the run.
 
-    None for concave outlines that no line separates.
+    The run is the shortcut's.  None for concave outlines that no line separates.
     """
     run = true_run(trace)
     if run.pairs:

@@ -29,7 +29,7 @@ def dial(a: Shape, b: Shape, degree: float) -> Picture:
 
 
 def dial_marks(points: Sequence[tuple[float, float]], center: Vec, radius: float) -> list[Mark]:
-    """Return the rim of the dial and its sectors; `points`: the gap curve, (degree, gap) from 0 to 180 degrees."""
+    """Return the rim of the dial and the sectors with a gap; `points`: the gap curve, (degree, gap) from 0 to 180."""
     marks = [Mark("dial", "disc", "guide", (center,), radius=radius, weight="faint")]
     for number, run in enumerate(_sectors(points)):
         for half in (0, 1):

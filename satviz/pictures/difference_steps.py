@@ -88,7 +88,7 @@ def _scene(truth: Trace) -> _Scene:
 
 
 def _against_origin(test: AxisTest, ring: Sequence[Vec]) -> AxisTest:
-    """Return the test of the origin against B - A on the axis of a test of A against B; the gap is the same."""
+    """Return a test of A against B as one of the origin against B - A (`ring`) on the same axis, with the same gap."""
     n, (a, b) = test.axis.direction, (test.a.interval, test.b.interval)
     along = [p.x * n.x + p.y * n.y for p in ring]
     ends = ring[along.index(min(along))], ring[along.index(max(along))]
@@ -124,7 +124,7 @@ def _rim(shape: Shape, degrees: float, start: Vec = ORIGIN) -> list[Vec]:
 
 
 def _turning(sketch: Sketch, scene: _Scene, name: str, degrees: float, start: Vec = ORIGIN) -> None:
-    """Draw A with a name, turned counter-clockwise about the origin and then moved by `start`."""
+    """Draw A, labelled `name`, turned counter-clockwise about the origin and then moved by `start`."""
     ring = _rim(scene.run.a, degrees, start)
     sketch.add("turned", "outline", "A", *ring, owner="A", start=tuple(_rim(scene.run.a, 0)))
     sketch.label("turned-name", name, "A", mean_point(ring), owner="A", inside=True, weight="title", first=1)

@@ -43,7 +43,10 @@ def canvas_size(width: float | None) -> tuple[float, float]:
 
 
 def drag_layout(trace: Trace, largest: tuple[float, float] = LARGEST_PT) -> Layout:
-    """Return a layout with space to drag the shapes in; ValueError for shapes that cannot be drawn."""
+    """Return a layout on a canvas of size `largest` (points), with space to drag the shapes in.
+
+    ValueError for shapes that cannot be drawn.
+    """
     arrange([PanelContents([trace.a, trace.b])])
     x0, y0, x1, y1 = bounding_box([trace.a, trace.b])
     ends = zip(largest, SHAPES_PART, (x0, y0), (x1, y1), strict=True)
@@ -189,7 +192,7 @@ def free_axis_picture(
 
 
 def knob_position(layout: Layout, place: AxisPlace, degree: float) -> Vec:
-    """Return the place of a free axis's handle: at the end that points along `degree`, inside the canvas."""
+    """Return the point (scene units) of a free axis's handle: the end that points along `degree`, inside the canvas."""
     x0, y0, x1, y1 = layout.limits
     rim = layout.units(KNOB_RIM_PT)
     n = unit_vector(degree)

@@ -44,9 +44,9 @@ def is_too_small(shape: Shape, scale: float) -> bool:
 
 
 def add_insets(layouts: Sequence[Layout], shapes: Sequence[tuple[str, Shape]]) -> list[Layout]:
-    """Return layouts of one size with a strip of insets, still of one size.
+    """Return layouts of one size with insets in a strip or in a free corner; they still have one size.
 
-    shapes: (name, shape) of A and of B.  Each shape, short edge of a thin shape (a needle), or gap that is too small
+    `shapes`: (name, shape) of A and of B.  Each shape, short edge of a thin shape (a needle), or gap that is too small
     to be seen has an inset.
     """
     found = [_details(layout, shapes) for layout in layouts]
@@ -62,7 +62,7 @@ def add_insets(layouts: Sequence[Layout], shapes: Sequence[tuple[str, Shape]]) -
 
 
 def _free_corner(layouts: Sequence[Layout], shapes: Sequence[Shape]) -> tuple[float, float] | None:
-    """Return (x, y) of the upper left corner of an inset's box, in scene units, in a free corner of the canvas.
+    """Return the upper left corner (scene units) of a box for an inset, in a corner clear of shapes and axes.
 
     The lower corners come first; None if no corner is free.
     """

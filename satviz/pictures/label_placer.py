@@ -1,7 +1,7 @@
 """The search for the place of one label: the nearest spot that is clear of lines, dots, other labels and the rim.
 
 Every spot has a cost, without unit.  A label takes the cheapest spot.  Coordinates here are points from the lower
-left corner of the canvas; requests and marks are in scene units.
+left corner of the canvas; requests and marks are in scene units.  A pose is one picture of a drag.
 """
 
 from bisect import bisect_left
@@ -127,7 +127,7 @@ class LabelMemory:
 class LabelPlacer:
     """Places labels one by one, each on the cheapest spot given the marks and labels noted so far.
 
-    `kept`: labels of other steps, which keep their spots; `memory`: see `with_labels`.
+    `kept`: labels of other steps, which keep their spots; `memory`: how the labels stood in the last picture of a drag.
     """
 
     def __init__(self, layout: Layout, kept: Sequence[Mark] = (), memory: LabelMemory | None = None) -> None:
@@ -162,16 +162,16 @@ class LabelPlacer:
                 self.walls.append((self._in_points(points[0]), self._in_points(points[1])))
 
     def add_stroke(self, p: Vec, q: Vec, cost: float) -> None:
-        """Record a line from p to q, and what it costs a label to cover it."""
+        """Record a line from p to q (scene units), and what it costs a label to cover it."""
         self.strokes.append((*self._in_points(p), *self._in_points(q), cost))
 
     def _add_box(self, p: Vec, w: float, h: float) -> None:
-        """Record a box to avoid: w points to either side of p, h points above and below it."""
+        """Record a box to avoid: w points to either side of p (scene units), h points above and below it."""
         x, y = self._in_points(p)
         self.boxes.append((x - w, y - h, x + w, y + h))
 
     def kept_spot(self, request: LabelRequest) -> Vec | None:
-        """Return the spot of the same label in another step; None if no step has it or that spot is not free."""
+        """Return where the same label stands in another step (scene units); None if in no step, or not free now."""
         for label in self.kept:
             if (label.part, label.owner, label.axis, label.number, label.text) == (*request.key, request.text):
                 (x, y), (w, h) = self._in_points(label.points[0]), text_size(label.text, label.weight)
@@ -219,7 +219,10 @@ class LabelPlacer:
         return found
 
     def with_text_as_kept(self, request: LabelRequest) -> LabelRequest:
-        """Return the request with that of its two texts which its label has in another step; else with both."""
+        """Return the request with one text: the one that its label has in another step, or in a drag the shorter.
+
+        If no other step has the label, the request keeps its `longer` text, for `lengthen`.
+        """
         if not request.longer or self.memory is not None:
             return request._replace(longer="")
         long = request._replace(text=request.longer, longer="")
@@ -228,7 +231,7 @@ class LabelPlacer:
         return request._replace(longer="") if self.kept_spot(request) else request
 
     def lengthen(self, labels: Sequence[Mark], requests: Sequence[LabelRequest]) -> list[Mark]:
-        """Return the labels with their longer texts where these cover nothing and need no line to their anchors.
+        """Return the labels, each with its request's `longer` text if that covers nothing and needs no line.
 
         The labels of one axis are all lengthened, or none of them.
         """
@@ -252,7 +255,10 @@ class LabelPlacer:
         return marks
 
     def _pieces(self, request: LabelRequest, at: Vec) -> Iterator[Mark]:
-        """Yield a label for each piece of a text; its lines begin at one x, and together they are centered at `at`."""
+        """Yield a label for each piece of a text; its lines begin at one x, and together they are centered at `at`.
+
+        Here and in the next methods `at` is a label's center, in scene units.
+        """
         width, height = map(self.layout.units, text_size(request.text))
         high = height / (request.text.count("\n") + 1)
         left, x, y = at.x - width / 2, at.x - width / 2, at.y + (height - high) / 2
@@ -279,7 +285,7 @@ class LabelPlacer:
         return Vec(a.x + (at.x - a.x) * part[0], a.y + (at.y - a.y) * part[0])
 
     def _nearest_on_label(self, request: LabelRequest, at: Vec) -> Vec:
-        """Return the point of the label's box nearest to the anchor, where a line toward its center is in the way."""
+        """Return the point of the label's box nearest to the anchor."""
         w, h = (self.layout.units(c / 2 + 1) for c in text_size(request.text, request.weight))
         a = request.anchor
         return Vec(min(max(a.x, at.x - w), at.x + w), min(max(a.y, at.y - h), at.y + h))
@@ -291,7 +297,7 @@ class LabelPlacer:
         return any(clip_segment(*line, *box) and not _is_dot(box) for box in self.boxes[:-1])
 
     def _keep(self, request: LabelRequest) -> Vec | None:
-        """Return the spot of the same label in another step, and take that place; None if it is not free."""
+        """Return the spot from `kept_spot`, and reserve it; None if there is none."""
         at = self.kept_spot(request)
         if at is not None:
             w, h = text_size(request.text, request.weight)
@@ -299,7 +305,7 @@ class LabelPlacer:
         return at
 
     def _place(self, request: LabelRequest) -> tuple[LabelRequest, Vec | None]:
-        """Return the request, perhaps broken into lines, and its label's center (None if left out)."""
+        """Return the request, perhaps broken into lines, and its label's center in scene units (None: left out)."""
         target = self._in_points(request.target or request.anchor)
         last = self.memory.spots.get(request.key) if self.memory else None
         if self.memory is None or last is None:
@@ -320,7 +326,7 @@ class LabelPlacer:
         return request, self._take(request, spot, cost)
 
     def _place_freely(self, request: LabelRequest, target: Spot) -> tuple[LabelRequest, Vec | None]:
-        """Return the request and its label's center, wherever its label stood before (None if left out).
+        """Return the same as `_place`, without regard to where the label stood before; `target`: in points.
 
         A label that must be shown is broken into 2 or 3 lines where it would cover something in one; a title also
         where a line would run through it.
@@ -369,7 +375,7 @@ class LabelPlacer:
         return found, best
 
     def _cost_of_distance(self, request: LabelRequest, spot: Spot, w: float, h: float) -> float:
-        """Return the cost of a spot for a label 2w by 2h without what it covers: its distance from the anchors."""
+        """Return the cost of a spot for a label 2w by 2h: its distance from the anchors, without what it covers."""
         (x, y), cost = spot, float("inf")
         for rank, anchor in enumerate((request.anchor, *request.along)):
             ax, ay = self._in_points(anchor)

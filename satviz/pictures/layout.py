@@ -140,9 +140,9 @@ def arrange_readable(
     one_frame: bool = True,
     tight: bool = False,
 ) -> list[Layout]:
-    """Return the layouts of `arrange`, with its options.
+    """Return the layouts of `arrange`, with its options; if that leaves `shapes` small on a narrow canvas, brief ones.
 
-    On a narrow canvas that makes the shapes small, the ranges have no numbers.
+    In a brief layout the ranges have no numbers.
     """
     found = arrange(panels, largest=largest, one_frame=one_frame, tight=tight)
     x0, y0, x1, y1 = bounding_box(shapes)
@@ -154,7 +154,7 @@ def arrange_readable(
 
 
 def range_label(name: str, text: str) -> str:
-    """Return the label of a shape's range, its name and numbers, in two lines if it is long."""
+    """Return the label of a shape's range: its name and `text`, the range's numbers, in two lines if it is long."""
     label = f"{name} {text}"
     return label.replace(" + [", " +\n[") if len(label) > MAX_LINE_LETTERS else label
 

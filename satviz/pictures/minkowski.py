@@ -62,14 +62,14 @@ def difference(
 
 
 def _foot_on_axis(best: AxisTest, found: Sequence[Sequence[Vec]]) -> Vec:
-    """Return the point where B - A's range on the best axis begins, `best.gap` from the origin."""
+    """Return the point where the range of B - A (its rings `found`) on the best axis begins, `best.gap` from 0."""
     n = best.axis.direction
     far = min((p for ring in found for p in ring), key=lambda p: abs(p.x * n.x + p.y * n.y))
     return point_along(Vec(0.0, 0.0), n, best.gap if far.x * n.x + far.y * n.y > 0 else -best.gap)
 
 
 def _draw_proof(sketch: Sketch, run: Trace, best: AxisTest | None, foot: Vec) -> str:
-    """Draw the gap between the origin and B - A, or the MTV; return a phrase about it, "" if neither."""
+    """Draw the gap from the origin to `foot` on the axis of `best`, or the MTV; return a phrase about it, else ""."""
     origin = Vec(0.0, 0.0)
     if run.relation is Relation.OVERLAPPING:
         move = run.known_mtv

@@ -51,7 +51,10 @@ def in_between(before: Picture, after: Picture, part: float) -> Picture:
 
 
 def _on_its_way(mark: Mark, old: Mark | None, part: float) -> Mark | None:
-    """Return a mark on its way to its points; None for a new one that only appears, which comes with its step."""
+    """Return the mark with its points moved the share `part` of the way from `old` (None: from its `start`).
+
+    None for a new mark that does not move: it is drawn only in its step.
+    """
     start = old.points if old else mark.start
     if len(start) == 1 and not old:
         start *= len(mark.points)

@@ -99,7 +99,10 @@ def _log10(value: float) -> float:
 
 
 def _ticks(start: float, scale: float, width: float, digits: Digits) -> Iterator[Mark]:
-    """Yield ticks at round numbers, with these numbers below them where they have space."""
+    """Yield ticks at round numbers, with these numbers below them where they have space.
+
+    `start` and `scale`: those of `_window`; `width`: of the canvas, in points.
+    """
     plain = digits._replace(padded=False)
     for step in round_steps(MIN_TICK_DISTANCE_PT / scale):
         first, last = ceil((start + RIM_PT / scale) / step), floor((start + (width - RIM_PT) / scale) / step)

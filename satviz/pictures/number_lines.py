@@ -21,9 +21,9 @@ MIN_FIGURES = 6  # digits of a tick's number, at least
 
 
 def number_lines(trace: Trace, *, filled: bool) -> Picture:
-    """Return a number line for each axis of the run over every axis, at most 12; `filled` draws ranges and gaps.
+    """Return one picture of a number line for each axis, also those not tested; `filled` draws ranges and gaps.
 
-    All lines have one scale, and it says nothing about which axes separate.
+    It has at most 12 lines, all on one scale, which says nothing about which axes separate.
     """
     rows = all_rows(trace)[:MAX_ROWS]
     ends = [covered_range(row.test) for row in rows]
@@ -78,7 +78,7 @@ def _ranges(row: Row, number: int, y: float, start: float, scale: float) -> list
     """
 
     def bar(part: str, role: str, lo: float, hi: float, level: float, owner: str = "") -> Mark:
-        """Return a bar from one coordinate to another."""
+        """Return a bar from one coordinate on the axis to another, at the height `level`."""
         points = Vec(MARGIN_PT + (lo - start) * scale, level), Vec(MARGIN_PT + (hi - start) * scale, level)
         return Mark(part, "interval", role, points, owner=owner, number=number)
 

@@ -29,7 +29,7 @@ def outlines_picture(name: str, ring: Sequence[Vec], crossing: Vec | None, meant
     left = (WIDTH_PT - wide * scale) / 2
 
     def spot(p: Vec) -> Vec:
-        """Return a point on the canvas."""
+        """Return the point on the canvas, in points, that shows p."""
         return Vec(left + (p.x - min(xs)) * scale, RIM_PT + (p.y - min(ys)) * scale)
 
     role = name if name in ("A", "B") else "ink"

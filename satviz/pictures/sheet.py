@@ -76,7 +76,7 @@ def sheet(what: SceneLike | Shape, b: Shape | None = None, *, title: str = "") -
 
 
 def all_rows(trace: Trace) -> list[Row]:
-    """Return a row for each test of the run over every axis."""
+    """Return a row for each axis that the run without early exit tests, of all pairs of convex parts."""
     whole = trace.without_early_exit()
     found = []
     for n, run in enumerate(whole.pairs or (whole,)):
@@ -86,7 +86,7 @@ def all_rows(trace: Trace) -> list[Row]:
 
 
 def _legend(trace: Trace) -> list[tuple[str, str, float]]:
-    """Return each shape's legend as (role, text, x at which it begins): whose bar is above, whose below."""
+    """Return each shape's legend as (role, text, x at which it begins), such as "A above," and "B below"."""
     above, below = f"{trace.names.a} above,", f"{trace.names.b} below"
     return [("A", above, BARS_LEFT_PT), ("B", below, BARS_LEFT_PT + 4 + text_size(above)[0])]
 
@@ -144,7 +144,10 @@ def _row_marks(
     scale: float,
     zero: float | None,
 ) -> list[Mark]:
-    """Return the marks of one row; `top`: the y of its upper end; `scale` and `zero`: those of `_scale_and_zero`."""
+    """Return the marks of row `number` (from 1); `top`: the y of its upper end; `words`: from `_outcome_lines`.
+
+    `scale` and `zero`: those of `_scale_and_zero`.
+    """
     run, _, test, made = row
     weight, ink = ("plain", "ink") if made else ("faint", "guide")
     y = top - 34
@@ -162,7 +165,7 @@ def _row_marks(
         marks.append(Mark("zero", "segment", "ink", tick, number=number, weight=weight))
 
     def bar(part: str, role: str, start: float, stop: float, level: float, owner: str = "") -> None:
-        """Add a bar from one coordinate to another; a shape's range that is too short to be seen gets a dot too."""
+        """Add a bar at height `level` from one coordinate to another; with an owner, a very short one gets a dot."""
         points = Vec(x_at(start), level), Vec(x_at(stop), level)
         marks.append(Mark(part, "interval", role, points, owner=owner, number=number, weight=weight))
         if owner and points[1].x - points[0].x < MIN_BAR_PT:
@@ -259,7 +262,7 @@ def _thumbnail_marks(row: Row, number: int, middle: float, weight: str) -> list[
 
 
 def text_from(part: str, text: str, role: str, left: float, y: float, number: int | None = None) -> Mark:
-    """Return a one-line label that begins at x = `left`."""
+    """Return a one-line label that begins at x = `left`, its middle at height `y`."""
     return Mark(part, "label", role, (Vec(left + text_size(text)[0] / 2, y),), number=number, text=text)
 
 

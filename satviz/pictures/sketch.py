@@ -1,6 +1,7 @@
 """A sketch of a test: the edge or line its axis comes from, the normal, the axis, drops, ranges, the gap.
 
-Every number comes from the trace.
+Every number comes from the trace.  A landing is a point's coordinate on an axis, and a drop is the dotted line from the
+point to its landing.  A role is "A" or "B", the shape that a mark belongs to, or another colour of the theme.
 """
 
 from collections.abc import Sequence
@@ -85,7 +86,7 @@ class Sketch(ShapeSketch):
         return p, q
 
     def normal_arrow(self, test: AxisTest) -> Segment | None:
-        """Return tail and tip of the axis's direction at its edge or line; None if it comes from neither."""
+        """Return (tail, tip) of an arrow along the axis, on its edge or line; None if the axis comes from neither."""
         kind, role, ids = test.source
         length = self.layout.units(NORMAL_PT)
         if kind in FROM_EDGES:
@@ -100,7 +101,7 @@ class Sketch(ShapeSketch):
         return start, point_along(start, self.arrow_direction(test.axis), length)
 
     def upcoming_normals(self) -> list[Segment]:
-        """Return the arrow (tail, tip) of each test's normal, drawn already or not."""
+        """Return the arrow (tail, tip) of each test's normal and of each grey one, drawn already or not."""
         arrows = [arrow for arrow in map(self.normal_arrow, self.trace.tests) if arrow]
         return [*arrows, *(self.small_normal_arrow(axis, GREY_NORMAL) for axis in self.grey_normals())]
 
@@ -110,7 +111,7 @@ class Sketch(ShapeSketch):
         return n if describe.points_outward(self.trace, axis) else Vec(-n.x, -n.y)
 
     def normal(self, test: AxisTest, *, named: bool = False) -> None:
-        """Draw the axis's direction as an arrow at its edge or line; `named` labels it as a vector."""
+        """Draw `normal_arrow`, if there is one; `named` labels it as a vector."""
         arrow = self.normal_arrow(test)
         if arrow is None:
             return
@@ -144,7 +145,7 @@ class Sketch(ShapeSketch):
             self.right_angle(foot, Vec(away.x / length, away.y / length), axis=self.axis_id(test))
 
     def no_axis(self, test: AxisTest) -> None:
-        """Draw the single point of an edge of length 0, and say that it gives no axis."""
+        """Draw a ring round the single point of an edge of length 0, and say that it gives no axis."""
         role = test.source.shape or "A"
         self.vertices(role, test.source.ids[:1])
         name, polygon = self.named_polygon(role)
@@ -223,7 +224,7 @@ class Sketch(ShapeSketch):
         self.right_angle(foot, Vec(-place.out.x, -place.out.y), owner="line")
 
     def ticks(self, test: AxisTest, place: AxisPlace) -> None:
-        """Draw ticks on an axis at whole steps, with their numbers."""
+        """Draw ticks on an axis at multiples of a round step, with their numbers; none at 0."""
         longest = self.layout.units(MIN_TICK_PT)
         step = next(s * 10.0**k for k in range(-300, 300) for s in (1, 2, 5) if s * 10.0**k >= longest)
         half = self.layout.units(ZERO_TICK_PT) * 0.7
@@ -236,7 +237,7 @@ class Sketch(ShapeSketch):
                 self.label("tick-name", number_format.number(k * step), "ink", spot, first=7, **options)
 
     def slide(self, test: AxisTest, place: AxisPlace) -> None:
-        """Draw how the normal is moved clear of the shapes; say that either direction will do if it is reversed."""
+        """Draw a line from the normal's tail to the axis; if the axis points the other way, say that either will do."""
         arrow = self.normal_arrow(test)
         if arrow is None:
             return
@@ -284,7 +285,7 @@ class Sketch(ShapeSketch):
             self.label(part, text, role, place.at(end), owner=name, axis=axis, prefer=prefer)
 
     def sum_behind_landing(self, test: AxisTest, place: AxisPlace, role: str) -> None:
-        """Write the highest landing of a role as its dot product, with numbers in the colours of point and axis."""
+        """Write the dot product of a shape's highest landing, with numbers in the colours of point and axis."""
         side = test.a if role == "A" else test.b
         i = max(range(len(side.landings)), key=lambda k: side.landings[k])
         colours = {AXIS: "ink", POINT: role, PLAIN: "guide"}
@@ -312,7 +313,7 @@ class Sketch(ShapeSketch):
         return ", ".join(names if len(names) < 4 else [*names[:2], f"{len(names) - 2} more"])
 
     def extreme_point_indices(self, side: Projection, place: AxisPlace) -> list[int]:
-        """Return the indices of a lowest and a highest projected point; of ties those nearest the axis."""
+        """Return the rising indices of a lowest and a highest projected point; of ties those nearest the axis."""
 
         def coordinate_out(i: int) -> float:
             """Return the coordinate of point i in the direction from the shapes to the axis."""
@@ -356,7 +357,8 @@ class Sketch(ShapeSketch):
     ) -> None:
         """Draw a gap as an open bracket or an overlap as a bar; `named` adds the insets and a label.
 
-        The label has the size, the ends if `interval`, the name `on` of the axis if it is given, and a remark.
+        The label has the size, the ends of gap or overlap if `interval`, and, unless "", the axis's name `on` and a
+        remark.
         """
         ends = points = tuple(place.at(t) for t in gap_or_overlap(test))
         role, kind, weight = "overlap", "interval", "plain"
@@ -398,7 +400,7 @@ class Sketch(ShapeSketch):
     ) -> None:
         """Draw a finished test: the axis (`named`), `drops` of the extreme points, both ranges, the gap or overlap.
 
-        `numbers` belongs to the ranges; `interval`, `remark` and `on` are those of `gap`.
+        `numbers`: the labels of ranges and gap give their ends; `interval`, `remark` and `on` are those of `gap`.
         """
         self.axis(test, place, named=named)
         for role in "AB":
@@ -412,7 +414,7 @@ class Sketch(ShapeSketch):
         return [s.axis for s in self.trace.skipped if s.why == EARLY_EXIT]
 
     def grey_normals(self) -> list[Axis]:
-        """Return those of the axes left out that are drawn in grey, as normals of edges."""
+        """Return those axes of `axes_left_out` that are drawn as grey normals of their edges; none of too many."""
         left = self.axes_left_out()
         edges = (axis for axis in left if axis.source.kind in (EDGE, HULL))
         drawn = [axis for axis in edges if not self.is_crowded(self.named_shape(axis.source.shape)[1])]

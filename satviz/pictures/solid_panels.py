@@ -27,9 +27,9 @@ EYE: Vec3 = (1.0, -2.0, 1.4)  # towards the reader
 
 
 def solid_panel(*, actual: bool) -> Panel:
-    """Return the panel of both boxes with their best face normal, or with `actual` the axis that separates them.
+    """Return a panel of the boxes of `threed.PAIR` with their best face normal, or, if `actual`, a separating axis.
 
-    Other shapes than the plans of these boxes are drawn as flat shapes.
+    The trace tests the boxes' plans, seen from above.  A trace of other shapes is drawn as flat shapes.
     """
     flat = Panel(needs_proof, draw_proof) if actual else Panel(contents_of_claimed_tests, draw_claimed_tests)
 
@@ -86,7 +86,10 @@ def _are_plans(trace: Trace) -> bool:
 
 
 def _draw_crossing_edges(sketch: Sketch, best: AxisGap, at: Callable[[Vec3], Vec]) -> None:
-    """Draw the two edges that face each other, and their cross product as the axis."""
+    """Draw the axis `best`, the cross product of an edge of each box, both edges, and the gap in words.
+
+    `at` gives the point of the panel for a point in space.
+    """
     a, b = PAIR
     i, j = int(best.name[1]) - 1, int(best.name[-1]) - 1
     n = cross(a.axes[i], b.axes[j])
@@ -108,7 +111,7 @@ def _draw_crossing_edges(sketch: Sketch, best: AxisGap, at: Callable[[Vec3], Vec
 def _draw_axis(
     sketch: Sketch, at: Callable[[Vec3], Vec], start: Sequence[float], n: Vec3, text: str, role: str
 ) -> None:
-    """Draw a direction in space as an arrow from a point, with words at its tip."""
+    """Draw the direction n in space as an arrow from the point `start`, with `text` at its tip; `at`: as above."""
     length = 1.6 / sqrt(dot(n, n))
     tip = tuple(s + c * length for s, c in zip(start, n, strict=True))
     p, q = at(tuple(start)), at(tip)  # type: ignore[arg-type]
@@ -117,7 +120,7 @@ def _draw_axis(
 
 
 def _draw_plan(sketch: Sketch, wide: float, high: float) -> None:
-    """Draw small, in the right lower corner, both boxes seen from above."""
+    """Draw both boxes, small and seen from above, in the right lower corner of a panel `wide` by `high` points."""
     rings = [seen_from_above(box) for box in PAIR]
     spots = [p for ring in rings for p in ring]
     x0, x1, y0, y1 = (f(p[i] for p in spots) for i in (0, 1) for f in (min, max))

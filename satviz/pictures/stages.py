@@ -62,9 +62,9 @@ def steps_of(trace: Trace) -> list[Step]:
 
 
 def step_range(trace: Trace, given: tuple[int, int] | None) -> tuple[int, int]:
-    """Return the numbers of the first and the last step, from 0, of the given two; None means all steps.
+    """Return `given`, the numbers of a first and a last step, with negative ones counted from the end.
 
-    A negative number counts from the end.  InvalidScene for a step that the run does not have.
+    Both are inclusive and count from 0; None means all steps.  InvalidScene if the run has no such last step.
     """
     count = len(steps_of(trace))
     first, last = (step % count if step < 0 else step for step in given or (0, -1))
@@ -79,7 +79,10 @@ def _stages_of_test(trace: Trace, test: int) -> Sequence[Stage]:
 
 
 def resolve_step(trace: Trace, step: int | Step) -> Step:
-    """Return the Step meant by a number in `steps(trace)` or by a Step; IndexError if there is none."""
+    """Return a step of the trace, given as a Step or as its number in `steps(trace)` (negative: from the end).
+
+    IndexError for a step that the trace does not have.
+    """
     every = steps_of(trace)
     if not isinstance(step, Step):
         if not isinstance(step, SupportsIndex):
@@ -93,7 +96,7 @@ def resolve_step(trace: Trace, step: int | Step) -> Step:
 
 
 def first_dropped_role(trace: Trace, test: int) -> str:
-    """Return the role whose points are dropped first: the owner of the axis's edge, else "A"."""
+    """Return the role ("A" or "B") whose points are projected first: the owner of the axis's edge, else "A"."""
     return trace.tests[test].source.shape or "A"
 
 

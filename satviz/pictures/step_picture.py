@@ -73,7 +73,7 @@ def step_layouts(trace: Trace, largest: tuple[float, float] = LARGEST_PT, by_the
 
 
 def _layout_number(trace: Trace, step: Step) -> int:
-    """Return the number of a step's layout in `step_layouts`."""
+    """Return the index of a step's layout in the list from `step_layouts`; -1 for the verdict, which is the last."""
     if step.stage in STAGES_BEFORE_AXIS:
         return 0
     if step.test is None:

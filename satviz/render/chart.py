@@ -128,7 +128,7 @@ def share_of(fig: Figure, x: float, y: float) -> tuple[float, float]:
 
 
 def add_text(fig: Figure, x: float, y: float, words: str, **style: Any) -> None:
-    """Write words at a place in points from the lower left corner."""
+    """Write words at (x, y), in points from the figure's lower left corner; `style`: options of `Figure.text`."""
     fig.text(*share_of(fig, x, y), words, **{"fontsize": TEXT_POINTS, "parse_math": False, **style})
 
 
@@ -154,9 +154,9 @@ PointsBox = tuple[float, float, float, float]  # x0, y0, x1, y1 in points
 def label_points(
     ax: Axes, points: Sequence[tuple[float, float, str, str]], theme: Theme, taken: Sequence[tuple[float, float]] = ()
 ) -> None:
-    """Write a label for each (x, y, text, colour) near its point, clear of other labels and points.
+    """Write a label for each (x, y, text, colour) near its point (in data units), clear of other labels and points.
 
-    `taken`: more (x, y) points that no label may cover.
+    `taken`: more points (x, y), in data units, that no label should cover.
     """
     scale = 72 / ax.figure.dpi
     left, bottom, right, top = (float(edge) * scale for edge in ax.get_window_extent().extents)
@@ -186,7 +186,7 @@ def label_points(
     sizes = [(w, h) for _, w, h in notes]
 
     def place(order: Iterable[int]) -> tuple[float, dict[int, PointsBox]]:
-        """Place the labels in this order, each at its best offset; return the sum of their costs and the boxes."""
+        """Place the labels with these indices in this order, each at its best offset; return (sum of costs, boxes)."""
         total, placed = 0.0, dict[int, PointsBox]()
         for k in order:
             x, y = spots[k]
@@ -219,7 +219,8 @@ def _label_cost(
 ) -> float:
     """Return the cost of a place for a label, without unit: for covered area, crossings, overhang and distance.
 
-    `others`: the boxes of other labels and dots; `lines`: (x0, y0, x1, y1) from other labels to their dots.
+    `box`: the label's; `spot`: its point, with the box `dot` around it; `others`: the boxes of other labels and dots;
+    `lines`: (x0, y0, x1, y1) from other labels to their dots; `rim`: the box of the axes.  All are in points.
     """
     middle = _middle_of(box)
     covered = sum(_shared_area(box, other) for other in (*others, dot))

@@ -56,7 +56,7 @@ def canvas(size: tuple[float, float], theme: Theme = LIGHT) -> tuple[Figure, Pen
 def styled(more: "dict[RcKeyType, Any] | None" = None) -> Iterator[None]:
     """Give matplotlib the settings of satviz's files for a with block, and restore the old ones after it.
 
-    matplotlib has one set of settings for the whole process, so only one thread at a time is inside.
+    `more`: further settings.  matplotlib has one set for the whole process, so only one thread at a time is inside.
     """
     with _LOCK, matplotlib.rc_context({**_STYLE, **(more or {})}), warnings.catch_warnings():
         # `families` has warned of missing letters already, by name

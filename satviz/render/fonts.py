@@ -13,7 +13,10 @@ OWN_FAMILY = "DejaVu Sans"
 
 
 def families(texts: Iterable[str], form: str) -> list[str]:
-    """Return fonts of this machine that have the letters of the texts; warn of letters missing in the format `form`."""
+    """Return DejaVu Sans and this machine's fonts for letters of the texts that it lacks.
+
+    Warn of letters that no font has, so that they are missing in the file format `form`.
+    """
     found, without = [OWN_FAMILY], ""
     for letter in sorted(set(letters.missing_letters("".join(texts)))):
         family = _family_with(letter)

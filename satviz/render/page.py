@@ -102,7 +102,7 @@ def _document(title: str, about: str, policy: str, body: Sequence[str]) -> str:
 
 
 def html_file(title: str, policy: str, head: Sequence[str], body: Sequence[str], about: str = "") -> str:
-    """Return an HTML file: `head` and `body` are the last lines of its head, and all lines of its body with the tags.
+    """Return an HTML file; `head`: the last lines of its head, `body`: all lines of its body with the body's tags.
 
     `policy` is the content security policy, and `about` the description for search engines, "" for none.
     """

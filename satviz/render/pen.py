@@ -111,7 +111,7 @@ class Pen:
 
 
 def _outline_path(mark: Mark, scale: float) -> Path:
-    """Return the path of a mark's line, which is also the rim of a filled mark."""
+    """Return the path of a mark's line, which is also the rim of a filled mark; `scale`: points in a scene unit."""
     points = mark.points
     if mark.kind == "disc":
         return Path.circle(points[0], mark.radius)
@@ -125,7 +125,7 @@ def _outline_path(mark: Mark, scale: float) -> Path:
 
 
 def _solid_path(mark: Mark, scale: float) -> Path:
-    """Return the path of a dot or of an arrow's head."""
+    """Return the path around a dot or an arrow's head; `scale`: points in a scene unit."""
     if mark.kind == "arrow":
         u, tip, length, half = _arrow_geometry(mark, scale)
         bx, by = tip.x - u.x * length, tip.y - u.y * length
@@ -137,7 +137,7 @@ def _solid_path(mark: Mark, scale: float) -> Path:
 
 
 def _arrow_geometry(mark: Mark, scale: float) -> tuple[Vec, Vec, float, float]:
-    """Return an arrow's direction, its tip, and the length and half width of its head in scene units."""
+    """Return (unit direction, tip, length of the head, half of its width) of an arrow, in scene units."""
     (tail, tip), (length, width) = mark.points, mark.style.head
     size = hypot(tip.x - tail.x, tip.y - tail.y) or 1.0
     u = Vec((tip.x - tail.x) / size, (tip.y - tail.y) / size)

@@ -94,7 +94,7 @@ def _steps(text: str | None) -> tuple[int, int] | None:
 
 
 def _one_of(key: str, text: str, choices: Iterable[str]) -> str:
-    """Return the text if it is one of the choices; otherwise InvalidScene lists them."""
+    """Return the value of the option `key` if it is one of the choices; otherwise InvalidScene lists them."""
     if text not in choices:
         raise InvalidScene(f"the link has {key}={short_repr(text)}: choose one of {', '.join(choices)}")
     return text

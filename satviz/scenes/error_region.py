@@ -16,7 +16,7 @@ MAX_PART_CORNERS = 300  # corners of A - B over all pairs of parts: each polygon
 def error_region(a: Shape, b: Shape, shortcut: Shortcut, window: Window) -> RegionOrReason:
     """Return the moves of B in the window (x0, y0, x1, y1) for which the shortcut's answer is wrong.
 
-    Return the reason instead, in words that follow a colon, where no area shows these moves.
+    Where no area shows these moves, return the reason instead: a text without a full stop, to follow a colon.
     """
     try:
         hits = hits_in_window(a, b, window)

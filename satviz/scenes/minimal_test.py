@@ -51,7 +51,7 @@ HARNESSES = (
 
 
 def _code(path: str) -> str:
-    """Return the code in a file of this package."""
+    """Return the text of the file `path`.txt of this package: a template, or the code of a harness."""
     return (files(__package__) / f"{path}.txt").read_text(encoding="utf-8")
 
 
@@ -73,7 +73,7 @@ def _points(shape: Shape, language: Language) -> str:
 
 
 def wkt(shape: Shape) -> str:
-    """Return a shape as WKT, closed as WKT wants it; a circle as the curve that SQL/MM has for it."""
+    """Return a polygon as a WKT POLYGON, its ring closed, or a circle as a CURVEPOLYGON of a CIRCULARSTRING."""
     if isinstance(shape, Circle):
         x, y, r = (Decimal(repr(value)) for value in (*shape.center, shape.radius))
         with localcontext(prec=800):  # the sums are exact, so that the same center and radius are read again
@@ -85,7 +85,7 @@ def wkt(shape: Shape) -> str:
 
 
 def _expected(scene: Scene, case: FailureCase | None) -> dict[str, Any]:
-    """Return a scene with its exact answer, and what the shortcut of a failing case claims."""
+    """Return as JSON values a scene with its exact answer, and for a failing case what its shortcut claims."""
     trace = scene.record()
     truth = trace.truth
     data: dict[str, Any] = {
@@ -102,7 +102,7 @@ def _expected(scene: Scene, case: FailureCase | None) -> dict[str, Any]:
 
 
 def _expected_refusal(case: FailureCase) -> dict[str, Any]:
-    """Return the raw outlines of a failing case that the engine refuses, with the reason."""
+    """Return as JSON values the raw outlines of a failing case that the engine refuses, with the reason."""
     data: dict[str, Any] = {"name": case.name, "title": case.claim}
     for key, outline in ("a", case.a), ("b", case.b):
         raw = [] if isinstance(outline, Shape) else [[float(x), float(y)] for x, y in outline]

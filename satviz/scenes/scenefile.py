@@ -40,6 +40,7 @@ class Scene:
     title: str = ""
 
     def __post_init__(self) -> None:
+        """Raise InvalidScene for a name, a title or axes that a scene must not have."""
         if not NAME.fullmatch(self.name) or len(self.name) > MAX_NAME_LETTERS:
             raise InvalidScene(
                 f"the name {short_repr(self.name)} must be lower-case words or digits, joined by hyphens, with "

@@ -1,4 +1,7 @@
-"""Trace files: a trace as JSON and back, with what was measured and what follows from it, which `load` checks."""
+"""Trace files: a trace as JSON and back, with what was measured and what follows from it, which `load` checks.
+
+The argument `where` names a field of the file in error lines, such as "trace.tests[0]".
+"""
 
 import json
 from dataclasses import replace
@@ -260,7 +263,7 @@ def _from_difference(one: str, other: str) -> tuple[str, str]:
 
 
 def _record_again(trace: Trace) -> Trace:
-    """Record the run of a trace anew from its shapes; return it, or InvalidScene for a false skip."""
+    """Record the run of a trace anew from its shapes, and return it; InvalidScene if its axes do not fit them."""
     try:
         return record(trace.a, trace.b, axes=trace.shortcut or trace.choice, every_axis=trace.every_axis)
     except InvalidScene:

@@ -135,7 +135,10 @@ class _FoldedText:
 
 
 def _add_prose(text: _FoldedText, markdown: Any, terms: TermLinker, source: str) -> None:
-    """Add a Markdown cell in the words of a page, without the notebook's fold: the page folds answers itself."""
+    """Add a notebook's Markdown cell `source` to `text`: as HTML, in the words of a page, with terms linked.
+
+    The notebook's own folds are left out, since the page folds answers itself.
+    """
     source = page_words(source)
     env: dict[str, Any] = {}
     tokens = markdown.parse(link_targets(source), env)
@@ -161,7 +164,7 @@ def _add_prose(text: _FoldedText, markdown: Any, terms: TermLinker, source: str)
 
 
 def _choices_html(markdown: Any, comment: str) -> str:
-    """Return the choices of a question as an HTML list; the reason of a choice is shown once it is chosen."""
+    """Return the choices in a notebook's comment as an HTML list; the reason of a choice is shown once it is chosen."""
     items = []
     for sign, choice, why in choices_of(comment):
         right = " data-right" if sign == "+" else ""
@@ -179,7 +182,7 @@ def _code(source: str, *, is_open: bool) -> str:
 
 
 def programs(chapter: Chapter) -> dict[str, tuple[str, str]]:
-    """Return the programs that a chapter opens on the page "Is yours right?": by its function, (heading, code).
+    """Return {function: (heading, code)} of the programs that a chapter opens on the page "Is yours right?".
 
     The code of a program is its function and all that it uses, as defined in the chapter up to there, and what its
     own cell imports.
@@ -221,7 +224,7 @@ def used_by(names: set[str], known: dict[str, set[str]]) -> list[str]:
 
 
 def _words(code: str) -> set[str]:
-    """Return the words of Python code that can be names."""
+    """Return the names that Python code uses."""
     return {node.id for node in ast.walk(ast.parse(code)) if isinstance(node, ast.Name)}
 
 
@@ -238,7 +241,10 @@ def _is_question_picture(output: dict[str, Any]) -> bool:
 
 
 def _output_html(output: dict[str, Any], narrow: Picture | None) -> str:
-    """Return a cell's stored output as HTML: its picture if it has one, else its text; `narrow`: for a telephone."""
+    """Return a cell's stored output as HTML: its picture if it has one, else its text.
+
+    `narrow`: the same picture drawn for a telephone, or None.
+    """
     if output["output_type"] == "stream":
         return f'<pre class="out" tabindex="0">{escape("".join(output["text"]))}</pre>'
     data = {kind: "".join(value) for kind, value in output.get("data", {}).items()}
@@ -317,7 +323,10 @@ class _WidgetFinder:
 
 
 def _slider_html(draw: Callable[[float], Any], least: float, most: float, begin: float) -> str:
-    """Return pictures of a notebook's slider from `least` to `most`; the page shows one at a time, `begin` first."""
+    """Return as HTML the pictures `draw(value)` of a notebook's slider for values from `least` to `most`.
+
+    The page shows one at a time, that of `begin` first.
+    """
     values = sorted({begin, *(least + (most - least) * i / (FRAMES - 1) for i in range(FRAMES))})
     frames = (_figure(draw(value)._repr_svg_(), "" if value == begin else " hidden") for value in values)
     return f'<div class="frames">{"".join(frames)}</div>'

@@ -21,7 +21,7 @@ SENTENCES = (
 
 
 def first_minute() -> str:
-    """Return the pictures as JSON in a script element, for the browser's pen; the last one has the largest gap."""
+    """Return the pictures of the turning axis as JSON in a script element; the last one has the largest gap."""
     every = sweep(scene("triangles"), step=STEP_DEGREES)[FROM_DEGREES // STEP_DEGREES :]
     marks = [[_turned_round(mark) for mark in drawn.marks if mark.part in SHOWN] for drawn in every]
     gaps = [_gap_size(shown) for shown in marks]
@@ -37,7 +37,7 @@ def first_minute() -> str:
 
 
 def _turned_round(mark: Mark) -> Mark:
-    """Return the mark, an axis with its arrow at the other end: so the last one points as in the scene to drag."""
+    """Return the mark; an axis gets its arrow at the other end, so that it points as in the scene to drag."""
     return mark._replace(points=mark.points[::-1]) if mark.part == "axis" else mark
 
 

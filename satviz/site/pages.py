@@ -293,7 +293,7 @@ def handout_pages(info: SiteInfo, chapter: Chapter) -> list[tuple[str, bytes]]:
 
 
 def _handout_path(chapter: Chapter, end: str = "") -> str:
-    """Return the path of the page with a chapter's handout."""
+    """Return the path of the page with a chapter's questions, or if `end` is "-solutions" with their solutions."""
     return f"handout-{chapter.title.split()[0]}{end}.html"
 
 

@@ -28,7 +28,7 @@ def explorer(model: ExplorerModel) -> str:
     """Return an explorer as HTML: the still scene, its sentence and its table, until Python has started.
 
     On a telephone the still scene has the layout of the live one: its letters can be read, and nothing below it jumps
-    when Python has started.
+    when Python has started.  Afterwards `model` is laid out for a telephone.
     """
     link, drawing = escape(fragment(model.scene)), model.picture()
     still = f'<div class="wide">{_still(model)}</div>'

@@ -50,7 +50,7 @@ def reference(*, in_site: bool = False) -> Iterator[tuple[str, bytes]]:
 
 @contextmanager
 def _scenes_as_function() -> Iterator[None]:
-    """Let pdoc see `satviz.scenes` as the function that a call of this package is."""
+    """Within a with block, let `satviz.scenes` be the public function, which pdoc documents, not the package."""
     face = vars(satviz)
     package = face["scenes"]
     face["scenes"] = named.scenes

@@ -1,4 +1,7 @@
-"""What both widgets share: the browser's code, files drawn by matplotlib, and the picture where no front end runs."""
+"""What both widgets share: the browser's code, files drawn by matplotlib, and the picture where no front end runs.
+
+The front end is the part of a widget that runs in the browser.
+"""
 
 import os
 from base64 import b64encode

@@ -1,4 +1,7 @@
-"""The explorer without its widget: each pose that a drag sends is answered with the picture that follows."""
+"""The explorer without its widget: each pose that a drag sends is answered with the picture that follows.
+
+A pose is the present place of both shapes with the options of the view; the front end is the browser's part.
+"""
 
 from dataclasses import replace
 from functools import partial
@@ -195,7 +198,7 @@ class ExplorerModel(PlayerModel):
         self._memory = LabelMemory()  # how the labels stood, so that they do not jump
 
     def _pose(self, content: dict[str, Any]) -> None:
-        """Apply a drag's message: both shapes, the view and the challenge, all checked first."""
+        """Apply a drag's message: both shapes, the view and the challenge; InvalidScene before anything is changed."""
         a, b = shape_from(content.get("a"), "A"), shape_from(content.get("b"), "B")
         degree, pinned = _number(content.get("degree"), "the angle"), content.get("pinned")
         largest = canvas_size(_number(content.get("width"), "the width"))
@@ -231,7 +234,7 @@ class ExplorerModel(PlayerModel):
         self._set_run(changed, trace, view, met)
 
     def _snapped(self, a: Shape, b: Shape, key: object, *, by_key: bool = False) -> tuple[Shape, Shape, str]:
-        """Return both shapes, and words; the shape named by `key` is moved to touch the other if that place is near.
+        """Return both shapes, and words; the one that `key` names ("a" or "b") is moved to touch the other if near.
 
         After an arrow key (`by_key`) a shape snaps only on its way to a touch; otherwise it could never leave it.
         """
@@ -335,7 +338,7 @@ def _number(value: Any, what: str) -> float | None:
 
 
 def _trace(shown: Scene) -> Trace:
-    """Return the trace of a scene over every axis, since the table shows them all; parallel normals have one row."""
+    """Return a scene's trace without early exit, since the table shows every axis; parallel normals share a row."""
     if shown.axes == EVERY_NORMAL and shown.a.is_convex and shown.b.is_convex:
         shown = replace(shown, axes=NEEDED)
     return shown.record().without_early_exit()

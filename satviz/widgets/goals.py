@@ -56,9 +56,9 @@ def evaluate_goal(goal: str, shown: Scene) -> ChallengeResult:
 
 
 def challenge_start(goal: str, shown: Scene) -> Scene:
-    """Return the scene with which a challenge begins: `shown`, unless it meets the goal already or cannot meet it.
+    """Return the scene with which a challenge begins: `shown`, or another if it meets the goal or cannot meet it.
 
-    InvalidScene where no such scene is found.
+    InvalidScene where no other scene is found, or for an unknown or unfit goal.
     """
     if not evaluate_goal(goal, shown).met and not (goal == ONE_AXIS and _has_concave_shape(shown)):
         return shown
@@ -86,7 +86,7 @@ def level(goal: str, start: Scene) -> int:
     """Return the level of a challenge, from 1 (easy) to 3.
 
     A shortcut is easy to break if it is wrong in a large part of the places near the start: at least a quarter of
-    them for level 1, a twentieth for level 2.  Of the other challenges the one with upright boxes is easy.
+    them for level 1, a twentieth for level 2.  Another goal has level 1 in the scene "aabb", else level 2.
     """
     if goal != BREAK:
         return 1 if start.name == "aabb" else 2
@@ -144,7 +144,7 @@ def _evaluate_touch(shown: Scene) -> tuple[bool, str]:
 
 
 def _evaluate_break(shown: Scene) -> tuple[bool, str]:
-    """Return whether the shortcut's answer is wrong, and a sentence that says so."""
+    """Return whether the shortcut's answer is wrong, and a sentence about that; InvalidScene without a shortcut."""
     trace = shown.record()
     if trace.shortcut is None:
         raise InvalidScene(f"the axes {shown.axes!r} are not a shortcut: this goal needs a shortcut that can fail")

@@ -17,9 +17,10 @@ MAX_DRAWN_CORNERS = 60  # corners of a refused outline that are drawn, at most
 
 
 def read_paste(content: dict[str, Any]) -> tuple[Scene | None, dict[str, Any]]:
-    """Return the scene of the pair that a message asks for, or None, and all that a page shows, as JSON values.
+    """Return (scene, reply): the scene of the pair that a message asks for, and all that a page shows as JSON values.
 
-    The function raises nothing: if nothing can be read in a text, the reply has the reason, `why`.
+    The scene is None if the text has no pair of shapes.  The function raises nothing: the reply to a text that
+    cannot be read has the reason, "why".
     """
     try:
         text = require_type(content.get("text"), "the text", str)
@@ -51,7 +52,7 @@ def read_paste(content: dict[str, Any]) -> tuple[Scene | None, dict[str, Any]]:
 
 
 def _drawn(pair: AnsweredPair) -> dict[str, Any] | None:
-    """Return the picture of a pair, which a page can save; None for coordinates that no canvas holds."""
+    """Return the picture of a pair as JSON values; None for coordinates that no canvas holds."""
     try:
         return picture(pair.trace, -1).data()
     except (ValueError, OverflowError):
@@ -59,7 +60,10 @@ def _drawn(pair: AnsweredPair) -> dict[str, Any] | None:
 
 
 def _refused(found: Pasted) -> dict[str, Any] | None:
-    """Return the picture of the outlines that cross themselves, with the crossing and the order that was meant."""
+    """Return as JSON values the picture of the first outline that is refused, with its crossing and the order meant.
+
+    None if no outline of at most 60 corners is refused, or no canvas holds it.
+    """
     bad = [r for r in found.readings if not r.shape and not r.read.is_circle and len(r.vertices) <= MAX_DRAWN_CORNERS]
     if not bad:
         return None

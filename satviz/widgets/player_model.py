@@ -30,11 +30,11 @@ class PlayerModel:
         return picture(self.trace)
 
     def answer(self, content: dict[str, Any]) -> dict[str, Any] | None:
-        """Return the answer to a message, or None for an unknown kind; a player answers no message."""
+        """Return the answer to a message of the front end; here always None, since only an explorer answers any."""
         return None
 
     def pictures_to_save(self, content: dict[str, Any], *, every_step: bool) -> list[Picture]:
-        """Return the pictures that a message asks to save: all with `every_step`, else one.
+        """Return the pictures that a message asks to save: all if `every_step`, else that of its "step".
 
         The list is empty for a step that the trace does not have.  ValueError for too many steps.
         """

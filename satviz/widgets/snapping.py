@@ -45,11 +45,11 @@ def snapped(moved: Shape, other: Shape, reach: float) -> Shape | None:
 def _moves(moved: Shape, other: Shape) -> Iterator[Vec]:
     """Yield translations of `moved` after which it may touch `other`."""
     for corner in _corners(moved):
-        for landing in _landings(other, corner):
-            yield Vec(landing.x - corner.x, landing.y - corner.y)
+        for spot in _touch_points(other, corner):
+            yield Vec(spot.x - corner.x, spot.y - corner.y)
     for corner in _corners(other):
-        for landing in _landings(moved, corner):
-            yield Vec(corner.x - landing.x, corner.y - landing.y)
+        for spot in _touch_points(moved, corner):
+            yield Vec(corner.x - spot.x, corner.y - spot.y)
     if isinstance(moved, Circle) or isinstance(other, Circle):
         yield from _moves_of_circles(moved, other)
 
@@ -59,8 +59,12 @@ def _corners(shape: Shape) -> tuple[Vec, ...]:
     return shape.corners if isinstance(shape, Polygon) else ()
 
 
-def _landings(shape: Shape, near: Vec) -> Iterator[Vec]:
-    """Yield points of a polygon's border that floats hold exactly: corners, and points of edges close to `near`."""
+def _touch_points(shape: Shape, near: Vec) -> Iterator[Vec]:
+    """Yield points where a corner at `near` may come to touch a polygon: its corners, and points of its edges.
+
+    Of an edge only points near `near` that floats hold exactly; of an upright edge the point of its line level with
+    `near`, which may lie beyond its ends.  A circle yields none.
+    """
     if not isinstance(shape, Polygon):
         return
     for p, q in pairwise((*shape.corners, shape.corners[0])):

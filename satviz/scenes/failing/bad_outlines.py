@@ -1,4 +1,7 @@
-"""Cases about outlines: no area, a repeated vertex, edges that cross, vertices or edges left out."""
+"""Cases about outlines: no area, a repeated vertex, edges that cross, vertices or edges left out.
+
+A function that returns a Choice chooses a shortcut's axes, and one of (a, b, axis) measures one of them.
+"""
 
 from collections.abc import Sequence
 from functools import partial
@@ -61,7 +64,10 @@ def largest_gap_unchecked(a: RawOutline, b: RawOutline) -> float:
 
 
 def least_turn(a: RawOutline, b: RawOutline) -> float:
-    """Return the smallest cross product of neighbouring edges of A, which the shortcut takes for convex if positive."""
+    """Return the smallest cross product of neighbouring edges of a, which the shortcut takes for convex if positive.
+
+    b is not used.
+    """
     edges = edge_vectors(a)
     return min(p.x * q.y - p.y * q.x for p, q in zip(edges, (*edges[1:], edges[0])))
 

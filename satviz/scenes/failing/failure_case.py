@@ -162,6 +162,7 @@ class FailureCase(NamedTuple):
         return claimed, actual
 
     def __str__(self) -> str:
+        """Return two lines: number, name and claim, then the way in which it fails and both answers."""
         claimed, actual = self.answers
         numbers = number_format.ascii_minus(f"{claimed}; right: {actual}")
         return f"{self.number:2} {self.name:21} {self.claim}\n   {self.how}: {numbers}"

@@ -2,7 +2,8 @@
 
 The distance from B's move to an edge of A - B is a linear function of that move, and the nearest edge changes along
 straight lines.  So in every cell between these lines the claimed number and the true number are one formula each.
-The two formulas are equal, or they differ everywhere but on a line or a curve, which has no area.
+The two formulas are equal, or they differ everywhere but on a line or a curve, which has no area.  A window is the
+upright box of moves for which the region is computed.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -127,7 +128,10 @@ def region_of_push_to_mean(a: Shape, b: Shape, window: Window) -> RegionOrReason
 
 
 def region_of_push_along_axis(a: Shape, b: Shape, window: Window) -> RegionOrReason:
-    """Return the moves where the MTV points left or down, so a push along its axis is wrong; or why none is shown."""
+    """Return the moves where the MTV points left or straight down, or why none is shown.
+
+    There a push in the direction of its axis, which points right or straight up, is wrong.
+    """
     if why := why_no_cells(a, b):
         return why
     return wrong_number_region(a, b, window, (ring for ring, _, n in _push_cells(a, b, window) if n < (0, 0)))

@@ -50,9 +50,10 @@ def _convex_distance(a: Shape, b: Shape) -> float:
 
 
 def separating_angles(a: Shape, b: Shape) -> tuple[float, float]:
-    """Return the range (lo, hi) of directions that separate two shapes apart, in degrees from the axis of largest gap.
+    """Return the range (lo, hi) of directions that separate two shapes, in degrees from the axis of the largest gap.
 
-    Each end is found by bisection, to a rounding; both are 0 where that axis does not separate.
+    The angles count counter-clockwise, so lo is not above 0.  Each end is found by bisection, to a rounding; both are
+    0 where that axis does not separate.
     """
     best = max(axis_tests(a, b), key=lambda test: test.gap).axis.direction
 

@@ -1,4 +1,8 @@
-"""Cases in which the gaps are right and the conclusion is not: a push, a distance, a moving shape, a wrong sign."""
+"""Cases in which the gaps are right and the conclusion is not: a push, a distance, a moving shape, a wrong sign.
+
+A push is the move of B by which a shortcut would end an overlap; `tests` are those of its run.  A window is the upright
+box of B's moves (x0, y0, x1, y1) for which an error region is computed.
+"""
 
 from collections.abc import Sequence
 from functools import partial
@@ -42,7 +46,7 @@ from .wrong_steps import only_x
 
 
 def push_from_center(a: Shape, b: Shape, tests: Sequence[AxisTest]) -> Vec:
-    """Return a push of B along the right axis by the depth, but directed from A's vertex mean to B's."""
+    """Return a push of B along the axis of the least overlap, by it, but directed from A's vertex mean to B's."""
     if not tests:
         return Vec(0.0, 0.0)
     test = max(tests, key=lambda test: test.gap)
@@ -52,7 +56,7 @@ def push_from_center(a: Shape, b: Shape, tests: Sequence[AxisTest]) -> Vec:
 
 
 def push_along_axis(a: Shape, b: Shape, tests: Sequence[AxisTest]) -> Vec:
-    """Return a push of B by the depth along the right axis, in the direction in which the axis points."""
+    """Return a push of B along the axis of the least overlap, by it, in the direction in which the axis points."""
     if not tests:
         return Vec(0.0, 0.0)
     test = max(tests, key=lambda test: test.gap)
@@ -67,7 +71,7 @@ def push_along_largest(a: Shape, b: Shape, tests: Sequence[AxisTest]) -> Vec:
 
 
 def push_half_the_way(a: Shape, b: Shape, tests: Sequence[AxisTest]) -> Vec:
-    """Return half of the right push of B, which would be enough if A moved by the other half."""
+    """Return half of the MTV of B, which would be enough if A moved by the other half."""
     test = max(tests, key=lambda test: test.gap, default=None)
     return move_along_axis(test, -test.gap / 2) if test else Vec(0.0, 0.0)
 
@@ -193,7 +197,7 @@ def turned_by_90_radians(a: Shape, b: Shape) -> Choice:
 
 
 def slanted_bar(y: float) -> Polygon:
-    """Return a slanted bar, 6 wide and 1 high, whose lower left corner is at (0, y)."""
+    """Return a bar with upright ends, 6 wide, that rises by 2 to the right; its left end goes from (0, y) 1 up."""
     return Polygon([(0, y), (6, y + 2), (6, y + 3), (0, y + 1)])
 
 

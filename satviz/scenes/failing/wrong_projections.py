@@ -1,4 +1,7 @@
-"""Cases in which the projection is wrong: its sign, its unit, or its rounding."""
+"""Cases in which the projection is wrong: its sign, its unit, or its rounding.
+
+A function of (a, b, axis) measures an axis as a shortcut does.  A landing is a point's coordinate on the axis.
+"""
 
 from fractions import Fraction
 from functools import partial
@@ -46,7 +49,7 @@ def largest_from_zero(a: Shape, b: Shape, axis: Axis) -> AxisTest:
 
 
 def as_written(a: Shape, b: Shape, axis: Axis) -> AxisTest:
-    """Return the test of an axis for the vertices as decimals: 0.1 + 0.2 counts as exactly 0.3."""
+    """Return the test of an axis for the vertices as the decimals that people write: 0.1 + 0.2 is exactly 0.3."""
     p, q = project(a, axis), project(b, axis)
     if a.core_is_point or b.core_is_point:
         return measured_test(axis, p, q)
