@@ -50,7 +50,7 @@ SEED = _whole_number(0, 2**63 - 1)
 
 
 def _folder(text: str) -> Path:
-    """Return the path of a folder; ArgumentTypeError for an empty text (an unset variable), which means this folder."""
+    """Return the path of a folder; ArgumentTypeError for an empty text, which Path takes for this folder."""
     if not text:
         raise argparse.ArgumentTypeError("the folder's name is empty: write . for the current folder")
     return Path(text)
@@ -328,7 +328,7 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _add_folder(parser: argparse.ArgumentParser, name: str, default: str, about: str = "", **more: Any) -> None:
-    """Add the folder that a command writes to; `more` are further arguments of `add_argument`."""
+    """Add the argument `name` for the folder that a command writes to; `more`: further arguments of `add_argument`."""
     words = f"{about}(default: {default})"
     parser.add_argument(name, type=_folder, default=Path(default), metavar="DIR", help=words, **more)
 

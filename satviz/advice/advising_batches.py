@@ -49,7 +49,7 @@ NOTHING = np.empty(0, np.intp), np.empty(0, np.intp)  # the indices of no pairs
 def recommend_batch(
     a: Any, b: Any, pairs: ArrayLike | None, *, engine: str | None = None
 ) -> tuple[InputSummary, tuple[ModelResult, ...], GivenPairs]:
-    """Return (summary, results, given pairs) for batch shapes; the parameters are those of `advise`."""
+    """Return (summary, results, given pairs) for batch shapes; `a`, `b`, `pairs`: as in `advise`."""
     a = check_shapes(a, "a")
     all_pairs = b is None and pairs is None
     b = a if b is None else check_shapes(b, "b")

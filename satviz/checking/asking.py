@@ -37,7 +37,7 @@ class Asker(Protocol):
 
 
 class CalledHere:
-    """A Python function that is called in this process."""
+    """A Python function that is called in this process; `form` turns a shape into its argument."""
 
     def __init__(self, fn: Callable[[Any, Any], Any], form: Form) -> None:
         self.fn, self.form = fn, form

@@ -60,7 +60,10 @@ def to_finer_units(points: Sequence[IntPoint], bits: int) -> Sequence[IntPoint]:
 
 
 def to_common_unit(a: Any, b: Any) -> tuple[Sequence[IntPoint], Sequence[IntPoint], int, int]:
-    """Return both shapes in one integer unit, 2**-k: (a's core, b's core, sum of radii, k)."""
+    """Return both shapes in one integer unit, 2**-k: (a's core, b's core, sum of radii, k).
+
+    A core is a polygon's corners or a circle's center.
+    """
     ka, pa, ra = a.integers
     kb, pb, rb = b.integers
     k = max(ka, kb)

@@ -50,7 +50,10 @@ class Shortcut(NamedTuple):
             yield test
 
     def pieces(self, a: Shape) -> Sequence[Shape] | None:
-        """Return the pieces of A that the shortcut tests one by one; None if it does not cut A."""
+        """Return the pieces of A that the shortcut tests one by one; None if it does not cut A.
+
+        InvalidScene if a piece is not a valid shape.
+        """
         if self.split is None:
             return None
         try:

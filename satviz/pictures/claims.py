@@ -1,4 +1,7 @@
-"""The answer of a shortcut in words, the right answer, and whether the first is wrong."""
+"""The answer of a shortcut in words, the right answer, and whether the first is wrong.
+
+A shortcut is a mistaken or cheaper collision test.  A failing case has a shortcut, and shapes for which it is wrong.
+"""
 
 import re
 from functools import lru_cache

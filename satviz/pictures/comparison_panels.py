@@ -1,5 +1,8 @@
 """The panels of failing cases by name, and those that show something else than tests and proofs.
 
+The claimed tests are those that a shortcut's answer comes from (`default_panels.claimed_tests`).  A push is the move
+of B by which a shortcut would end an overlap.  A landing is a point's coordinate on an axis.
+
 A new panel is a `Panel` in `PANELS` below: what it needs space for, and a function of a trace and of a layout with
 that space, which returns the sketch it has drawn.
 """
@@ -237,7 +240,7 @@ def drawn_tests_of_sat(run: Trace) -> Sequence[AxisTest]:
 
 
 def draw_axes_of_sat(trace: Trace, layout: Layout) -> Sketch:
-    """Draw the axes that SAT tests until it is certain; of more than 3 only that of the largest gap."""
+    """Draw both shapes, `drawn_tests_of_sat` of the run of SAT, and how many evaluations its tests take."""
     run = record(trace.a, trace.b)
     tests = drawn_tests_of_sat(run)
     sketch = draw_shapes(run, layout)
@@ -365,7 +368,7 @@ def draw_line_as_axis(trace: Trace, layout: Layout) -> Sketch:
 
 
 def draw_rounded_normal(trace: Trace, layout: Layout) -> Sketch:
-    """Draw the claimed tests, and the edge of the separating axis with its true normal and what this was rounded to."""
+    """Draw the claimed tests and, for a false hit, the separating axis's edge, its true normal and the rounded one."""
     sketch, test = draw_claimed_tests(trace, layout), true_test(trace)
     if trace.false_hit and test and test.source.kind == EDGE:
         sketch.edge(test)
@@ -458,7 +461,7 @@ def halves_rounded(trace: Trace) -> str:
 
 
 def radii_compared(trace: Trace) -> str:
-    """Return as text that two circles apart, taken for a hit, have radii with a sum below their distance, else ""."""
+    """Return text such as "r1 + r2 = 2 < distance = 3: taken for a hit"; "" unless two circles apart are so taken."""
     lengths = trace.a.radius + trace.b.radius, dist(centroid(trace.a), centroid(trace.b))
     radii, apart = map(describe.digits(trace).number, lengths)
     both_circles = trace.a.core_is_point and trace.b.core_is_point
@@ -478,14 +481,14 @@ def needs_push(trace: Trace) -> PanelContents:
 
 
 def draw_push_alone(trace: Trace, layout: Layout) -> Sketch:
-    """Draw B where the shortcut pushes it, and the area in which it still overlaps A."""
+    """Draw both shapes, and the shortcut's push as `draw_push` draws it."""
     sketch = draw_shapes(trace, layout)
     draw_push(sketch)
     return sketch
 
 
 def draw_push_from_center(trace: Trace, layout: Layout) -> Sketch:
-    """Draw B where the shortcut pushes it, and a segment between the two vertex means that gave the direction."""
+    """Draw as `draw_push_alone`, and the segment between both vertex means, which gave the push its direction."""
     sketch = draw_push_alone(trace, layout)
     means = vertex_mean(trace.a), vertex_mean(trace.b)
     sketch.add("joined", "segment", "wrong", *means)
@@ -531,7 +534,7 @@ def with_normal_of_push(panel: Panel, move_of: Callable[[Trace], Vec | None]) ->
 
 
 def draw_moved_by_mtv(trace: Trace, layout: Layout) -> Sketch:
-    """Draw B moved by the MTV, and the MTV."""
+    """Draw both shapes and, for an overlap, the MTV and B moved by it."""
     sketch = draw_shapes(trace, layout)
     move = trace.truth.known_mtv
     if trace.relation is Relation.OVERLAPPING and move:

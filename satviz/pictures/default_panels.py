@@ -1,4 +1,7 @@
-"""The two panels of most shortcuts: the tests that the answer comes from, and the proof of the truth."""
+"""The two panels of most shortcuts: the tests that the answer comes from, and the proof of the truth.
+
+A shortcut is a mistaken or cheaper collision test; its push is the move of B by which it would end an overlap.
+"""
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -216,7 +219,10 @@ def claimed_tests(trace: Trace) -> list[AxisTest]:
 
 
 def draw_push(sketch: Sketch) -> None:
-    """Draw B where the shortcut pushes it, if the shortcut's answer depends on this push."""
+    """Draw the shortcut's push as a named arrow with B at its end, if the shortcut's answer depends on this push.
+
+    Of a push too long for the picture, draw the name alone.
+    """
     trace = sketch.trace
     if not is_about_push(trace) or not trace.push:
         return

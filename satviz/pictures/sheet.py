@@ -86,7 +86,7 @@ def all_rows(trace: Trace) -> list[Row]:
 
 
 def _legend(trace: Trace) -> list[tuple[str, str, float]]:
-    """Return each shape's legend as (role, text, x at which it begins): whose bar is above, whose below."""
+    """Return each shape's legend as (role, text, x at which it begins), such as "A above," and "B below"."""
     above, below = f"{trace.names.a} above,", f"{trace.names.b} below"
     return [("A", above, BARS_LEFT_PT), ("B", below, BARS_LEFT_PT + 4 + text_size(above)[0])]
 

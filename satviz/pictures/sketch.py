@@ -1,6 +1,7 @@
 """A sketch of a test: the edge or line its axis comes from, the normal, the axis, drops, ranges, the gap.
 
-Every number comes from the trace.
+Every number comes from the trace.  A landing is a point's coordinate on an axis, and a drop is the dotted line from the
+point to its landing.  A role is "A" or "B", the shape that a mark belongs to, or another colour of the theme.
 """
 
 from collections.abc import Sequence
@@ -44,6 +45,7 @@ class Sketch(ShapeSketch):
     """A sketch of a trace with its tests; `prefix` tells its axes from those of another trace in the same picture."""
 
     def __init__(self, trace: Trace, layout: Layout, prefix: str = "") -> None:
+        """Make an empty sketch; `prefix` begins the ids of its axes."""
         super().__init__(trace, layout)
         self.prefix = prefix
 
@@ -100,7 +102,7 @@ class Sketch(ShapeSketch):
         return start, point_along(start, self.arrow_direction(test.axis), length)
 
     def upcoming_normals(self) -> list[Segment]:
-        """Return the arrow (tail, tip) of each test's normal, drawn already or not."""
+        """Return the arrow (tail, tip) of each test's normal and of each grey one, drawn already or not."""
         arrows = [arrow for arrow in map(self.normal_arrow, self.trace.tests) if arrow]
         return [*arrows, *(self.small_normal_arrow(axis, GREY_NORMAL) for axis in self.grey_normals())]
 

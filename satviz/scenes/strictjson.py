@@ -1,4 +1,7 @@
-"""JSON read strictly: finite numbers, no key twice, bounded size and nesting, exactly the keys that are expected."""
+"""JSON read strictly: finite numbers, no key twice, bounded size and nesting, exactly the keys that are expected.
+
+The argument `where` names a value in error lines, such as "trace.axes".
+"""
 
 import json
 import re

@@ -1,4 +1,7 @@
-"""Trace files: a trace as JSON and back, with what was measured and what follows from it, which `load` checks."""
+"""Trace files: a trace as JSON and back, with what was measured and what follows from it, which `load` checks.
+
+The argument `where` names a field of the file in error lines, such as "trace.tests[0]".
+"""
 
 import json
 from dataclasses import replace
@@ -90,7 +93,7 @@ def _parse_pair(data: Any, where: str, ours: Trace) -> Trace:
 
 
 def _accepted_mtv(trace: Trace, data: Any) -> Vec | None:
-    """Return the file's MTV if it is as good as the recomputed one (for concave outlines), else the latter.
+    """Return the file's MTV (`data`) if it is as good as the recomputed one (for concave outlines), else the latter.
 
     Where two moves are equally short, rounding decides which one a machine finds.
     """

@@ -26,7 +26,7 @@ SITEMAPS = "http://www.sitemaps.org/schemas/sitemap/0.9"
 
 
 def head_lines(chapters: Sequence[Chapter], url: str, path: str, title: str, description: str) -> list[str]:
-    """Return the lines of a page's head for social networks; the page of a missing address only forbids listing it.
+    """Return the lines of a page's head for social networks; for the page 404.html only one that forbids listing it.
 
     `url` is the address of the site.  Without it the picture's address is relative, which only some networks read.
     """

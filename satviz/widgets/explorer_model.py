@@ -1,4 +1,7 @@
-"""The explorer without its widget: each pose that a drag sends is answered with the picture that follows."""
+"""The explorer without its widget: each pose that a drag sends is answered with the picture that follows.
+
+A pose is the present place of both shapes with the options of the view; the front end is the browser's part.
+"""
 
 from dataclasses import replace
 from functools import partial
@@ -79,6 +82,7 @@ class ExplorerModel(PlayerModel):
     """
 
     def __init__(self, shown: Scene, goal: str | None = None) -> None:
+        """Show a scene; `goal`: the challenge ("touch", "one-axis" or "break"), None for none."""
         self._first = shown
         self._degree: float | None = None
         self._largest = canvas_size(None)
@@ -335,7 +339,7 @@ def _number(value: Any, what: str) -> float | None:
 
 
 def _trace(shown: Scene) -> Trace:
-    """Return the trace of a scene over every axis, since the table shows them all; parallel normals have one row."""
+    """Return a scene's trace without early exit, since the table shows every axis; parallel normals share a row."""
     if shown.axes == EVERY_NORMAL and shown.a.is_convex and shown.b.is_convex:
         shown = replace(shown, axes=NEEDED)
     return shown.record().without_early_exit()

@@ -1,4 +1,7 @@
-"""Cases about outlines: no area, a repeated vertex, edges that cross, vertices or edges left out."""
+"""Cases about outlines: no area, a repeated vertex, edges that cross, vertices or edges left out.
+
+A function that returns a Choice chooses a shortcut's axes, and one of (a, b, axis) measures one of them.
+"""
 
 from collections.abc import Sequence
 from functools import partial

@@ -1,4 +1,8 @@
-"""Cases in which the gaps are right and the conclusion is not: a push, a distance, a moving shape, a wrong sign."""
+"""Cases in which the gaps are right and the conclusion is not: a push, a distance, a moving shape, a wrong sign.
+
+A push is the move of B by which a shortcut would end an overlap; `tests` are those of its run.  A window is the upright
+box of B's moves (x0, y0, x1, y1) for which an error region is computed.
+"""
 
 from collections.abc import Sequence
 from functools import partial
