@@ -50,7 +50,7 @@ SEED = _whole_number(0, 2**63 - 1)
 
 
 def _folder(text: str) -> Path:
-    """Return the path of a folder; ArgumentTypeError for an empty text (an unset variable), which means this folder."""
+    """Return the path of a folder; ArgumentTypeError for an empty text, which Path takes for this folder."""
     if not text:
         raise argparse.ArgumentTypeError("the folder's name is empty: write . for the current folder")
     return Path(text)

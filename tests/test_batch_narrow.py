@@ -582,7 +582,7 @@ def test_numba_evaluates_undecided_columns_exactly_and_leaves_the_others_unchang
         q = batch.Polygons((touching[:8] + np.array([move, 0.0])) * scale)
         exact = one_by_one(p, q)
         out = np.array([UNDECIDED, 7, UNDECIDED, UNDECIDED, 5], np.int8)
-        indexed_numba.columns(p.uniform, q.uniform, 3, out)
+        indexed_numba.exact_columns(p.uniform, q.uniform, 3, out)
         assert out.tolist() == [exact[3], 7, *exact[5:7], 5]
 
 

@@ -236,7 +236,7 @@ def sat_gaps(p: CornerColumns, q: CornerColumns) -> NDArray[Any]:
 
 
 def circle_polygon_gap(circle: CornerColumns, ring: CornerColumns) -> NDArray[Any]:
-    """Return the squared distance of each center from the boundary less r squared; -1 if it is inside."""
+    """Return the squared distance of each center from its polygon's boundary less r squared; -1 if it is inside."""
     assert circle.r is not None
     inside = np.ones(ring.x.shape[1], bool)
     nearest = np.full(ring.x.shape[1], np.inf, ring.x.dtype)

@@ -86,7 +86,7 @@ def load_engine(name: str | None) -> Engine:
                 outlines_numba.certified_rings,
                 outlines_numba.certified_padded,
                 few_numba.flatten,
-                indexed_numba.columns,
+                indexed_numba.exact_columns,
                 MAX_LANE_CORNERS,
             )
         except Exception as error:  # an ImportError of its own, or RuntimeError where no folder can be written

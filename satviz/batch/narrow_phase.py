@@ -92,7 +92,7 @@ def check_options(engine: object, executor: object, progress: object, size: obje
 
 
 def check_pairs(pairs: ArrayLike, na: int, nb: int) -> tuple[Indices, Indices]:
-    """Return columns i and j of (K, 2) `pairs`; ValueError for a wrong form, IndexError unless i < na and j < nb."""
+    """Return columns i and j of (K, 2) `pairs`; ValueError for a wrong form, IndexError if not in [0, na), [0, nb)."""
     refuse_masked(pairs, "pairs")
     pairs = np.asarray(pairs)
     if pairs.shape == (0,):  # an empty list

@@ -344,7 +344,7 @@ class ExactDots(NamedTuple):
 
 
 def exact_dots(a: Shape, b: Shape, axis: Axis) -> ExactDots:
-    """Return the exact dot products of both cores (corners, or a center) with an axis, recomputed from its source."""
+    """Return the exact dot products of both cores (corners, or a center) with the exact vector of an axis's source."""
     core_a, core_b, radii, k = to_common_unit(a, b)
     kind, role, ids = axis.source
     shape, core, other = (a, core_a, core_b) if role == "A" else (b, core_b, core_a)

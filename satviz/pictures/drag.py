@@ -70,7 +70,7 @@ def all_marks_fit(drawn: Picture) -> bool:
 def decisive_test(trace: Trace) -> ShownTest | None:
     """Return the test of the largest gap, or of the least overlap; None if there are no tests.
 
-    A shortcut's run has the test that ended it, if there is one.
+    For a shortcut's run it is the test that ended the run, if one did.
     For convex parts it is a test of the pair that collides, else of the pair that lies closest.
     """
     runs: Sequence[tuple[int | None, Trace]] = list(enumerate(trace.pairs)) or [(None, trace)]

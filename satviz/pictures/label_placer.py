@@ -131,6 +131,7 @@ class LabelPlacer:
     """
 
     def __init__(self, layout: Layout, kept: Sequence[Mark] = (), memory: LabelMemory | None = None) -> None:
+        """Make a placer that has noted nothing yet; the class explains `kept` and `memory`."""
         self.layout = layout
         self.memory = memory
         self.kept = [mark for mark in kept if mark.kind == "label"]
@@ -192,7 +193,7 @@ class LabelPlacer:
         return (p.x - x0) * scale, (p.y - y0) * scale
 
     def labels(self, requests: Sequence[LabelRequest]) -> list[Mark]:
-        """Return a label for each request that finds a place, with a line to its anchor if that is far."""
+        """Return the marks of a label for each request that finds a place, and of a line to an anchor far from it."""
         found = []
         for r in requests:
             at = self._keep(r)
@@ -255,10 +256,7 @@ class LabelPlacer:
         return marks
 
     def _pieces(self, request: LabelRequest, at: Vec) -> Iterator[Mark]:
-        """Yield a label for each piece of a text; its lines begin at one x, and together they are centered at `at`.
-
-        Here and in the next methods `at` is a label's center, in scene units.
-        """
+        """Yield a label for each piece of a text; its lines begin at one x; all are centered at `at` (scene units)."""
         width, height = map(self.layout.units, text_size(request.text))
         high = height / (request.text.count("\n") + 1)
         left, x, y = at.x - width / 2, at.x - width / 2, at.y + (height - high) / 2
@@ -276,7 +274,10 @@ class LabelPlacer:
                     number += 1
 
     def _leader_end(self, request: LabelRequest, at: Vec) -> Vec | None:
-        """Return the point where a line from the anchor meets the label's box; None if the label is near its anchor."""
+        """Return where a line from the anchor meets the box of its label, centered at `at` (both in scene units).
+
+        None if the label is near its anchor.
+        """
         w, h = (self.layout.units(c / 2 + 1) for c in text_size(request.text, request.weight))
         a = request.anchor
         part = clip_segment(a.x, a.y, at.x, at.y, at.x - w, at.y - h, at.x + w, at.y + h)
@@ -285,7 +286,7 @@ class LabelPlacer:
         return Vec(a.x + (at.x - a.x) * part[0], a.y + (at.y - a.y) * part[0])
 
     def _nearest_on_label(self, request: LabelRequest, at: Vec) -> Vec:
-        """Return the point of the label's box nearest to the anchor."""
+        """Return the point nearest to the anchor in the box of its label, centered at `at` (both in scene units)."""
         w, h = (self.layout.units(c / 2 + 1) for c in text_size(request.text, request.weight))
         a = request.anchor
         return Vec(min(max(a.x, at.x - w), at.x + w), min(max(a.y, at.y - h), at.y + h))

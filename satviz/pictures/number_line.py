@@ -126,6 +126,6 @@ def round_steps(least: float) -> Iterator[float]:
 
 
 def _label(part: str, text: str, role: str, x: float, y: float, owner: str = "", *, right: bool = False) -> Mark:
-    """Return a label that begins at x, or with `right` ends there."""
+    """Return a label at the height y that begins at x, or with `right` ends there."""
     half = text_size(text)[0] / 2
     return Mark(part, "label", role, (Vec(x - half if right else x + half, y),), owner=owner, text=text)

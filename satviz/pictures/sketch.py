@@ -45,6 +45,7 @@ class Sketch(ShapeSketch):
     """A sketch of a trace with its tests; `prefix` tells its axes from those of another trace in the same picture."""
 
     def __init__(self, trace: Trace, layout: Layout, prefix: str = "") -> None:
+        """Make an empty sketch; `prefix` begins the ids of its axes."""
         super().__init__(trace, layout)
         self.prefix = prefix
 

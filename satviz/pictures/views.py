@@ -101,7 +101,7 @@ def quarter_turn(trace: Trace, number: int, *, title: str = "") -> Picture:
 
 
 def all_tests(trace: Trace, *, title: str = "") -> Picture:
-    """Draw all tests in one picture, each axis with both ranges; for a false hit a second panel has the axis left out."""
+    """Draw all tests in one picture, each axis with both ranges; a false hit has a second panel: the axis left out."""
     shapes = trace.a, trace.b
     missing = [max(record(*shapes).tests, key=lambda test: test.gap)] if trace.false_hit else []
     groups = [PanelContents(shapes, tests, brief=True) for tests in (trace.tests, missing) if tests]

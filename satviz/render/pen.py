@@ -28,6 +28,7 @@ class Pen:
     """
 
     def __init__(self, ax: "Axes", theme: Theme = LIGHT) -> None:
+        """Make a pen that draws on the Axes in the theme's colours; the Axes lose their ticks and frame."""
         self.ax = ax
         self.theme = theme
         ax.set_facecolor(theme.paper)

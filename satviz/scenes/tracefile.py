@@ -93,7 +93,7 @@ def _parse_pair(data: Any, where: str, ours: Trace) -> Trace:
 
 
 def _accepted_mtv(trace: Trace, data: Any) -> Vec | None:
-    """Return the file's MTV if it is as good as the recomputed one (for concave outlines), else the latter.
+    """Return the file's MTV (`data`) if it is as good as the recomputed one (for concave outlines), else the latter.
 
     Where two moves are equally short, rounding decides which one a machine finds.
     """

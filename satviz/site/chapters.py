@@ -273,6 +273,7 @@ class _WidgetFinder:
     """
 
     def __init__(self, cells: list[dict[str, Any]]) -> None:
+        """Read the code of a notebook's cells; nothing is run yet."""
         self.sources = ["".join(cell["source"]) if cell["cell_type"] == "code" else "" for cell in cells]
         self.next_to_run = 0
         self.names: dict[str, Any] = {"sv": satviz}

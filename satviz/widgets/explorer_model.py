@@ -82,6 +82,7 @@ class ExplorerModel(PlayerModel):
     """
 
     def __init__(self, shown: Scene, goal: str | None = None) -> None:
+        """Show a scene; `goal`: the challenge ("touch", "one-axis" or "break"), None for none."""
         self._first = shown
         self._degree: float | None = None
         self._largest = canvas_size(None)

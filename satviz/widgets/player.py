@@ -34,6 +34,7 @@ class Player(TraceWidget):
     def __init__(
         self, trace: Trace, *, predict: bool = False, sweep: bool = False, difference: bool = False, speed: float = 1.0
     ) -> None:
+        """Make the player of a trace; the other arguments are those of `play`."""
         model = PlayerModel(trace, turns=sweep, difference=difference)
         super().__init__(
             model,
