@@ -438,7 +438,7 @@ def test_a_table_of_two_corners_is_one_of_boxes_and_of_three_one_of_triangles(ma
 
 @pytest.mark.parametrize(("x", "y"), [("0,1,0", "0,0"), ("0,0", "0,0,1"), ("0,1,0,2", "0,0,1")])
 def test_lists_of_x_and_y_of_different_lengths_are_refused(x, y):
-    with pytest.raises(sv.InvalidScene, match="each corner needs one of both"):
+    with pytest.raises(sv.InvalidScene, match="write one x and one y for each corner"):
         sv.paste(f'{{"x": [{x}], "y": [{y}]}}')
 
 

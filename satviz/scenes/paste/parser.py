@@ -127,7 +127,7 @@ class _Parser:
                     break
                 if not bracket:
                     continue  # one too many, as "A)" in prose
-                self.remark(f"a bracket {bracket} is closed by {token.text}")
+                self.remark(f"a bracket {bracket} is closed by {token.text}: close it with {PAIRS[bracket]}")
                 if depth > 1:
                     self.at -= 1  # it may close the bracket outside
                 break
