@@ -125,7 +125,7 @@ def certify_bounding_circles(a: AnyShape, b: AnyShape) -> Relation | None:
 def certify_circles(a: Disc, b: Disc, form: FloatFormat) -> Relation | None:
     """Return the relation certainly found for two circles, by squares as well as by ranges; None if uncertain.
 
-    Rounded coordinates move a difference by 2d, so the squared distance by 4d (|dx| + |dy|) + 8dd.
+    Coordinates rounded by d move a difference by 2d, so the squared distance by 4d (|dx| + |dy|) + 8dd.
     """
     if not (a[2] and b[2] and all(map(isfinite, (*a, *b)))):
         return None
@@ -244,8 +244,8 @@ def _certify_polygons(a: Shape, b: Shape, form: FloatFormat) -> Relation | None:
 def _certify_circle_polygon(circle: Shape, polygon: Shape, form: FloatFormat) -> Relation | None:
     """Return the relation SAT certainly finds on circle and polygon, by distances and ranges, or None.
 
-    With F the largest difference of a corner and the center: rounded coordinates move an orientation about an edge with
-    components dx, dy by 2d (|dx| + |dy|) + 4dF + 8dd, and the distance by 3d, so its square by 9dF + 9dd.
+    With F the largest difference of a corner and the center: coordinates rounded by d move an orientation about an edge
+    with components dx, dy by 2d (|dx| + |dy|) + 4dF + 8dd, and the distance by 3d, so its square by 9dF + 9dd.
     """
     numbers = (*circle.core[0], circle.radius, *chain.from_iterable(polygon.core))
     (center,), ring, r, _ = to_common_unit(circle, polygon)
