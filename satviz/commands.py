@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 
 MAX_STEP_FILES = 120  # a longer run is drawn as one sheet unless --steps asks for a file of each step
 MAX_STEM = 80  # letters of a handout's file name
+ExitCode = int  # 0 done, 1 failed, 2 bad input
 
 
 class Refused(Exception):
@@ -63,7 +64,7 @@ def _resolve(name: str, axes: str | None = None, every_axis: bool = False) -> "R
     return Resolved(replace(scene, axes=axes or scene.axes, every_axis=every_axis or scene.every_axis))
 
 
-def figures(args: argparse.Namespace) -> int:
+def figures(args: argparse.Namespace) -> ExitCode:
     """Write the figures that --only selects, or all, in one theme."""
     from .pictures.figures import FIGURES, STRIP, Figure
     from .scenes.named import did_you_mean
@@ -94,7 +95,7 @@ class _Drawable(NamedTuple):
     note: str = ""  # printed where still pictures were written
 
 
-def draw(args: argparse.Namespace) -> int:
+def draw(args: argparse.Namespace) -> ExitCode:
     """Draw steps of a scene, or of a long run its contact sheet, in each format; print its link and its iframe."""
     from .render.formats import FORMATS, STILL_FORMATS
 
@@ -203,7 +204,7 @@ def _drawable_run(args: argparse.Namespace, found: "Resolved") -> _Drawable:
         every = (sweep if args.sweep else difference_steps)(trace, title=scene.title)
 
     def frames() -> "Animation":
-        """Return the animation of the run, of the axis that turns or of how B - A comes about; sentences are below."""
+        """Return the animation of the run, of the axis that turns or of how B - A is made; sentences are below."""
         if args.sweep:
             return turning(add_captions(every), speed=args.speed or 1.0)
         drawn = every or [picture(trace, s) for s in range(first, last + 1)]
@@ -237,7 +238,7 @@ def _page(drawable: _Drawable) -> str:
         raise Refused(str(error)) from None
 
 
-def _write(args: argparse.Namespace, files: "Sequence[File]") -> int:
+def _write(args: argparse.Namespace, files: "Sequence[File]") -> ExitCode:
     """Make and write each file once all are known to be writable; print warnings; return exit code 0.
 
     `files`: (stem, format, function that makes the content) of each.  The names of dark files end in -dark; a page
@@ -280,7 +281,7 @@ def _progress(paths: Sequence[Path]) -> Iterator[Path]:
             stop_if_interrupted()
 
 
-def handout(args: argparse.Namespace) -> int:
+def handout(args: argparse.Namespace) -> ExitCode:
     """Write the questions of chapters and scenes as one HTML file to print, and their solutions as another."""
     from .lessons.chapter_text import chapters
     from .lessons.handout import chapter_named, handout
@@ -303,7 +304,7 @@ def handout(args: argparse.Namespace) -> int:
     return 0
 
 
-def notebook(args: argparse.Namespace) -> int:
+def notebook(args: argparse.Namespace) -> ExitCode:
     """Copy the walkthrough's notebooks, without outputs, to a folder, and open them in JupyterLab."""
     from importlib.util import find_spec
 
@@ -342,7 +343,7 @@ def _not_yet_run(data: bytes) -> bytes:
     return (json.dumps(notebook, indent=1, ensure_ascii=False) + "\n").encode()
 
 
-def _jupyterlab(folder: Path) -> int:
+def _jupyterlab(folder: Path) -> ExitCode:
     """Run JupyterLab until it ends, and return its exit code.
 
     Ctrl-C is left to JupyterLab, which asks whether to stop.
@@ -356,7 +357,7 @@ def _jupyterlab(folder: Path) -> int:
         return process.wait()
 
 
-def trace(args: argparse.Namespace) -> int:
+def trace(args: argparse.Namespace) -> ExitCode:
     """Print the trace of a scene, as a table or as JSON."""
     from shutil import get_terminal_size
 
@@ -366,7 +367,7 @@ def trace(args: argparse.Namespace) -> int:
     return 0
 
 
-def explain(args: argparse.Namespace) -> int:
+def explain(args: argparse.Namespace) -> ExitCode:
     """Print the shapes in a text with their relations, or one pair in another form; exit code 2 without an answer."""
     from .scenes.minimal_test import LANGUAGES
     from .scenes.paste.pasted import paste
@@ -414,7 +415,7 @@ def _text_of(name: str) -> str:
         raise Refused(f"{'standard input' if name == '-' else name} is not UTF-8 text: save it as UTF-8") from None
 
 
-def advise(args: argparse.Namespace) -> int:
+def advise(args: argparse.Namespace) -> ExitCode:
     """Print the simplest model that is right for a scene or for many shapes; with --chart draw each model's cost."""
     import json
 
@@ -455,7 +456,7 @@ def advise(args: argparse.Namespace) -> int:
     return 0
 
 
-def bench(args: argparse.Namespace) -> int:
+def bench(args: argparse.Namespace) -> ExitCode:
     """Time satviz beside its peers and print the table; with --chart draw the charts."""
     import json
 
@@ -474,7 +475,7 @@ def bench(args: argparse.Namespace) -> int:
     ):
         rows.append(row)
         stop_if_interrupted()
-    warning = "quick figures are rough: a table for keeps takes minutes" if args.quick else busy_warning(rows)
+    warning = "quick figures are rough: leave out --quick for better ones" if args.quick else busy_warning(rows)
     if args.json:
         data = {"machine": machine_facts(), "missing": missing_peers(), "pairs": pairs, "rounds": rounds}
         out_json(json.dumps(data | {"warning": warning, "rows": [row._asdict() for row in rows]}, indent=1))
@@ -502,7 +503,7 @@ def bench(args: argparse.Namespace) -> int:
     return 0
 
 
-def study(args: argparse.Namespace) -> int:
+def study(args: argparse.Namespace) -> ExitCode:
     """Run the study's cells that are not finished, and write its charts and tables into --out."""
     from tqdm import tqdm
 
@@ -531,7 +532,7 @@ def study(args: argparse.Namespace) -> int:
     return 0
 
 
-def reference(args: argparse.Namespace) -> int:
+def reference(args: argparse.Namespace) -> ExitCode:
     """Write the HTML pages of the API reference into --out."""
     from .site.reference import reference
 
@@ -544,7 +545,7 @@ def reference(args: argparse.Namespace) -> int:
     return 0
 
 
-def site(args: argparse.Namespace) -> int:
+def site(args: argparse.Namespace) -> ExitCode:
     """Write the site; with --open serve it, with --zip write it as one file."""
     from .site.build import PythonMissing, site
 
@@ -565,8 +566,8 @@ def site(args: argparse.Namespace) -> int:
     return _serve(args.out) if args.open else 0
 
 
-def _write_archive(args: argparse.Namespace, files: Mapping[str, bytes], lacks: Sequence[str]) -> int:
-    """Write the site as one zip beside the folder that it would have; return exit code 0."""
+def _write_archive(args: argparse.Namespace, files: Mapping[str, bytes], lacks: Sequence[str]) -> ExitCode:
+    """Write the site as one zip beside the folder that it would have, print what it `lacks`; return exit code 0."""
     from .lessons.chapter_text import chapters
     from .site.hosting import archive
 
@@ -590,7 +591,7 @@ def _write_all(args: argparse.Namespace, files: Mapping[str, bytes]) -> None:
         stop_if_interrupted()
 
 
-def _serve(folder: Path) -> int:
+def _serve(folder: Path) -> ExitCode:
     """Serve the folder on this machine and open it in a browser, until Ctrl-C."""
     import webbrowser
 
@@ -604,7 +605,7 @@ def _serve(folder: Path) -> int:
     return 0
 
 
-def scenes(args: argparse.Namespace) -> int:
+def scenes(args: argparse.Namespace) -> ExitCode:
     """Print the built-in scenes, or with --failing those where shortcuts fail."""
     if args.json:
         from .scenes.minimal_test import scenes_json
@@ -624,7 +625,7 @@ def scenes(args: argparse.Namespace) -> int:
     return 0
 
 
-def check(args: argparse.Namespace) -> int:
+def check(args: argparse.Namespace) -> ExitCode:
     """Check a function or a program and print the report; with --out draw the counterexample; return 1 if wrong."""
     import json
 

@@ -49,7 +49,7 @@ NOTHING = np.empty(0, np.intp), np.empty(0, np.intp)  # the indices of no pairs
 def recommend_batch(
     a: Any, b: Any, pairs: ArrayLike | None, *, engine: str | None = None
 ) -> tuple[InputSummary, tuple[ModelResult, ...], GivenPairs]:
-    """Return (summary, results, given pairs) for batch shapes; the parameters are those of `advise`."""
+    """Return (summary, results, given pairs) for batch shapes; `a`, `b`, `pairs`: as in `advise`."""
     a = check_shapes(a, "a")
     all_pairs = b is None and pairs is None
     b = a if b is None else check_shapes(b, "b")
@@ -102,7 +102,7 @@ def _indexed(a: Shapes, b: Shapes, pairs: ArrayLike | None) -> tuple[Indices, In
         return check_pairs(pairs, len(a), len(b))
     if len(a) != len(b):
         raise ValueError(
-            f"{len(a)} and {len(b)} shapes: give two batches of the same length, or name the pairs (pairs=)"
+            f"a has {len(a)} shapes and b has {len(b)}: give two batches of the same length, or name the pairs (pairs=)"
         )
     every = np.arange(len(a))
     return every, every

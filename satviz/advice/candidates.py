@@ -140,7 +140,7 @@ def shared_directions(shapes: Iterable[AnyShape]) -> tuple[Vec, ...]:
 
 
 def count_axes(a: AnyShape, b: AnyShape) -> int:
-    """Return how many axes SAT tests: for two convex parts each edge, and one more if a circle is among them."""
+    """Return how many axes SAT tests on all pairs of convex parts: each edge of both, and one more with a circle."""
     pairs = [(p, q) for p in convex_parts(a) for q in convex_parts(b)]
     edges = sum(len(s.core) for pair in pairs for s in pair if not s.core_is_point)
     return edges + sum(p.core_is_point or q.core_is_point for p, q in pairs)

@@ -79,7 +79,7 @@ def certify_boxes(a: AnyShape, b: AnyShape) -> Relation | None:
 
 
 def _compare_boxes(a: tuple[float, ...], b: tuple[float, ...]) -> int:
-    """Return 1 if the boxes are apart, 0 if they touch, -1 if they overlap; no difference, which could underflow."""
+    """Return 1 if the boxes are apart, 0 if they touch, -1 if they overlap; a difference could underflow."""
     (ax0, ay0, ax1, ay1), (bx0, by0, bx1, by1) = a, b
     if ax1 < bx0 or bx1 < ax0 or ay1 < by0 or by1 < ay0:
         return 1
@@ -87,7 +87,7 @@ def _compare_boxes(a: tuple[float, ...], b: tuple[float, ...]) -> int:
 
 
 def _bounding_box(shape: AnyShape, outwards: float) -> tuple[float, ...]:
-    """Return the bounding box; a rounded side of a circle's is moved one float outwards (inf) or inwards (-inf)."""
+    """Return the bounding box; a rounded side of a circle's box is moved one float outwards (inf) or inwards (-inf)."""
     if not shape.core_is_point:
         return shape.bounds
     sides = []
@@ -125,7 +125,7 @@ def certify_bounding_circles(a: AnyShape, b: AnyShape) -> Relation | None:
 def certify_circles(a: Disc, b: Disc, form: FloatFormat) -> Relation | None:
     """Return the relation certainly found for two circles, by squares as well as by ranges; None if uncertain.
 
-    Rounded coordinates move a difference by 2d, so the squared distance by 4d (|dx| + |dy|) + 8dd.
+    Coordinates rounded by d move a difference by 2d, so the squared distance by 4d (|dx| + |dy|) + 8dd.
     """
     if not (a[2] and b[2] and all(map(isfinite, (*a, *b)))):
         return None
@@ -244,8 +244,8 @@ def _certify_polygons(a: Shape, b: Shape, form: FloatFormat) -> Relation | None:
 def _certify_circle_polygon(circle: Shape, polygon: Shape, form: FloatFormat) -> Relation | None:
     """Return the relation SAT certainly finds on circle and polygon, by distances and ranges, or None.
 
-    With F the largest difference of a corner and the center: rounded coordinates move an orientation about an edge with
-    components dx, dy by 2d (|dx| + |dy|) + 4dF + 8dd, and the distance by 3d, so its square by 9dF + 9dd.
+    With F the largest difference of a corner and the center: coordinates rounded by d move an orientation about an edge
+    with components dx, dy by 2d (|dx| + |dy|) + 4dF + 8dd, and the distance by 3d, so its square by 9dF + 9dd.
     """
     numbers = (*circle.core[0], circle.radius, *chain.from_iterable(polygon.core))
     (center,), ring, r, _ = to_common_unit(circle, polygon)

@@ -38,8 +38,8 @@ SQUARE_ERROR = 1 + 2.0**-40  # widens a square computed in float64, with a relat
 def classify(model: Model, pairs: PartPairs, exact: Relations, *, engine: str | None = None) -> Relations:
     """Return for each pair the relation that the model certainly finds; UNDECIDED where rounding can decide.
 
-    `exact` are the exact relations, which a model finds where it rounds nothing; `engine` as in `batch.relate`, which
-    finds those of the convex parts.
+    `exact`: the exact relations of the pairs, which a model finds where it rounds nothing.  Those of their convex parts
+    come from `batch.relate` with this `engine`.
     """
     a, b, ia, ib = pairs.a, pairs.b, pairs.ia, pairs.ib
     with np.errstate(all="ignore"):
@@ -164,7 +164,7 @@ def _boxes(shapes: Shapes, outwards: float) -> Array:
 
 
 def _classify_circles(a: Array, b: Array, form: FloatFormat) -> Relations:
-    """Return the relations of circles (x, y, radius) that squares of distances and ranges both certainly find."""
+    """Return the relations of circles in rows (x, y, radius) that squared distances and ranges both certainly find."""
     dx, dy, total = a[:, 0] - b[:, 0], a[:, 1] - b[:, 1], a[:, 2] + b[:, 2]
     distance, square = dx * dx + dy * dy, total * total
     size = np.maximum(np.maximum(np.abs(dx), np.abs(dy)), total)
@@ -228,7 +228,7 @@ def _projects_exactly(shapes: Shapes, model: Model) -> NDArray[np.bool_]:
 def _classify_polygons(p: CornerColumns, q: CornerColumns, form: FloatFormat) -> Relations:
     """Return the relations SAT certainly finds for polygons in this format, else UNDECIDED.
 
-    The error bound has 32 u D M more than that of one pair, since it is itself computed in floats.
+    The error bound is larger than that of `certified_bounds`, since the numbers here are computed in floats too.
     """
     most = np.maximum(max_coordinates(p), max_coordinates(q))
     wide = np.maximum(

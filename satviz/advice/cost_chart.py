@@ -48,7 +48,10 @@ def chart(
 
 
 def cost_chart(words: tuple[str, str], rows: Sequence[JsonRow], advised: str, sentence: str) -> Chart:
-    """Return the chart of these rows, one a model; `words`: title and line below it; `advised`: the name to mark."""
+    """Return the chart of these rows, one a model, with its `sentence`.
+
+    `words`: the title and the line below it; `advised`: the name of the model to mark.
+    """
     return Chart("advice", words[0], words[1:], HEIGHT, partial(_draw, rows=rows, advised=advised), rows, sentence)
 
 

@@ -59,7 +59,7 @@ def _squared_gap(ax: float, ay: float, ar: float, bx: float, by: float, br: floa
 
 @compiled
 def compare_ranges(a: Array, ia: Indices, b: Array, ib: Indices, out: Relations) -> None:
-    """Fill `out` with the relations of (N, k, 2) ranges on k directions: apart where one direction leaves a gap."""
+    """Fill `out` with the relations of (N, k, 2) ranges a[ia[k]] and b[ib[k]]: APART if a direction has a gap."""
     for k in range(out.size):
         i, j = ia[k], ib[k]
         relation = OVERLAPPING
@@ -135,7 +135,7 @@ def _sat_in_lanes(
 ) -> None:  # fmt: skip
     """Fill `out` at the given pairs of polygons with up to `width` (4 or 8) corners, evaluated side by side.
 
-    `corners` and `best` are scratch arrays.
+    `corners` and `best` are scratch arrays; the arrays of A and B are those of `sat`.
     """
     count = pairs.size
     for k in range(count):
@@ -160,6 +160,7 @@ def polygon_clearance(
     """Return the largest clearance of an edge of A, or the first positive one.
 
     The clearance is the least orientation of B's corners about the edge, positive where all lie beyond it.
+    Corners: `first` to `last` - 1 of x and y.
     """
     best: float = x_a[first_a] * 0 - INFINITY
     px, py = x_a[last_a - 1], y_a[last_a - 1]

@@ -134,7 +134,7 @@ def _circle_gap(a: CornerColumns, b: CornerColumns) -> Array:
 
 
 def _polygon_gap_by_errors(a: CornerColumns, b: CornerColumns) -> Array:
-    """Return the gaps of polygons within one part in a hundred, else NaN, by floats with their errors."""
+    """Return what `_polygon_gap` does where right to one part in a hundred, else NaN; by floats with their errors."""
     best, error_bound = np.full(a.x.shape[1], -np.inf), np.zeros(a.x.shape[1])
     for own, other in (a, b), (b, a):
         shape = other.x.shape
@@ -151,7 +151,7 @@ def _polygon_gap_by_errors(a: CornerColumns, b: CornerColumns) -> Array:
 
 
 def _circle_gap_by_errors(a: CornerColumns, b: CornerColumns) -> Array:
-    """Return the gaps of circles within one part in a hundred, else NaN, by a difference of squares."""
+    """Return what `_circle_gap` does where right to one part in a hundred, else NaN; by a difference of squares."""
     assert a.r is not None and b.r is not None
     (dx, ex), (dy, ey), (r, er) = two_sum(a.x[0], -b.x[0]), two_sum(a.y[0], -b.y[0]), two_sum(a.r, b.r)
     square, off, _ = sum_with_error([(dx, dx), (dy, dy), (-r, r)], 2 * ((dx * ex + dy * ey) - r * er))

@@ -191,7 +191,7 @@ def relations_of(apart: Any, over: Any) -> Relations:
 
 
 def compare_circles(a: Array, b: Array) -> Relations:
-    """Return the relations of circles given as rows (x, y, radius), by squared distances."""
+    """Return the relation of row i of a with row i of b, which are circles (x, y, radius), by squared distances."""
     return relations_of_gaps(_squared_gap(a.T, b.T))
 
 
@@ -204,7 +204,7 @@ def _squared_gap(a: Iterable[NDArray[Any]], b: Iterable[NDArray[Any]]) -> NDArra
 
 
 def compare_ranges(a: Array, b: Array) -> Relations:
-    """Return the relations of shapes by their (N, k, 2) ranges: APART if one of k directions has a gap."""
+    """Return the relation of row i of a with row i of b, (N, k, 2) ranges: APART if one of k directions has a gap."""
     apart, over = np.zeros(len(a), bool), np.ones(len(a), bool)
     for k in range(a.shape[1]):
         apart |= (a[:, k, 0] > b[:, k, 1]) | (b[:, k, 0] > a[:, k, 1])
@@ -236,7 +236,7 @@ def sat_gaps(p: CornerColumns, q: CornerColumns) -> NDArray[Any]:
 
 
 def circle_polygon_gap(circle: CornerColumns, ring: CornerColumns) -> NDArray[Any]:
-    """Return the squared distance of each center from the boundary less r squared; -1 if it is inside."""
+    """Return the squared distance of each center from its polygon's boundary less r squared; -1 if it is inside."""
     assert circle.r is not None
     inside = np.ones(ring.x.shape[1], bool)
     nearest = np.full(ring.x.shape[1], np.inf, ring.x.dtype)

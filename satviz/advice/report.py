@@ -34,26 +34,26 @@ def text(summary: InputSummary, results: "Sequence[ModelResult]", scope: Scope) 
     """Return the recommendation as lines: the model, why, its scope, the summary, and the other models."""
     least, hits = best(results), for_hits(results)
     lines = [
-        f"{named(least.model)}: right for {_all(summary)}",
-        *_line_on_boxes(least.model, summary),
+        f"{label(least.model)}: right for {_all(summary)}",
+        *_lines_on_boxes(least.model, summary),
         f"why      {reason(least.model, summary, scope)}",
         f"holds    {validity_sentence(scope, summary)}",
-        f"shapes   {shapes(summary)}{' in these pairs' if summary.settled and summary.pairs else ''}",
-        f"pairs    {_pairs(summary)}",
-        *_search(summary),
+        f"shapes   {describe_shapes(summary)}{' in these pairs' if summary.settled and summary.pairs else ''}",
+        f"pairs    {_describe_pairs(summary)}",
+        *_lines_on_broad_phase(summary),
     ]
     if summary.pairs:
-        lines.append(f"nearest  {nearest(summary)}")
+        lines.append(f"nearest  {describe_nearest(summary)}")
     place = results.index(least)
-    lines += [f"less     {_fails(j, summary)}" for j in results[:place]]
+    lines += [f"less     {_why_not_proven(j, summary)}" for j in results[:place]]
     rest = results[place + 1 :]
-    lines += [f"{'more ' if j.proven else 'other'}    {_adds(j, summary, results)}" for j in rest]
+    lines += [f"{'more ' if j.proven else 'other'}    {_describe_other(j, summary, results)}" for j in rest]
     if scope.kind != ANYWHERE:
         lines.append(
-            f"anywhere {named(model_for_any_position(summary, results))} is right in every position, if the shapes move"
+            f"anywhere {label(model_for_any_position(summary, results))} is right in every position, if the shapes move"
         )
     if hits is not least:
-        lines.append(f"hits     {named(hits.model)} is enough to tell hits from misses, where touching is a hit")
+        lines.append(f"hits     {label(hits.model)} is enough to tell hits from misses, where touching is a hit")
     return "\n".join(lines)
 
 
@@ -89,7 +89,7 @@ def validity_sentence(scope: Scope, summary: InputSummary) -> str:
         text = f"any convex polygons with {_multiples(scope.unit)}, up to {_size(scope.bound)}"
         return f"{text}, and edges up to {_size(scope.span)} wide and high" if scope.span else text
     if scope.kind == MOVED:
-        return f"the scene moved as a whole, exactly, while no coordinate exceeds {power(scope.bound, 0)}"
+        return f"the scene moved as a whole, exactly, while no coordinate exceeds {log2_text(scope.bound, 0)}"
     if summary.settled:
         return "these shapes in these positions: it is proven for each pair"
     return (
@@ -104,7 +104,7 @@ def _multiples(unit: int | None) -> str:
 
 def _size(value: float) -> str:
     """Return a power of two in digits, or as "2^n" where the digits are many."""
-    return f"{value:,.15g}" if 2.0**-10 <= value <= 2.0**20 else power(value, 0)
+    return f"{value:,.15g}" if 2.0**-10 <= value <= 2.0**20 else log2_text(value, 0)
 
 
 def cost_line(model: Model, summary: InputSummary, found: "Mapping[str, Cost | None]") -> str:
@@ -131,22 +131,22 @@ def duration(nanoseconds: float) -> str:
     return f"{nanoseconds:.2g} ns" if nanoseconds < 99.5 else f"{nanoseconds:.0f} ns"
 
 
-def named(model: Model) -> str:
+def label(model: Model) -> str:
     """Return the name of a model, with its number of axes in brackets where the name does not tell it."""
-    return model.name if model.kind == K_DOP and not model.after_boxes else f"{model.name} ({axes(model.axes)})"
+    return model.name if model.kind == K_DOP and not model.after_boxes else f"{model.name} ({axes_text(model.axes)})"
 
 
-def axes(many: int) -> str:
+def axes_text(many: int) -> str:
     """Return a number of axes in words: "1 axis", "2 axes"."""
     return f"{many:,} {'axis' if many == 1 else 'axes'}"
 
 
-def power(value: float, digits: int = 1) -> str:
+def log2_text(value: float, digits: int = 1) -> str:
     """Return a number as text "2^x", x with `digits` decimals; "0" for 0 and "no end" for infinity."""
     return "0" if not value else f"2^{log2(value):.{digits}f}" if value < inf else "no end"
 
 
-def shapes(summary: InputSummary) -> str:
+def describe_shapes(summary: InputSummary) -> str:
     """Return a description of the shapes: kinds, corners and sizes."""
     kinds = ", ".join(f"{n:,} {SINGULAR[kind] if n == 1 else kind}" for kind, n in summary.kinds.items())
     low, high = summary.corners
@@ -163,7 +163,7 @@ def _all(summary: InputSummary) -> str:
     return "this pair" if every == 1 else f"all {every:,} pairs"
 
 
-def _search(summary: InputSummary) -> list[str]:
+def _lines_on_broad_phase(summary: InputSummary) -> list[str]:
     """Return a list with the line on the broad phase that suffices; [] unless all pairs of one batch are given."""
     if summary.search is None or summary.pairs + summary.settled == 1:
         return []
@@ -176,7 +176,7 @@ def _search(summary: InputSummary) -> list[str]:
     return [found if name == "all pairs" else f"{found} instead of {every}"]
 
 
-def _line_on_boxes(model: Model, summary: InputSummary) -> list[str]:
+def _lines_on_boxes(model: Model, summary: InputSummary) -> list[str]:
     """Return a list with the line on the test of bounding boxes before the model; [] if there is no such test."""
     if not model.after_boxes:
         return []
@@ -186,44 +186,44 @@ def _line_on_boxes(model: Model, summary: InputSummary) -> list[str]:
     return [f"first    {sentence}"]
 
 
-def _pairs(summary: InputSummary) -> str:
+def _describe_pairs(summary: InputSummary) -> str:
     """Return a description of the pairs: how many are apart, touching and overlapping."""
     apart, touching, overlapping = summary.relations
     text = f"{summary.pairs:,}: {apart:,} apart, {touching:,} touching, {overlapping:,} overlapping"
     return text + (f"; {summary.settled:,} more are apart by their boxes" if summary.settled else "")
 
 
-def nearest(summary: InputSummary) -> str:
+def describe_nearest(summary: InputSummary) -> str:
     """Return a description of the pair with the smallest relative margin, with that margin in roundings."""
     where = "" if summary.pairs + summary.settled == 1 else f"pair {summary.at} "
     if not summary.relative_margin:
         return f"{where}touches: its relative margin is 0"
     return (
-        f"{where}{'has ' if where else ''}a relative margin of {power(summary.relative_margin)} rounding errors of "
-        f"float64, {power(summary.relative_margin * IN_FLOAT32)} of float32"
+        f"{where}{'has ' if where else ''}a relative margin of {log2_text(summary.relative_margin)} rounding errors of "
+        f"float64, {log2_text(summary.relative_margin * IN_FLOAT32)} of float32"
     )
 
 
-def _fails(result: ModelResult, summary: InputSummary) -> str:
-    """Return why a model is not proven: its wrong and its uncertain pairs."""
+def _why_not_proven(result: ModelResult, summary: InputSummary) -> str:
+    """Return a text on why a model is not proven: its wrong and its uncertain pairs."""
     if summary.pairs + summary.settled == 1:
         verdict = "wrong here" if result.wrong else "not proven, as a rounding error could change the answer"
-        return f"{named(result.model)}: {verdict}"
+        return f"{label(result.model)}: {verdict}"
     found = []
     if result.wrong:
         found.append(f"wrong on {result.wrong:,}")
     if result.uncertain:
         found.append(f"not proven for {result.uncertain:,}, where a rounding error could change the answer")
-    return f"{named(result.model)}: {' and '.join(found)}; the first is pair {result.first}"
+    return f"{label(result.model)}: {' and '.join(found)}; the first is pair {result.first}"
 
 
-def _adds(result: ModelResult, summary: InputSummary, results: "Sequence[ModelResult]") -> str:
+def _describe_other(result: ModelResult, summary: InputSummary, results: "Sequence[ModelResult]") -> str:
     """Return a text on a model larger than the recommended one: that it is right too, or why it fails."""
     if not result.proven:
-        return _fails(result, summary)
+        return _why_not_proven(result, summary)
     adds = "also right, but not needed here"
     if result.model.kind == EXACT_FILTER:
         adds = "right for all coordinates"
     elif result.model.kind == FLOAT64.name and any(j.model.kind == FLOAT32.name and j.proven for j in results):
         adds = "also right, but nothing here needs rounding errors 2^29 times as small"
-    return f"{named(result.model)}: {adds}"
+    return f"{label(result.model)}: {adds}"

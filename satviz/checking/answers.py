@@ -213,7 +213,8 @@ def same_answer(one: Answer, other: Answer, kind: str, margin: float) -> bool:
 def recognize(raws: Sequence[Any], pairs: Sequence[tuple[Shape, Shape]], touching: str) -> str | None:
     """Return the kind in which most of the raw answers can be read; None if no answer can be read in any kind.
 
-    Where two kinds can read equally many, it is the kind in which more of these answers are right.
+    Where two kinds can read equally many, it is the kind in which more of these answers are right.  `touching`: as in
+    Rules.
     """
     best, found = (0, -1), None
     for kind in KINDS:

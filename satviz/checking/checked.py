@@ -180,7 +180,7 @@ class Checked:
 
     @property
     def said_in_words(self) -> str:
-        """Return in words the answer that the function gave for the counterexample."""
+        """Return in words what the function answered for the counterexample, or its problem; "" if there is none."""
         result = self.smallest
         return "" if result is None else result.line if result.problem else in_words(result.answer, self.rules.returns)
 

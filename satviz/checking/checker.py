@@ -35,8 +35,8 @@ def check(
     or "all".  `touching`: what a verdict must say of shapes that touch: "hit", "miss", or "either".  `tolerance`, in
     scene units: verdicts nearer to touching than this are not judged.  `whole_numbers=True` leaves out the pairs in
     rounded numbers, which measure where floats fail.  `clockwise=False` gives all vertices in counter-clockwise order.
-    `seconds`: the time after which no new pairs are asked.  `call_seconds`: run `fn` in a process of its own, and end
-    it where a call takes longer than this; without it an endless loop never ends.
+    `seed`: of the random pairs.  `seconds`: the time after which no new pairs are asked.  `call_seconds`: run `fn` in a
+    process of its own, and end it where a call takes longer than this; without it an endless loop never ends.
 
     What is true is decided by the exact engine.  TypeError if `fn` is no function; ValueError for an option that is not
     one of those above.

@@ -159,7 +159,7 @@ MAX_COMPARED = 160  # pairs on which each hypothesis is run, those first about w
 
 
 def likenesses(results: Sequence[Result], rules: Rules) -> list[Likeness]:
-    """Return the known mistakes that give some of a function's wrong answers, those that give most of them first."""
+    """Return the known mistakes that share wrong answers with a function, the likest first (by `_rank`)."""
     readable = [result for result in results if not result.problem]
     wrong = [result for result in readable if not result.right]
     compared = [*wrong[: MAX_COMPARED // 2]]

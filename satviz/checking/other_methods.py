@@ -181,7 +181,7 @@ def beyond_reach(
 
 
 def _other_ways() -> Iterator[Variant]:
-    """Yield the mistakes of other methods than SAT."""
+    """Yield (name of a failing case, method, how it differs) for the mistakes of other methods than SAT."""
     yield "corner-inside", partial(spot_inside, vertex_mean), "here the middle of one"
     yield "corner-inside", partial(corners_in, "B"), "here a corner of A in B alone"
     yield "corner-inside", partial(corners_in, "A"), "here a corner of B in A alone"

@@ -66,7 +66,10 @@ def kind_of_pair(a: Shape, b: Shape) -> str:
 
 @lru_cache(maxsize=16)
 def whole_number_pairs(kinds: tuple[str, ...], seed: int) -> tuple[CheckPair, ...]:
-    """Return the pairs that judge a function, in order: small boxes, small shapes, failing cases, seeded pairs."""
+    """Return the pairs that judge a function, in order: small boxes, small shapes, failing cases, seeded pairs.
+
+    The last ones lie just past one edge.  `kinds`: keys of KINDS; `seed`: of the random numbers.
+    """
     random = Random(seed)
     found = [*_small_boxes()] if BOXES in kinds else []
     small = [pair for size in SIZES[:3] for pair in _seeded(kinds, random, size, "small shapes")]
@@ -208,7 +211,7 @@ def _middle(shape: Shape) -> Vec:
 
 
 def _box(random: Random, size: int) -> Polygon:
-    """Return an upright box."""
+    """Return an upright box from (0, 0), with whole sides up to `size`."""
     w, h = (random.randint(1, size) for _ in range(2))
     return box(0, 0, w, h)
 

@@ -95,7 +95,7 @@ def _is_over(outcomes: Sequence[Outcome]) -> bool:
 
 
 def _counter_clockwise(shape: Shape) -> Shape:
-    """Return a polygon with its vertices in counter-clockwise order."""
+    """Return a polygon with its vertices in counter-clockwise order, a circle unchanged."""
     if not isinstance(shape, Polygon):
         return shape
     area = sum(p.x * q.y - q.x * p.y for p, q in zip(shape.vertices, (*shape.vertices[1:], shape.vertices[0])))
@@ -137,7 +137,7 @@ def _right_count(answered: Sequence[tuple[Any, tuple[Shape, Shape]]], rules: Rul
 
 
 def _changed(results: Sequence[Result], before: Sequence[Outcome], after: Sequence[Outcome]) -> Result | None:
-    """Return the first pair whose second answer differs from its first one, as a Result with that problem.
+    """Return the first pair whose second answer differs from its first one, as a Result with that problem, else None.
 
     Values that are no answer are not compared: most objects differ even from themselves.
     """

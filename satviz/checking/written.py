@@ -313,7 +313,7 @@ SMALL_RADII: tuple[tuple[Middle, Radius], ...] = (
 
 
 def _chosen_edges() -> Iterator[Variant]:
-    """Yield the mistakes that leave out axes, or take others."""
+    """Yield (name of a failing case, method, how it differs) for mistakes that leave out axes, or take others."""
     half, one, opened = "half-the-normals", "one-overlap", "open-outline"
     cuts: tuple[tuple[str, Callable[[int], slice], str], ...] = (
         (half, lambda count: slice((count + 1) // 2), "here half of them, rounded up"),
@@ -361,7 +361,7 @@ def _chosen_edges() -> Iterator[Variant]:
 
 
 def _measured() -> Iterator[Variant]:
-    """Yield the mistakes in a range on an axis, or in the overlap of two ranges."""
+    """Yield (name of a failing case, method, how it differs) for mistakes in a range, or in the overlap of two."""
     for axes, words in (
         (partial(listed, sign=1), "here on the normal of each edge"),
         (partial(listed, sign=-1), "here on the normal of each edge"),
@@ -396,7 +396,7 @@ def _measured() -> Iterator[Variant]:
 
 
 def _pushed() -> Iterator[Variant]:
-    """Yield the mistakes in the choice of the push."""
+    """Yield (name of a failing case, method, how it differs) for mistakes in the choice of the push."""
     late = "here divided only after the axis was chosen"
     yield "raw-depth", Written(powers=(0, 2)), late
     yield "raw-depth", Written(powers=(0, 0)), "here the normal of the move is as long as its edge, too"

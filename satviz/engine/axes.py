@@ -167,7 +167,10 @@ def centers(a: Shape, b: Shape) -> Choice:
 
 
 def nearest_vertex(a: Shape, b: Shape) -> Choice:
-    """Return the axis from a circle's center to the polygon's nearest vertex; no axis for other pairs."""
+    """Return the axis through a circle's center and the polygon's nearest vertex; none if they coincide.
+
+    Other pairs have no such axis.
+    """
     if a.core_is_point == b.core_is_point:
         return Choice(())
     axis, skip = _vertex_axis(a, b, {})
@@ -289,7 +292,7 @@ def _recompute_axis(axis: Axis, known: dict[Source, Axis]) -> Axis:
 def _number_skips(
     axes: Sequence[Axis], skipped: Sequence[Skip], without_direction: Sequence[Skip], a: Shape, b: Shape
 ) -> Iterator[Skip]:
-    """Yield `skipped`, each parallel one with the number of the axis it repeats; ValueError for a false reason.
+    """Yield `skipped`, each parallel one with the number of the axis in `axes` it repeats; ValueError if one is false.
 
     `without_direction`: the only skips for which NO_DIRECTION is true in this pair.
     """
@@ -308,7 +311,7 @@ def _number_skips(
             yield skip._replace(number=first[keys[skip.axis]])
         else:
             raise ValueError(
-                f"axis {skip.axis.source} is skipped for the reason {skip.why!r}, which is false for these shapes"
+                f"axis {skip.axis.source} is skipped for the reason {skip.why!r}, which is false here: test it too"
             )
 
 
@@ -341,7 +344,7 @@ class ExactDots(NamedTuple):
 
 
 def exact_dots(a: Shape, b: Shape, axis: Axis) -> ExactDots:
-    """Return the exact dot products of both cores with an axis, whose vector is recomputed from its source."""
+    """Return the exact dot products of both cores (corners, or a center) with the exact vector of an axis's source."""
     core_a, core_b, radii, k = to_common_unit(a, b)
     kind, role, ids = axis.source
     shape, core, other = (a, core_a, core_b) if role == "A" else (b, core_b, core_a)
@@ -400,7 +403,10 @@ def _make_axis(normal: IntPoint, k: int, source: Source, *, as_given: bool = Fal
 
 
 def _integer_edge_normal(shape: Shape, role: str, kind: str, i: int, j: int) -> tuple[IntPoint, int, Source]:
-    """Return (integer normal, its k, its source) of the edge from corner i to j, for `_make_axis`."""
+    """Return (integer normal, k, source) of the edge from corner i to j, as `_make_axis` takes them.
+
+    `role`: "A" or "B", the shape's place in the pair; `kind`: EDGE or HULL.
+    """
     k, points, _ = shape.integers
     (px, py), (qx, qy) = points[i], points[j]
     return (qy - py, px - qx), k, Source(kind, role, tuple(sorted((shape.corner_ids[i], shape.corner_ids[j]))))

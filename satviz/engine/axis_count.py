@@ -16,8 +16,9 @@ def count_axes(a: Trace | Shape, b: Shape | None = None, names: ShapeNames = DEF
     """Return (number of axes that decide this pair at its present position, a sentence that names them).
 
     One axis with a gap proves that two shapes are apart, so it is enough.  Where no axis has a gap, a single
-    axis proves nothing: all axes of a complete set must be tested.  Concave shapes need one axis for each pair
-    of convex parts.  Takes a trace, or two shapes with their names.
+    axis proves nothing: all axes of a complete set must be tested.  Concave shapes that no
+    single axis separates need one axis for each pair of convex parts, or if they meet, all axes of one pair.  Takes a
+    trace, or two shapes with their names.
     """
     if isinstance(a, Trace):
         return count_axes(a.a, a.b, a.names)

@@ -185,7 +185,7 @@ def _exact_core(shape: Shape) -> list[Rational]:
 def _clip(
     subject: Sequence[tuple[Number, Number]], clip: Sequence[tuple[Number, Number]]
 ) -> Sequence[tuple[Number, Number]]:
-    """Return the ring of points that two convex rings share (Sutherland and Hodgman); exact in fractions."""
+    """Return the intersection of two convex rings as a ring (Sutherland and Hodgman); exact in fractions."""
     for p, q in cyclic_pairs(clip):
         kept: list[tuple[Number, Number]] = []
         for u, v in cyclic_pairs(subject):

@@ -37,7 +37,7 @@ def printable(text: str) -> str:
 
 
 def vertex_name(shape: Shape, name: str, i: int) -> str:
-    """Return a vertex's label, or the shape's small letter with a number from 1: b1, b2 ..."""
+    """Return a vertex's label, or the shape's small letter with a number from 1: b1, b2 ...; b2.1 for a part B2."""
     label = shape.labels[i] if shape.labels else ""
     return printable(label) or f"{name.lower()}{'.' if name[-1].isdigit() else ''}{i + 1}"
 
@@ -157,7 +157,7 @@ def both_ranges(trace: Trace, t: AxisTest, numbers: Digits) -> str:
 
 
 def test_sentence(trace: Trace, i: int) -> str:
-    """Return the sentence of one test: the axis, both ranges, the gap, and what follows."""
+    """Return the sentence of test `i`: the axis, both ranges, the gap, and what follows."""
     t = trace.tests[i]
     head = f"Axis {i + 1} of {len(trace.choice.axes)}, {axis_name(t.axis, (trace.a, trace.b), trace.names)}"
     numbers = digits(trace, t)
@@ -381,7 +381,10 @@ def join_words(words: list[str]) -> str:
 
 
 def shape_in_words(shape: Shape, name: str, numbers: Digits | None = None) -> str:
-    """Return a sentence about a shape: "A is a triangle", "B is a circle of radius 1 around (2, 2)"."""
+    """Return a sentence about a shape: "A is a triangle", "B is a circle of radius 1 around (2, 2)".
+
+    `numbers`: the number format of a circle, by default one that fits its size.
+    """
     if shape.core_is_point:
         numbers = numbers or digits_for_shapes(shape)
         return f"{name} is a circle of radius {numbers.number(shape.radius)} around {numbers.vector(shape.core[0])}"

@@ -36,13 +36,16 @@ class Digits(NamedTuple):
         return f"e{self.power}".replace("-", MINUS) if self.power else ""
 
     def number(self, value: float) -> str:
-        """Return a number as text: all decimals where digits were cut, else as few as it has; "0" only for 0."""
+        """Return a number as text: all decimals where digits were cut, else as few as it has; "0" stands only for 0.
+
+        A padded format has all decimals always, so a small number may become "0.00".
+        """
         text = self.bare(value)
         return _scientific(value) if "e" in text else f"{text}{self.unit}" if value else text
 
     def gap(self, value: float) -> str:
-        """Return the size of a gap as text without its sign, with at least three significant digits."""
-        digits = self._for(value)
+        """Return the size of a gap as text without its sign, with three or more significant digits (padded: one)."""
+        digits = self._with_decimals_for(value)
         return digits.number(abs(value)) if digits.shows(value) else _scientific(abs(value))
 
     def signed(self, value: float) -> str:
@@ -65,7 +68,7 @@ class Digits(NamedTuple):
         if not test.gap:
             start = end
         elif self.fine:
-            fine, size = self._for(test.gap), abs(test.gap)
+            fine, size = self._with_decimals_for(test.gap), abs(test.gap)
             text = fine.bare(size) if fine.shows(size) else _scientific(size / 10.0**self.power)
             start = f"{end} {'+' if test.gap > 0 else MINUS} {text}"
         printed = f"[{self._rest(left.lo)}, {end}]", f"[{start}, {self._rest(right.hi)}]"
@@ -76,7 +79,7 @@ class Digits(NamedTuple):
         """Return a range as text: "[from, to]"."""
         return self._from_origin(f"[{self._rest(lo)}, {self._rest(hi)}]")
 
-    def _for(self, gap: float) -> "Digits":
+    def _with_decimals_for(self, gap: float) -> "Digits":
         """Return this format, with enough decimals to show three significant digits of the gap unless it is padded."""
         if self.padded:
             return self

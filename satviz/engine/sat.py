@@ -109,7 +109,7 @@ def _exact_test(a: Shape, b: Shape, axis: Axis) -> AxisTest:
 
 
 def _exact_projection(shape: Shape, axis: Axis, dots: list[int], square: int, k: int) -> Projection:
-    """Return a shape's projection from the `exact_dots` of its core; square is the squared length of their normal."""
+    """Return a shape's projection from the `exact_dots` of its core, whose unit is 2**-k; `square`: |normal|**2."""
     own_k, _, radius = shape.integers
     if not radius:
         return Projection(shape.core, tuple(root_difference(dot, 0, square, k) for dot in dots))

@@ -81,7 +81,7 @@ class _Shape:
 
     @property
     def integers(self) -> tuple[int, list[IntPoint], int]:
-        """Return (k, core, radius) with the core and the radius as integers in units of 2**-k."""
+        """Return (k, core, radius), integers in units of 2**-k; the core: a polygon's corners or a circle's center."""
         return self.cached("integers", self._to_integers)
 
     def _to_integers(self) -> tuple[int, list[IntPoint], int]:
@@ -237,7 +237,7 @@ def _slabs(corners: tuple[Vec, ...], edges: list[tuple[float, float]]) -> tuple[
 
 
 def _validate_labels(labels: Sequence[str] | None, n: int) -> tuple[str, ...] | None:
-    """Return the labels of n vertices as a tuple; InvalidShape if they are not n texts."""
+    """Return the labels of n vertices as a tuple, None for None; InvalidShape if they are not n texts."""
     if labels is None:
         return None
     if isinstance(labels, str):
@@ -256,9 +256,7 @@ def _validate_labels(labels: Sequence[str] | None, n: int) -> tuple[str, ...] | 
         if not isinstance(label, str):
             raise InvalidShape(f"label {i} is {polygon_validation.short_repr(label)}: a label must be text")
         if any("\ud800" <= c <= "\udfff" for c in label):
-            raise InvalidShape(
-                f"label {i} is {polygon_validation.short_repr(label)}: half a surrogate pair is not text"
-            )
+            raise InvalidShape(f"label {i} is {polygon_validation.short_repr(label)}: remove half a surrogate pair")
     return labels
 
 

@@ -45,12 +45,15 @@ class Shortcut(NamedTuple):
             if not finite:
                 raise InvalidScene(
                     f"{short_repr(self.name)} measures in plain floats, which overflow here: "
-                    "bring the sizes nearer to 1"
+                    "scale the shapes nearer to size 1"
                 )
             yield test
 
     def pieces(self, a: Shape) -> Sequence[Shape] | None:
-        """Return the pieces of A that the shortcut tests one by one; None if it does not cut A."""
+        """Return the pieces of A that the shortcut tests one by one; None if it does not cut A.
+
+        InvalidScene if a piece is not a valid shape.
+        """
         if self.split is None:
             return None
         try:

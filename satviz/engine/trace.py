@@ -149,8 +149,8 @@ class Trace:
     def push(self) -> Vec | None:
         """Return the move of B by which this run would end the overlap: the MTV, or what its shortcut uses instead.
 
-        None where `mtv` or `claim` says that there is no overlap to end, where the MTV of a piece would take too
-        long to find, and where the move is beyond float64.
+        None where `mtv` is None or the shortcut claims APART, where the MTV of a piece would take too long to find,
+        and where the move is beyond float64.
         """
         if self.shortcut is None:
             return self.mtv
@@ -179,7 +179,7 @@ class Trace:
         hit.  InvalidScene if a shortcut measures differently or misses a hit, since that run proves nothing.
         """
         if self.missed_hit or not self.gaps_are_proofs:
-            raise InvalidScene("this run took a shortcut, so it proves nothing: ask trace.truth for a certificate")
+            raise InvalidScene("this run took a shortcut, so it proves nothing: use trace.truth.certificate")
         if self.separating:
             return separating_line(self.a, self.b, self.separating.axis)
         if self.pairs and not self.shortcut:  # the pieces of a shortcut may not cover the shape
@@ -289,7 +289,10 @@ def _record_shortcut(a: Shape, b: Shape, shortcut: Shortcut, every_axis: bool) -
 def _record(
     a: Shape, b: Shape, choice: Choice, every_axis: bool, names: ShapeNames, shortcut: Shortcut | None = None
 ) -> Trace:
-    """Run the loop over one choice of axes and return its trace; InvalidScene if it would list too much."""
+    """Run the loop over one choice of axes and return its trace; InvalidScene if it would list too much.
+
+    `every_axis`, `names`, `shortcut`: the fields of Trace.
+    """
     tests: list[AxisTest] = []
     measured = shortcut.tests(a, b, choice.axes) if shortcut else axis_tests(a, b, choice.axes)
     _check_size(a, b, choice, tests, names)
@@ -309,7 +312,10 @@ def _record_parts(a: Shape, b: Shape, every_axis: bool) -> Trace:
 def _record_pairs(
     a: Shape, b: Shape, of_a: NamedParts, of_b: NamedParts, every_axis: bool, shortcut: Shortcut | None = None
 ) -> Trace:
-    """Run the loop on pairs of parts, each with its name; return one trace that holds all of theirs."""
+    """Run the loop on each part of A with each of B; return one trace that holds all of theirs.
+
+    `of_a`, `of_b`: the convex parts or pieces, each with its name.
+    """
     pairs, size = [], 0
     for (p, name_a), (q, name_b) in product(of_a, of_b):
         pair = _record(p, q, needed(p, q), every_axis, ShapeNames(name_a, name_b))
@@ -350,6 +356,6 @@ def _count_points(a: Shape, b: Shape) -> int:
 def _too_large_error(what: str) -> InvalidScene:
     """Return the InvalidScene for a trace over MAX_SIZE; `what`: what is too many, in words."""
     return InvalidScene(
-        f"{what}: a trace lists {MAX_SIZE:,} points and axes at most; ask relate for the verdict alone, "
+        f"{what}: a trace lists {MAX_SIZE:,} points and axes at most; call relate for the relation alone, "
         "choose fewer axes (such as satviz.axes.world), or simplify the shapes"
     )

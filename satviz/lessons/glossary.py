@@ -266,6 +266,7 @@ class TermLinker:
     """Links each term to the glossary where a text of several parts uses it first."""
 
     def __init__(self, page: str) -> None:
+        """Link no term yet; `page`: the path of the glossary's page."""
         self.page = page
         # longer names first: "convex hull" is not an example of "convex"
         self.open = sorted(TERMS, key=lambda term: -len(term.name))

@@ -198,7 +198,7 @@ def _number(value: float, figures: int) -> str:
 
 
 def _table(trace: Trace, *, filled: bool) -> str:
-    """Return the table of a run over every axis as HTML; `filled`: with ranges and gaps, else with empty cells."""
+    """Return the table of a run's tests, at most 12, as HTML; `filled`: with ranges and gaps, else with empty cells."""
     heads = ("axis", "direction", f"range of {trace.names.a}", f"range of {trace.names.b}", "gap", "separates?")
     head = "<td></td>" + "".join(f'<th scope="col">{escape(name)}</th>' for name in heads)
     lines, pair = [], ""

@@ -91,7 +91,10 @@ class _Collector:
                 self.before.append(html)
 
     def add_outputs(self, cell: dict[str, Any], source: str) -> None:
-        """Add what a code cell shows: a part of the answer, or a picture that a question is about."""
+        """Add what a code cell shows: a part of the answer, or a picture that a question is about.
+
+        A cell that shows a thing to move (`sv.explore` or a slider) drops the question before it, unfit for paper.
+        """
         if self.asked and not self.answer and source.rsplit("\n", 1)[-1].startswith(TOOLS):
             self.asked = None
         for output in cell["outputs"]:

@@ -1,4 +1,7 @@
-"""The two panels of most shortcuts: the tests that the answer comes from, and the proof of the truth."""
+"""The two panels of most shortcuts: the tests that the answer comes from, and the proof of the truth.
+
+A shortcut is a mistaken or cheaper collision test; its push is the move of B by which it would end an overlap.
+"""
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -79,7 +82,7 @@ class Panel(NamedTuple):
 
 
 def contents_of_claimed_tests(trace: Trace) -> PanelContents:
-    """Return what the panel of claimed tests needs: both shapes, B where the shortcut pushes it, `claimed_tests`."""
+    """Return both shapes, B where the shortcut pushes it, and the tests its answer comes from (`claimed_tests`)."""
     push = trace.push if is_about_push(trace) else None
     return PanelContents(
         _shapes_with_moved_b(trace, push), [drawable_test(trace, test) for test in claimed_tests(trace)]
@@ -87,7 +90,7 @@ def contents_of_claimed_tests(trace: Trace) -> PanelContents:
 
 
 def draw_claimed_tests(trace: Trace, layout: Layout) -> Sketch:
-    """Draw `claimed_tests`, what the shortcut left out, and its push."""
+    """Draw the tests that the shortcut's answer comes from (`claimed_tests`), what it left out, and its push."""
     sketch = PanelSketch(trace, layout)
     tests = claimed_tests(trace)
     if {test.source for test in trace.tests} == {axis.source for axis in world(trace.a, trace.b).axes} and not (
@@ -148,7 +151,7 @@ def is_measured_correctly(trace: Trace, test: AxisTest) -> bool:
 
 
 def forgotten_normals(trace: Trace) -> list[Axis]:
-    """Return the edge normals that are parallel to no axis of the trace, if its axes are edge normals at all."""
+    """Return the edge normals that are parallel to no axis of the trace; [] unless its axes are edge normals."""
     if not all(test.source.kind == EDGE for test in trace.tests):
         return []
     tested = [test.axis for test in trace.tests]
@@ -216,7 +219,10 @@ def claimed_tests(trace: Trace) -> list[AxisTest]:
 
 
 def draw_push(sketch: Sketch) -> None:
-    """Draw B where the shortcut pushes it, if the shortcut's answer depends on this push."""
+    """Draw the shortcut's push as a named arrow with B at its end, if the shortcut's answer depends on this push.
+
+    Of a push too long for the picture, draw the name alone.
+    """
     trace = sketch.trace
     if not is_about_push(trace) or not trace.push:
         return
@@ -233,7 +239,7 @@ def draw_push(sketch: Sketch) -> None:
 
 
 def needs_proof(trace: Trace) -> PanelContents:
-    """Return both shapes, B moved by the MTV, and the exact test that is shown."""
+    """Return what the panel of the proof needs: both shapes, B moved by the MTV, and the exact test that is shown."""
     test = true_test(trace)
     return PanelContents(_shapes_with_moved_b(trace, trace.truth.known_mtv), [test] if test else [])
 

@@ -70,7 +70,7 @@ def all_marks_fit(drawn: Picture) -> bool:
 def decisive_test(trace: Trace) -> ShownTest | None:
     """Return the test of the largest gap, or of the least overlap; None if there are no tests.
 
-    A shortcut's run has the test that ended it, if there is one.
+    For a shortcut's run it is the test that ended the run, if one did.
     For convex parts it is a test of the pair that collides, else of the pair that lies closest.
     """
     runs: Sequence[tuple[int | None, Trace]] = list(enumerate(trace.pairs)) or [(None, trace)]
@@ -171,7 +171,8 @@ def free_axis_picture(
 ) -> tuple[Picture, AxisPlace]:
     """Return the picture of a free axis at an angle in degrees, and the place of the axis.
 
-    `trace` has that one direction as its choice of axes; `last_out` and `memory` are those of `drag_picture`.
+    `trace` has that one direction as its choice of axes.  `last_out`: the direction from the shapes to the axis in the
+    picture before; `memory`: how the labels stood there.
     """
     sketch = FreeSketch(trace, layout)
     sketch.digits = drag_digits(layout)

@@ -66,8 +66,9 @@ def draw_parts(sketch: Sketch, named: Collection[str] | None = None) -> None:
 
 
 def draw_verdict(sketch: Sketch, places: Sequence[AxisPlace], *, named: bool = True) -> None:
-    """Draw the proof of the verdict: a separating line, or a point in both shapes and the MTV.
+    """Draw the proof of the verdict: a separating line and its axis, or a point in both shapes and the MTV.
 
+    `places`: that of the separating axis, if there is one.
     `named` adds the relation in words, and the coordinates of the point.
     """
     trace = sketch.trace

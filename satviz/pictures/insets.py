@@ -62,7 +62,7 @@ def add_insets(layouts: Sequence[Layout], shapes: Sequence[tuple[str, Shape]]) -
 
 
 def _free_corner(layouts: Sequence[Layout], shapes: Sequence[Shape]) -> tuple[float, float] | None:
-    """Return (x, y) of the upper left corner of an inset's box, in scene units, in a free corner of the canvas.
+    """Return the upper left corner (scene units) of a box for an inset, in a corner clear of shapes and axes.
 
     The lower corners come first; None if no corner is free.
     """

@@ -1,7 +1,7 @@
 """The search for the place of one label: the nearest spot that is clear of lines, dots, other labels and the rim.
 
 Every spot has a cost, without unit.  A label takes the cheapest spot.  Coordinates here are points from the lower
-left corner of the canvas; requests and marks are in scene units.
+left corner of the canvas; requests and marks are in scene units.  A pose is one picture of a drag.
 """
 
 from bisect import bisect_left
@@ -76,7 +76,7 @@ class LabelRequest(NamedTuple):
 
     @property
     def key(self) -> LabelKey:
-        """Return part, owner, axis and number, as its label will have them."""
+        """Return (part, owner, axis, number), by which its label is known from picture to picture."""
         return self.part, self.owner, self.axis, self.number
 
 
@@ -125,12 +125,14 @@ class LabelMemory:
 
 
 class LabelPlacer:
-    """Places labels one by one, each on the cheapest spot given the marks and labels noted so far.
-
-    `kept`: labels of other steps, which keep their spots; `memory`: how the labels stood in the last picture of a drag.
-    """
+    """Places labels one by one, each on the cheapest spot given the marks and labels noted so far."""
 
     def __init__(self, layout: Layout, kept: Sequence[Mark] = (), memory: LabelMemory | None = None) -> None:
+        """Make a placer that has noted nothing yet.
+
+        `kept`: labels of other steps, which keep their spots; `memory`: how the labels stood in the last picture of a
+        drag.
+        """
         self.layout = layout
         self.memory = memory
         self.kept = [mark for mark in kept if mark.kind == "label"]
@@ -192,7 +194,7 @@ class LabelPlacer:
         return (p.x - x0) * scale, (p.y - y0) * scale
 
     def labels(self, requests: Sequence[LabelRequest]) -> list[Mark]:
-        """Return a label for each request that finds a place, with a line to its anchor if that is far."""
+        """Return the marks of a label for each request that finds a place, and of a line to an anchor far from it."""
         found = []
         for r in requests:
             at = self._keep(r)
@@ -255,10 +257,7 @@ class LabelPlacer:
         return marks
 
     def _pieces(self, request: LabelRequest, at: Vec) -> Iterator[Mark]:
-        """Yield a label for each piece of a text; its lines begin at one x, and together they are centered at `at`.
-
-        Here and in the next methods `at` is a label's center, in scene units.
-        """
+        """Yield a label for each piece of a text; its lines begin at one x; all are centered at `at` (scene units)."""
         width, height = map(self.layout.units, text_size(request.text))
         high = height / (request.text.count("\n") + 1)
         left, x, y = at.x - width / 2, at.x - width / 2, at.y + (height - high) / 2
@@ -276,7 +275,10 @@ class LabelPlacer:
                     number += 1
 
     def _leader_end(self, request: LabelRequest, at: Vec) -> Vec | None:
-        """Return the point where a line from the anchor meets the label's box; None if the label is near its anchor."""
+        """Return where a line from the anchor meets the box of its label, centered at `at` (both in scene units).
+
+        None if the label is near its anchor.
+        """
         w, h = (self.layout.units(c / 2 + 1) for c in text_size(request.text, request.weight))
         a = request.anchor
         part = clip_segment(a.x, a.y, at.x, at.y, at.x - w, at.y - h, at.x + w, at.y + h)
@@ -285,7 +287,7 @@ class LabelPlacer:
         return Vec(a.x + (at.x - a.x) * part[0], a.y + (at.y - a.y) * part[0])
 
     def _nearest_on_label(self, request: LabelRequest, at: Vec) -> Vec:
-        """Return the point of the label's box nearest to the anchor."""
+        """Return the point nearest to the anchor in the box of its label, centered at `at` (both in scene units)."""
         w, h = (self.layout.units(c / 2 + 1) for c in text_size(request.text, request.weight))
         a = request.anchor
         return Vec(min(max(a.x, at.x - w), at.x + w), min(max(a.y, at.y - h), at.y + h))
@@ -297,7 +299,7 @@ class LabelPlacer:
         return any(clip_segment(*line, *box) and not _is_dot(box) for box in self.boxes[:-1])
 
     def _keep(self, request: LabelRequest) -> Vec | None:
-        """Return the spot from `kept_spot`, and reserve it; None if there is none."""
+        """Return where the same label stands in another step (scene units), and reserve it; None if it is not free."""
         at = self.kept_spot(request)
         if at is not None:
             w, h = text_size(request.text, request.weight)
@@ -326,8 +328,9 @@ class LabelPlacer:
         return request, self._take(request, spot, cost)
 
     def _place_freely(self, request: LabelRequest, target: Spot) -> tuple[LabelRequest, Vec | None]:
-        """Return the same as `_place`, without regard to where the label stood before; `target`: in points.
+        """Return the request, perhaps broken into lines, and its label's center in scene units (None: left out).
 
+        The label may stand anywhere, wherever it stood before; `target` is the point (in points) that it will follow.
         A label that must be shown is broken into 2 or 3 lines where it would cover something in one; a title also
         where a line would run through it.
         """

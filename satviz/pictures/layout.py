@@ -140,9 +140,10 @@ def arrange_readable(
     one_frame: bool = True,
     tight: bool = False,
 ) -> list[Layout]:
-    """Return the layouts of `arrange`, with its options; if that leaves `shapes` small on a narrow canvas, brief ones.
+    """Return a layout for each panel, as `arrange` does; brief ones if `shapes` would be small on a narrow canvas.
 
-    In a brief layout the ranges have no numbers.
+    Brief layouts keep no space for the numbers of the ranges.  `largest`: the canvas in points at most; `one_frame`:
+    all have the same limits; `tight`: an axis lies near the shapes.
     """
     found = arrange(panels, largest=largest, one_frame=one_frame, tight=tight)
     x0, y0, x1, y1 = bounding_box(shapes)
@@ -210,7 +211,10 @@ def _layouts_on(
 
 
 def limits_around(center: tuple[float, float], size: tuple[float, float], scale: float) -> Box:
-    """Return the limits of a canvas of that size (points) with `center` in its middle."""
+    """Return the limits of a canvas of that size (points) with the point `center` of the scene in its middle.
+
+    `scale`: points in a scene unit.
+    """
     (x, y), (w, h) = center, (side / scale / 2 for side in size)
     return x - w, y - h, x + w, y + h
 

@@ -42,12 +42,12 @@ MAX_NARROW_STEPS = 150  # a narrow playback of more steps is left out
 
 
 def playbacks(trace: Trace) -> list[dict[str, Any]]:
-    """Return the playback of a trace and, if the early exit left out axes, the playback of the run over every axis."""
+    """Return the playback of a trace and, if its early exit left out axes, that of the run without early exit."""
     return [playback(run) for run in _distinct_runs(trace)]
 
 
 def _distinct_runs(trace: Trace) -> list[Trace]:
-    """Return the trace and its run over every axis; the trace alone if they are the same."""
+    """Return the trace and its run without early exit; the trace alone if they are the same."""
     whole = trace.without_early_exit()
     return [trace] if whole.tests == trace.tests and whole.pairs == trace.pairs else [trace, whole]
 
@@ -97,7 +97,8 @@ def playback(trace: Trace, largest: tuple[float, float] = LARGEST_PT) -> dict[st
 def picture_playback(trace: Trace, pictures: Sequence[Picture], *, turns: bool) -> dict[str, Any]:
     """Return pictures of a trace's shapes as a playback, which has no table and no code.
 
-    They show an axis that turns (`turns`), or how B - A comes about: each of these for as long as its words take.
+    They show an axis that turns (`turns`), each for the same time, or else how B - A comes about, each for the time
+    that its sentence takes to read.
     """
     stage = "sweep" if turns else "difference"
     times = (TURN_FRAME_MS if turns else reading_time_ms(drawn.sentence) for drawn in pictures)

@@ -86,7 +86,7 @@ def all_rows(trace: Trace) -> list[Row]:
 
 
 def _legend(trace: Trace) -> list[tuple[str, str, float]]:
-    """Return each shape's legend as (role, text, x at which it begins): whose bar is above, whose below."""
+    """Return each shape's legend as (role, text, x at which it begins), such as "A above," and "B below"."""
     above, below = f"{trace.names.a} above,", f"{trace.names.b} below"
     return [("A", above, BARS_LEFT_PT), ("B", below, BARS_LEFT_PT + 4 + text_size(above)[0])]
 
@@ -144,9 +144,9 @@ def _row_marks(
     scale: float,
     zero: float | None,
 ) -> list[Mark]:
-    """Return the marks of row `number` (from 1); `top`: the y of its upper end; `words`: from `_outcome_lines`.
+    """Return the marks of row `number` (from 1); `top`: the y of its upper end; `scale`: points per unit of the axis.
 
-    `scale` and `zero`: those of `_scale_and_zero`.
+    `words`: the lines about its outcome, as (text, role) pairs; `zero`: the x of coordinate 0, None if too far away.
     """
     run, _, test, made = row
     weight, ink = ("plain", "ink") if made else ("faint", "guide")

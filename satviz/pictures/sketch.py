@@ -1,6 +1,7 @@
 """A sketch of a test: the edge or line its axis comes from, the normal, the axis, drops, ranges, the gap.
 
-Every number comes from the trace.
+Every number comes from the trace.  A landing is a point's coordinate on an axis, and a drop is the dotted line from the
+point to its landing.  A role is "A" or "B", the shape that a mark belongs to, or another colour of the theme.
 """
 
 from collections.abc import Sequence
@@ -44,6 +45,7 @@ class Sketch(ShapeSketch):
     """A sketch of a trace with its tests; `prefix` tells its axes from those of another trace in the same picture."""
 
     def __init__(self, trace: Trace, layout: Layout, prefix: str = "") -> None:
+        """Make an empty sketch; `prefix` begins the ids of its axes."""
         super().__init__(trace, layout)
         self.prefix = prefix
 
@@ -100,7 +102,7 @@ class Sketch(ShapeSketch):
         return start, point_along(start, self.arrow_direction(test.axis), length)
 
     def upcoming_normals(self) -> list[Segment]:
-        """Return the arrow (tail, tip) of each test's normal, drawn already or not."""
+        """Return the arrow (tail, tip) of each test's normal and of each grey one, drawn already or not."""
         arrows = [arrow for arrow in map(self.normal_arrow, self.trace.tests) if arrow]
         return [*arrows, *(self.small_normal_arrow(axis, GREY_NORMAL) for axis in self.grey_normals())]
 
@@ -110,7 +112,7 @@ class Sketch(ShapeSketch):
         return n if describe.points_outward(self.trace, axis) else Vec(-n.x, -n.y)
 
     def normal(self, test: AxisTest, *, named: bool = False) -> None:
-        """Draw `normal_arrow`, if there is one; `named` labels it as a vector."""
+        """Draw an arrow along the axis on its edge or line, if it has one; `named` labels it as a vector."""
         arrow = self.normal_arrow(test)
         if arrow is None:
             return
@@ -399,7 +401,8 @@ class Sketch(ShapeSketch):
     ) -> None:
         """Draw a finished test: the axis (`named`), `drops` of the extreme points, both ranges, the gap or overlap.
 
-        `numbers`: the labels of ranges and gap give their ends; `interval`, `remark` and `on` are those of `gap`.
+        `numbers`: the labels of the ranges give their ends, and that of the gap too if `interval`; it also has the
+        axis's name `on` and a `remark`, unless these are "".
         """
         self.axis(test, place, named=named)
         for role in "AB":

@@ -111,7 +111,10 @@ def _draw_crossing_edges(sketch: Sketch, best: AxisGap, at: Callable[[Vec3], Vec
 def _draw_axis(
     sketch: Sketch, at: Callable[[Vec3], Vec], start: Sequence[float], n: Vec3, text: str, role: str
 ) -> None:
-    """Draw the direction n in space as an arrow from the point `start`, with `text` at its tip; `at`: as above."""
+    """Draw the direction n in space as an arrow from `start`, with `text` at its tip.
+
+    `at` gives the point of the panel for a point in space.
+    """
     length = 1.6 / sqrt(dot(n, n))
     tip = tuple(s + c * length for s, c in zip(start, n, strict=True))
     p, q = at(tuple(start)), at(tip)  # type: ignore[arg-type]

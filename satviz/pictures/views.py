@@ -101,7 +101,7 @@ def quarter_turn(trace: Trace, number: int, *, title: str = "") -> Picture:
 
 
 def all_tests(trace: Trace, *, title: str = "") -> Picture:
-    """Draw all tests in one picture: every axis with both ranges; if the verdict is wrong, also the axis left out."""
+    """Draw all tests in one picture, each axis with both ranges; a false hit has a second panel: the axis left out."""
     shapes = trace.a, trace.b
     missing = [max(record(*shapes).tests, key=lambda test: test.gap)] if trace.false_hit else []
     groups = [PanelContents(shapes, tests, brief=True) for tests in (trace.tests, missing) if tests]
@@ -275,7 +275,7 @@ def single_circle(trace: Trace, number: int, role: str, *, extremes: bool, title
 
 
 def failed_axes(trace: Trace, *, title: str = "") -> Picture:
-    """Draw the 3 axes of different directions that come nearest to separating, and the distance of the shapes."""
+    """Draw the 3 axes of different directions that come nearest to separating, and the gap of each pair of parts."""
     best: list[AxisTest] = []
     for test in sorted(trace.tests, key=lambda t: -t.gap):
         if all(test.axis.direction != other.axis.direction for other in best):
@@ -339,7 +339,7 @@ def _draw_distance(sketch: Sketch, pair: Trace, test: AxisTest, number: int) -> 
 
 
 def convex_parts(trace: Trace, *, title: str = "") -> Picture:
-    """Draw each pair of convex parts in a panel of its own, with the axis that separates it; the parts have tints."""
+    """Draw each pair of convex parts in a panel of its own, with the axis that separates it; tints tell parts apart."""
     tests = [pair.separating for pair in trace.pairs]
     groups = [PanelContents([trace.a, trace.b], [test] if test else []) for test in tests]
     layouts = arrange(groups, largest=LOW_PANEL_PT, least=LOW_PANEL_PT, one_frame=True)
@@ -359,7 +359,7 @@ def convex_parts(trace: Trace, *, title: str = "") -> Picture:
 
 
 def strip(pictures: Sequence[tuple[str, Picture]], *, title: str = "") -> Picture:
-    """Return (words, picture) pairs of one frame as small multiples, two in a row, each with its words below it.
+    """Return one picture of small multiples, given as (words, picture): two in a row, each with its words below it.
 
     Each keeps its marks and the names of the shapes; other labels would be too small to read.
     """

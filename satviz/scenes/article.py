@@ -1,4 +1,4 @@
-"""The article's scenes."""
+"""The article's scenes: those of the illustrated article on SAT whose figures satviz makes (`satviz figures`)."""
 
 from ..engine.shapes import Circle, Polygon
 from .scenefile import Scene

@@ -273,6 +273,7 @@ class _WidgetFinder:
     """
 
     def __init__(self, cells: list[dict[str, Any]]) -> None:
+        """Read the code of a notebook's cells; nothing is run yet."""
         self.sources = ["".join(cell["source"]) if cell["cell_type"] == "code" else "" for cell in cells]
         self.next_to_run = 0
         self.names: dict[str, Any] = {"sv": satviz}
@@ -304,7 +305,7 @@ class _WidgetFinder:
         return drawn
 
     def _last_call(self, i: int) -> tuple[ast.Call | None, str]:
-        """Return the call that is the last line of cell i and its function; (None, "") if that is no call."""
+        """Return the call that is the last line of cell i, and its function's name; (None, "") if that is no call."""
         last = (ast.parse(self.sources[i]).body or [ast.Pass()])[-1]
         call = last.value if isinstance(last, ast.Expr) else None
         return (call, ast.unparse(call.func)) if isinstance(call, ast.Call) else (None, "")

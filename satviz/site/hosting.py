@@ -26,7 +26,7 @@ SITEMAPS = "http://www.sitemaps.org/schemas/sitemap/0.9"
 
 
 def head_lines(chapters: Sequence[Chapter], url: str, path: str, title: str, description: str) -> list[str]:
-    """Return the lines of a page's head for social networks; the page of a missing address only forbids listing it.
+    """Return the lines of a page's head for social networks; for the page 404.html only one that forbids listing it.
 
     `url` is the address of the site.  Without it the picture's address is relative, which only some networks read.
     """
@@ -67,7 +67,7 @@ def social_card(name: str) -> Picture:
 
 
 def social_pictures(chapters: Sequence[Chapter]) -> Iterator[tuple[str, bytes]]:
-    """Yield (path, content) of each picture that stands for a page."""
+    """Yield (path, content) of each picture that stands for a page in a social network."""
     paths = [*(chapter.path for chapter in chapters), *SCENE_OF_PAGE, "index.html"]
     for name in dict.fromkeys(scene_of_page(path, chapters) for path in paths):
         yield card_path(name), encode(social_card(name), "png", stem=name)

@@ -1,4 +1,7 @@
-"""What both widgets share: the browser's code, files drawn by matplotlib, and the picture where no front end runs."""
+"""What both widgets share: the browser's code, files drawn by matplotlib, and the picture where no front end runs.
+
+The front end is the part of a widget that runs in the browser.
+"""
 
 import os
 from base64 import b64encode
@@ -33,6 +36,7 @@ class TraceWidget(anywidget.AnyWidget):
     trace = traitlets.Any(help="the Trace that is shown; observe it to follow").tag(sync=False)
 
     def __init__(self, model: PlayerModel, **more: Any) -> None:
+        """Make the widget of a model; `more`: values of its traits."""
         self._model = model
         super().__init__(trace=model.trace, **more)
         self.on_msg(self._receive)

@@ -30,6 +30,7 @@ class Explorer(TraceWidget):
     challenges = traitlets.Dict(OFFERED["challenges"]).tag(sync=True)
 
     def __init__(self, shown: Scene, goal: str | None = None) -> None:
+        """Make the explorer of a scene; `goal`: the challenge ("touch", "one-axis" or "break"), None for none."""
         model = ExplorerModel(shown, goal)
         super().__init__(model, first=model.state())
 

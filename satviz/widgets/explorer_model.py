@@ -1,4 +1,7 @@
-"""The explorer without its widget: each pose that a drag sends is answered with the picture that follows."""
+"""The explorer without its widget: each pose that a drag sends is answered with the picture that follows.
+
+A pose is the present place of both shapes with the options of the view; the front end is the browser's part.
+"""
 
 from dataclasses import replace
 from functools import partial
@@ -79,6 +82,7 @@ class ExplorerModel(PlayerModel):
     """
 
     def __init__(self, shown: Scene, goal: str | None = None) -> None:
+        """Show a scene; `goal`: the challenge ("touch", "one-axis" or "break"), None for none."""
         self._first = shown
         self._degree: float | None = None
         self._largest = canvas_size(None)
@@ -195,7 +199,7 @@ class ExplorerModel(PlayerModel):
         self._memory = LabelMemory()  # how the labels stood, so that they do not jump
 
     def _pose(self, content: dict[str, Any]) -> None:
-        """Apply a drag's message: both shapes, the view and the challenge; InvalidScene before anything is changed."""
+        """Apply a drag's message: both shapes, the view and the challenge; ValueError before anything is changed."""
         a, b = shape_from(content.get("a"), "A"), shape_from(content.get("b"), "B")
         degree, pinned = _number(content.get("degree"), "the angle"), content.get("pinned")
         largest = canvas_size(_number(content.get("width"), "the width"))
@@ -231,7 +235,9 @@ class ExplorerModel(PlayerModel):
         self._set_run(changed, trace, view, met)
 
     def _snapped(self, a: Shape, b: Shape, key: object, *, by_key: bool = False) -> tuple[Shape, Shape, str]:
-        """Return both shapes, and words; the one that `key` names ("a" or "b") is moved to touch the other if near.
+        """Return both shapes, the one named by `key` ("a" or "b") moved to touch the other if near, and what was done.
+
+        What was done is a sentence, "" if nothing was tried.
 
         After an arrow key (`by_key`) a shape snaps only on its way to a touch; otherwise it could never leave it.
         """
@@ -262,7 +268,7 @@ class ExplorerModel(PlayerModel):
         return Scene.from_json(require_type(text, "the scene", str))
 
     def _set_run(self, scene: Scene, run: Trace, view: str | None, met: ChallengeResult | None) -> None:
-        """Store the scene, its run, the view with the trace it shows, and the challenge's result."""
+        """Store the scene, its run, the view with the trace it shows, and the challenge's result (`met`)."""
         self.scene, self._run, self._view, self._challenge_result = scene, run, view, met
         self._won = met is not None and (met.met or self._won)
         self.trace = run.truth if view == TRUTH else run
@@ -335,7 +341,7 @@ def _number(value: Any, what: str) -> float | None:
 
 
 def _trace(shown: Scene) -> Trace:
-    """Return the trace of a scene over every axis, since the table shows them all; parallel normals have one row."""
+    """Return a scene's trace without early exit, since the table shows every axis; parallel normals share a row."""
     if shown.axes == EVERY_NORMAL and shown.a.is_convex and shown.b.is_convex:
         shown = replace(shown, axes=NEEDED)
     return shown.record().without_early_exit()

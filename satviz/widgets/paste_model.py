@@ -19,8 +19,9 @@ MAX_DRAWN_CORNERS = 60  # corners of a refused outline that are drawn, at most
 def read_paste(content: dict[str, Any]) -> tuple[Scene | None, dict[str, Any]]:
     """Return (scene, reply): the scene of the pair that a message asks for, and all that a page shows as JSON values.
 
-    The scene is None if the text has no pair of shapes.  The function raises nothing: the reply to a text that
-    cannot be read has the reason, "why".
+    `content`: the "text", and perhaps the readings that were chosen ("as") and the pair's number ("pair").  The scene
+    is None if the text has no pair of shapes.  The function raises nothing: the reply to a text that cannot be read
+    has the reason, "why".
     """
     try:
         text = require_type(content.get("text"), "the text", str)

@@ -17,6 +17,7 @@ class PlainPlayer(ui.VBox):  # type: ignore[misc]
     """A player with a slider, a play button and the picture, which is drawn again on one Figure for each step."""
 
     def __init__(self, trace: Trace, *, speed: float = 1.0) -> None:
+        """Make the player of a trace, at its first step; `speed` 2 plays twice as fast."""
         self.trace = trace
         self.speed = speed
         last = len(steps(trace)) - 1

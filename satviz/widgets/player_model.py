@@ -13,7 +13,7 @@ from ..pictures.turning_axis import sweep
 class PlayerModel:
     """A trace that is shown, and the answers to its front end.
 
-    The trace is shown as its steps, as an axis that turns (`turns`), or as pictures of how B - A comes about
+    The trace is shown as its steps, as an axis that turns (`turns`), or as pictures of how B - A is made
     (`difference`).
     """
 
@@ -21,6 +21,7 @@ class PlayerModel:
     own: Sequence[Picture] = ()  # the pictures that are shown instead of the steps
 
     def __init__(self, trace: Trace, *, turns: bool = False, difference: bool = False) -> None:
+        """Show a trace as its steps, as an axis that turns (`turns`), or as B - A comes about (`difference`)."""
         self.trace = trace
         self.turns = turns
         self.own = sweep(trace) if turns else difference_steps(trace) if difference else ()

@@ -1,4 +1,7 @@
-"""Cases about outlines: no area, a repeated vertex, edges that cross, vertices or edges left out."""
+"""Cases about outlines: no area, a repeated vertex, edges that cross, vertices or edges left out.
+
+A function that returns a Choice chooses a shortcut's axes, and one of (a, b, axis) measures one of them.
+"""
 
 from collections.abc import Sequence
 from functools import partial
@@ -50,7 +53,7 @@ def edge_vectors(points: RawOutline) -> list[Vec]:
 
 
 def largest_gap_unchecked(a: RawOutline, b: RawOutline) -> float:
-    """Return the largest gap on all edge normals of two outlines that nobody has checked."""
+    """Return the largest gap on all edge normals of two outlines, which may be invalid."""
 
     def interval(points: RawOutline, dx: float, dy: float) -> Interval:
         """Return the range of the points on the normal of the edge (dx, dy)."""

@@ -1,4 +1,7 @@
-"""Cases about circles and about concave outlines, which need more than the edge normals."""
+"""Cases about circles and about concave outlines, which need more than the edge normals.
+
+A window is the upright box of B's moves (x0, y0, x1, y1) for which an error region is computed.
+"""
 
 from collections.abc import Sequence
 from functools import partial

@@ -1,7 +1,7 @@
 """Convex polygons in the plane of B's moves, and the error region that is made of them.
 
 A point d of this plane stands for the pair of shapes with B moved by d.  Polygons are counter-clockwise rings of
-vertices; the empty ring () has no area.
+vertices; the empty ring () has no area.  A window is the upright box of moves for which an error region is computed.
 """
 
 from collections.abc import Iterable, Iterator, Sequence

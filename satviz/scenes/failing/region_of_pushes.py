@@ -2,7 +2,8 @@
 
 The distance from B's move to an edge of A - B is a linear function of that move, and the nearest edge changes along
 straight lines.  So in every cell between these lines the claimed number and the true number are one formula each.
-The two formulas are equal, or they differ everywhere but on a line or a curve, which has no area.
+The two formulas are equal, or they differ everywhere but on a line or a curve, which has no area.  A window is the
+upright box of moves for which the region is computed.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -81,7 +82,7 @@ def overlaps(a: Shape, b: Shape, axis: Axis) -> Iterator[tuple[Linear, Vec]]:
 
 
 def overlaps_in_raw_units(a: Shape, b: Shape, axis: Axis) -> list[Linear]:
-    """Return both overlaps on an axis in units of its normal's length, as functions of B's move."""
+    """Return both overlaps on an axis times its normal's length, as functions of B's move."""
     k = axis.length
     return [Linear(constant * k, Vec(n.x * k, n.y * k)) for (constant, n), _ in overlaps(a, b, axis)]
 

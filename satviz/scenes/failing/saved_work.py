@@ -1,4 +1,8 @@
-"""Cases in which work is saved in the wrong place: fewer axes, a check in advance, fewer pairs, fewer vertices."""
+"""Cases in which work is saved in the wrong place: fewer axes, a check in advance, fewer pairs, fewer vertices.
+
+A function that returns a Choice chooses a shortcut's axes, and one of (a, b, axis) measures one of them.  A window is
+the upright box of B's moves (x0, y0, x1, y1) for which an error region is computed.
+"""
 
 from collections.abc import Callable
 from math import comb, dist, sqrt

@@ -1,4 +1,7 @@
-"""Cases in which too few axes are tested, or the wrong meaning is given to the first one that is."""
+"""Cases in which too few axes are tested, or the wrong meaning is given to the first one that is.
+
+A window is the upright box of B's moves (x0, y0, x1, y1) for which an error region is computed.
+"""
 
 from math import atan2, degrees, nan
 

@@ -1,4 +1,7 @@
-"""Cases in which the projection is wrong: its sign, its unit, or its rounding."""
+"""Cases in which the projection is wrong: its sign, its unit, or its rounding.
+
+A function of (a, b, axis) measures an axis as a shortcut does.  A landing is a point's coordinate on the axis.
+"""
 
 from fractions import Fraction
 from functools import partial
