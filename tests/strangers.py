@@ -2533,4 +2533,21 @@ Then A.intersects(B) returns true in 3.1 but false in 3.0.""",
         as_="leave-out",
         asks=True,
     ),
+    Paste(
+        "squares in a chat",
+        "square from 0,0 to 2,2 and another one from 2,0 to 4,2",
+        ((0, 0, 2, 2), (2, 0, 4, 2)),
+    ),
+    Paste(
+        "a shape at a point is not the point",
+        "a 3x3 square at the origin and a 2x2 square at (1, 1)",
+        (),
+    ),
+    Paste(
+        "a remainder in a call",
+        "b2MakeSquare(1.0f % 2)\nb2MakeSquare(2.0f)\nb2MakeBox(1, 1)",
+        ((-2, -2, 2, 2), (-1, -1, 1, 1)),
+        asks=True,
+        as_="leave-out",
+    ),
 )

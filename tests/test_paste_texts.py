@@ -438,7 +438,7 @@ def test_a_table_of_two_corners_is_one_of_boxes_and_of_three_one_of_triangles(ma
 
 @pytest.mark.parametrize(("x", "y"), [("0,1,0", "0,0"), ("0,0", "0,0,1"), ("0,1,0,2", "0,0,1")])
 def test_lists_of_x_and_y_of_different_lengths_are_refused(x, y):
-    with pytest.raises(sv.InvalidScene, match="each corner needs one of both"):
+    with pytest.raises(sv.InvalidScene, match="write one x and one y for each corner"):
         sv.paste(f'{{"x": [{x}], "y": [{y}]}}')
 
 
@@ -552,3 +552,45 @@ def test_additions_of_a_page_or_a_class_do_not_change_the_shapes(change):
 def test_the_printed_result_of_a_test_is_not_read_as_a_shape(words):
     text = "a = Circle(0, 0, 5)\nb = Circle(9, 0, 5)\n"
     assert answer(f"{text}{words}: (5, 0), (6, 2), (7, 9)")[1] == answer(text)[1]
+
+
+BOTH = "a = [(0,0),(4,0),(4,4),(0,4)]\nb = [(2,2),(6,2),(6,6),(2,6)]\n"
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "result = [(2,2),(4,2),(4,4)]",
+        "expected = [(2,2),(4,2),(4,4)]",
+        "Got: POLYGON((2 2, 4 2, 4 4, 2 2))",
+        "union: (2,2), (4,2), (4,4)",
+        "Answer: 2,2 4,2 4,4",
+        "clip(a, b) = [(2,2),(4,2),(4,4)]",
+        "a = [(0,0),(4,0),(4,4),(0,4)]",
+    ],
+)
+def test_a_result_or_a_shape_that_is_printed_again_is_asked_about(line):
+    asked = sv.paste(BOTH + line)
+    assert asked.open and {"leave-out", "take-in"} <= {a.choice for q in asked.questions for a in q.answers}
+    assert [each.label for each in sv.paste(BOTH + line, "leave-out").readings] == ["a", "b"]
+
+
+def test_a_log_of_two_moments_is_asked_about():
+    text = "player: Rect(0, 0, 4, 4)\nenemy: Rect(2, 2, 4, 4)\nplayer: Rect(1, 0, 4, 4)\nenemy: Rect(3, 2, 4, 4)"
+    assert [len(sv.paste(text, f"corner-size {as_}").shapes) for as_ in ("", "each-value", "last-value")] == [0, 4, 2]
+
+
+@pytest.mark.parametrize(
+    ("text", "names"),
+    [
+        ("player rect: (0, 0, 4, 4)\nenemy rect: (2, 2, 4, 4)", ["player rect", "enemy rect"]),
+        ("Triangle 1: (0,0), (4,0), (4,4)\nTriangle 2: (2,2), (6,2), (6,6)", ["Triangle 1", "Triangle 2"]),
+        ("first shape is [(0,0),(4,0),(4,4)]\nsecond shape is [(2,2),(6,2),(6,6)]", ["", ""]),
+        ("Input: A = [[0,0],[4,0],[4,4]], B = [[2,2],[6,2],[6,6]]\nOutput: true", ["A", "B"]),
+        ("my code:\nverts = [(0,0),(4,0),(4,4)]\nother = [(2,2),(6,2),(6,6)]", ["verts", "other"]),
+        ("Here is the data: [(0,0),(4,0),(4,4)]\nwall: [(2,2),(6,2),(6,6)]", ["", "wall"]),
+        ("let a: Polygon = Polygon([(0,0),(4,0),(4,4)])\nlet b: Circle = Circle(2, 2, 1)", ["a", "b"]),
+    ],
+)
+def test_a_shape_has_the_name_that_the_author_gives_it(text, names):
+    assert [each.label for each in sv.paste(text).readings] == names

@@ -79,8 +79,7 @@ def stream_colliding_pairs(
     """
     if getattr(vertices, "ndim", 0) != 3:
         raise InvalidShape(
-            f"vertices is {_describe_type(vertices)}: expected an (N, V, 2) array; "
-            "colliding_pairs takes shapes of other forms"
+            f"vertices is {_describe_type(vertices)}: expected an (N, V, 2) array; call colliding_pairs for other forms"
         )
     strip = check_options(engine, executor, progress, strip, "strip")
     return _stream_strips(vertices, engine, executor, progress, strip)

@@ -22,7 +22,7 @@ FLOAT64, INTP = np.dtype(np.float64), np.dtype(np.intp)  # comparing with these 
 
 # what an error line says of a concave polygon, by the argument `concave` of build_shapes
 WAYS_OUT = {
-    None: " with these coordinates: nothing was moved",
+    None: " with these coordinates, so nothing was moved: give coordinates that keep it convex",
     "separately": ": split it with satviz.parts first",
     "refuse": ': split it with satviz.parts first, or pass concave="split", which remembers the polygon of each part',
 }

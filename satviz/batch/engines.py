@@ -95,7 +95,7 @@ def load_engine(name: str | None) -> Engine:
             elif find_spec("numba") is None:
                 raise ImportError(extra_needed('engine "numba"', "fast")) from error
             else:
-                raise ImportError(f'engine "numba" does not work here: {error}; engine="numpy" does') from error
+                raise ImportError(f'engine "numba" does not work here: {error}; choose engine="numpy"') from error
     from .with_numpy import few, indexed, outlines
     from .with_numpy import filter as filter_numpy
     from .with_numpy import grid as grid_numpy

@@ -18,7 +18,7 @@ Points = Any  # an (N, 2) array, or a sequence of what satviz.Circle takes as it
 Numbers = Any  # an (N,) array, a sequence of numbers, or one number
 CONCAVE_OPTIONS = "refuse", "split"  # what to do with concave outlines
 
-OFFSETS_RULE = "expected to rise from 0 to the number of vertices"  # of offsets
+OFFSETS_RULE = "offsets must rise from 0 to the number of vertices"  # of offsets
 
 
 def check_word(name: str, value: object, words: Sequence[str]) -> None:

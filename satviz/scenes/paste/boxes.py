@@ -308,7 +308,7 @@ def transformed(shape: Read, matrix: Affine, *, exact: bool) -> Read:
     radius, square = shape.radius, a * a + b * b
     if radius is not None:
         if max(abs(square - c * c - d * d), abs(a * c + b * d)) > (0 if exact else square / 10**12):
-            raise Unreadable("a transform makes an ellipse of a circle: give it as a polygon with many corners")
+            raise Unreadable("a transform turns a circle into an ellipse: write it as a polygon with many corners")
         root = Fraction(isqrt(square.numerator), isqrt(square.denominator))
         exact = exact and root * root == square
         radius *= root if exact else Fraction(sqrt(square))

@@ -146,7 +146,7 @@ class Calls(Keyed):
         if word == "arc" and len(group.items) > 4:  # on a canvas, an arc from 0 to a full turn is a circle
             turn = re.sub(r"\s|Math\.|\.0*(?!\d)", "", self.text[group.items[4].start : group.items[4].end]).lower()
             if self.number(group.items[3]) != 0 or turn not in FULL_TURNS:
-                raise Unreadable("an arc that is not a full circle: satviz takes polygons and circles")
+                raise Unreadable("an arc that is not a full circle: write it as a polygon")
             self.parts.append((group.items[3].start, group.items[4].end))
             group = replace(group, items=group.items[:3])
         arguments, named = self._arguments(group)
@@ -214,7 +214,7 @@ class Calls(Keyed):
             raise Unreadable("ellipseMode is not CENTER, and only CENTER is read: write the center and the diameter")
         flat = self.numbers(group.items) or []
         if len(flat) not in (3, 4) or flat[2] != flat[-1]:
-            raise Unreadable("an ellipse: give it as a polygon with many corners")
+            raise Unreadable("an ellipse: write it as a polygon with many corners")
         said, radius = BY_DIAMETER, flat[2] / 2
         sure = Form.DIAMETER if self.sketch or row.form else ""
         if len(flat) == 4 and self._choose(Ask.ROUND, (Form.DIAMETER, Form.RADIUS), sure=sure) == Form.RADIUS:

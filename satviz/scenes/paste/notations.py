@@ -239,7 +239,7 @@ RESETS = frozenset(["set", "setto", "setbounds", "setrect", "setframe", "update"
 
 # Words in the name of a call that makes a shape, and of one that takes a list of numbers as corners.
 SHAPE_WORDS = re.compile(
-    r"polygon|circle|ellipse|rect|box|ball|triangle|quad|capsule|\barc|cuboid|hull|aabb|cylinder|disc|disk",
+    r"polygon|circle|ellipse|rect|square(?!d)|box|ball|triangle|quad|capsule|\barc|cuboid|hull|aabb|cylinder|disc|disk",
     re.IGNORECASE,
 )
 LIST_WORDS = re.compile(

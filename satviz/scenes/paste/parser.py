@@ -127,7 +127,7 @@ class _Parser:
                     break
                 if not bracket:
                     continue  # one too many, as "A)" in prose
-                self.remark(f"a bracket {bracket} is closed by {token.text}")
+                self.remark(f"a bracket {bracket} is closed by {token.text}: close it with {PAIRS[bracket]}")
                 if depth > 1:
                     self.at -= 1  # it may close the bracket outside
                 break
@@ -260,6 +260,8 @@ class _Parser:
                 sign = next((i for i, a in enumerate(atoms) if i > mark and is_mark(a, ("=",))), mark)
                 if any(isinstance(a, Token) and a.kind == NUMBER for a in atoms[mark:sign]):
                     sign = mark
+                elif sign > mark and self.is_heading(atoms[mark], atoms[mark + 1]):
+                    return self.value(atoms[mark + 1 :], bracket, keys + 1)
             path = self.path(atoms[:mark])
             if bracket == "{" and mark > 1 and any(isinstance(a, Token) and a.kind == NUMBER for a in atoms[:mark]):
                 return Bad(start_of(atoms[0]), end_of(atoms[-1]), "a number beside a key")
@@ -288,6 +290,11 @@ class _Parser:
             before = [a for a in found if isinstance(a, Group) and a.bracket in "({" and not _are_words(a)]
             return Group(pair.start, pair.end, [*before, pair], "+") if before else pair  # {x: 1, y: 2} radius: 5
         return self.plain(atoms, is_line=not bracket and not keys)
+
+    def is_heading(self, colon: Token, name: Any) -> bool:
+        """Return whether a colon ends words before a name and its value (Input: A = 1), not a name before its type."""
+        single = isinstance(name, Token) and len(name.text) == 1 and name.text.isupper()
+        return single or "\n" in self.text[colon.end : start_of(name)]
 
     def run_of_pairs(self, atoms: list[Any], bracket: str) -> Group | None:
         """Return the pairs of `x: 0 y: 0 width: 4`, where no comma stands between them; None for anything else."""

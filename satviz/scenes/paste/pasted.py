@@ -19,7 +19,7 @@ from . import findings, others
 from .boxes import ALL_CHOICES, CHOICES, ONLY_IF_IT_MATTERS, Read
 from .cleaned import cleaned
 from .findings import KINDS, Finding, PastedShape, listed
-from .notations import Ask, Form, key
+from .notations import SHAPE_WORDS, Ask, Form, key
 from .objects import as_text
 from .pair_findings import AnsweredPair, clear, findings_of_pair
 from .parser import parse
@@ -30,6 +30,10 @@ from .unused import rest
 MAX_SHAPES = 40
 MAX_TRACES = 60
 MAX_PART_PAIRS = 4_000  # pairs of convex parts in all traces together; a second of work
+MAX_LABEL = 80  # characters before a shape in which its name is looked for
+# words before a shape that do not name it, unless with a number or another word: Test 1
+GENERAL_WORDS = frozenset(["code", "data", "input", "inputs", "test", "case", "style", "this", "here", "following"])
+ARTICLES = r"(?!(?:an?|the|my|this|that|of|is)\b)"  # words that are no name
 MAX_NAMED = 5  # parts that are not understood, in one line
 # Points with decimal commas: (0,5; 1,5), POLYGON((0,5 1,5, 2,5 0,5, ...)), three of (0,5, 1,5), x;y;r over 0,5;1,5;2,
 # name;0,5;1,5
@@ -411,8 +415,22 @@ def _named(reads: Sequence[Read], text: str) -> list[PastedShape]:
         except InvalidShape as error:
             refused = str(error)
         meant = findings.meant_order(read) if refused and not read.is_circle else None
-        found.append(PastedShape(name, read.label[:60], read.said, excerpt, read, shape, refused, meant))
+        found.append(PastedShape(name, _label(read, text)[:60], read.said, excerpt, read, shape, refused, meant))
     return found
+
+
+def _label(read: Read, text: str) -> str:
+    """Return what a text calls a shape: player rect for rect, Triangle 1 for Triangle; "" for a word that says nothing.
+
+    Those are the words `rect` of player rect: (0, 0, 4, 4), and `Triangle` of Triangle 1: (0, 0), (4, 0), (0, 3).
+    """
+    general = read.label.lower() in GENERAL_WORDS
+    if not (general or SHAPE_WORDS.fullmatch(read.label)):
+        return read.label
+    line = text[max(0, read.start - MAX_LABEL) : read.start].rpartition("\n")[2]
+    found = re.search(rf"(?:\b{ARTICLES}([\w-]+)[ ])?\b{read.label}(?:[ ]#?(\w+))?[ ]*:[ ]*\Z", line)
+    owner, number = (None if general else found[1], found[2]) if found else (None, None)
+    return " ".join(filter(None, (owner, "" if general and not number else read.label, number)))
 
 
 def _questions(reader: Reader, root: Group, text: str, chosen: tuple[str, ...]) -> Iterator[PasteQuestion]:

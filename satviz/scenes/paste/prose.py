@@ -10,6 +10,7 @@ _PLACE = rf"(?:\([ ]?{_N}[ ]?,[ ]?{_N}[ ]?\)|\b(?:center|centre|at|position)[ ]{
 _AT = r"(?:(?:centered|centred|at|on|with|and|its) +){0,3}"
 _M = r"-?\d+(?:\.\d+)?"  # a number in a range: 0..4
 _FILL = r"[ ,]{1,3}(?:(?:and|with|has|having|of|is|a|an|the|its|size|shape)[ ,]{1,3}){0,4}"
+_Q = rf"(?:\({_N}[ ]?,[ ]?{_N}\)|{_N}[ ]?,[ ]?{_N}(?![\w.%,]))"
 _P, _A = rf"\({_N}[ ]?,[ ]?{_N}\)", rf"(?:{_N}|\({_N}\))"
 _STYLE = r"(?:\[(?![^\]]*(?:scale|shift|rotate|slant|cm=))[^\]()\n]*\])?"  # of TikZ, without a change of place
 # One row for each kind of sentence, or of print: the call that it stands for, its words, and which numbers are its own.
@@ -34,7 +35,10 @@ SENTENCES = (
     ("qrect", re.compile(rf"\(x:{_N}, y:{_N}, width:{_N}, height:{_N}\)")),  # Unity
     ("v2", re.compile(rf"<{_N}, {_N}>")),  # a vector of C#
     ("image.rect", re.compile(rf"\bmin(?:imum)?(?: at| =|:)? {_P},?(?: and)? (?:its )?max(?:imum)?(?: at| =|:)? {_P}")),
-    ("image.rect", re.compile(rf"\b(?:rect|rectangle|box)(?: [A-Za-z]+){{0,3}} from {_P} to {_P}", re.IGNORECASE)),
+    (
+        "image.rect",
+        re.compile(rf"\b(?:rect|rectangle|box|square|one|aabb)(?: [A-Za-z]+){{0,3}} from {_Q} to {_Q}", re.IGNORECASE),
+    ),
     (
         "svg.polygon",
         re.compile(rf"(?<![\d.])[-.\d]{{1,20}} {_N} moveto(?:\s+{_N} {_N} lineto)+\s+closepath"),
@@ -59,7 +63,7 @@ SENTENCES = (
         re.compile(rf":add\((?:[A-Za-z_][\w.]*|\"[^\"\n]*\"|'[^'\n]*')(?:[ ]?,[ ]?{_N}){{4}}[ ]?\)"),
         re.compile(rf",[ ]?({_N})"),
     ),  # bump of Lua
-    ("rect", re.compile(rf"{_PLACE}{_FILL}{_N}[ ]?[x\u00d7][ ]?{_N}(?![\w.%])", re.IGNORECASE)),
+    ("rect", re.compile(rf"{_PLACE}{_FILL}{_N}[ ]?[x\u00d7][ ]?{_N}(?![\w.%]| (?:square|rect|box))", re.IGNORECASE)),
 )
 _NUMBER = re.compile(rf"(?<!\bV){_N}")
 

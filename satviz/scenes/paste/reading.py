@@ -44,7 +44,9 @@ SHORTENED = re.compile(
     re.MULTILINE,
 )
 _RESULT = re.compile(
-    r"(?i)(output|result|intersection)\b.*|(print\()?\w+\.(intersection|union|difference|buffer)\(.*\)"
+    r"(?i)(output|result|intersection|union|expected|actual|got|answer)(\b|_).*"
+    r"|(print\()?\w+\.(intersection|union|difference|buffer|clip)\(.*\)"
+    r"|\w+\([\w, ]*\) ?="
 )
 # words of a line about something that was tried besides, or about what is no shape
 _ASIDE = re.compile(
@@ -101,7 +103,12 @@ class Reader(Calls):
                 self.used.add(id(points))
         kept = [(owner, shape) for owner, shape in found if owner not in self.used]
         self.asked = {}
-        earlier = {id(v) for values in self.env.earlier.values() for v in values if self._is_assigned(v)}
+        known = (key, notation, SHAPE_WORDS.search)
+        states = {name for name in map(str, self.env.earlier) if not any(look(name) for look in known)}
+        steps = states if len(states) > 1 else set()  # player: ..., enemy: ..., and both again
+        earlier = {
+            id(v) for name, values in self.env.earlier.items() for v in values if name in steps or self._is_assigned(v)
+        }
         if (
             any(owner in earlier for owner, _ in kept)
             and self._choose(Ask.TWICE, CHOICES[Ask.TWICE]) == Form.LAST_VALUE
@@ -113,11 +120,18 @@ class Reader(Calls):
         if Form.TAKE_IN not in self.chosen:
             fields = within([match.span() for match in TYPE.finditer(self.text)], shapes)
             beside = {s for s in shapes if _ASIDE.search(self._line_of(s)) or self._is_bare(s)}
-            for some, what in ((fields, "what a class begins with"), (beside, "one of something else")):
+            results = {s for s in shapes if _RESULT.fullmatch(s.label) or _RESULT.fullmatch(self._above(s))}
+            for some, what in (
+                (fields, "what a class begins with"),
+                (beside, "one of something else"),
+                (results, "a result"),
+            ):
                 doubtful |= dict.fromkeys(some if len(some) < len(shapes) else (), what)
-            doubtful |= {s: "a result" for s in shapes if _RESULT.fullmatch(s.label or self._above(s))}
             doubtful |= {s: "a hole of the first outline of its list" for s in shapes if s.start in self.holes}
             doubtful |= {s: "a bounding box" for p, s in pairwise(shapes) if s.form and _bounds(p) == s.points}
+            first = {(s.points, s.radius, s.label): s for s in reversed(shapes)}
+            twins = (s for s in shapes if first[s.points, s.radius, s.label] is not s and not s.repeats)
+            doubtful |= dict.fromkeys(twins if len(first) > 1 else (), "the same shape again")
         self.problems += [
             f"{short(self.text[s.start : s.end])}: a shape of its own, or {why}" for s, why in doubtful.items()
         ]

@@ -38,7 +38,8 @@ RESULTS = frozenset(
     ["contact", "contacts", "manifold", "intersection", "overlap", "axes", "axis", "simplex", "normals", "minkowski"]
 )
 TYPES = frozenset(["float", "double", "number", "int", "integer", "f32", "f64"])
-BEFORE_POINTS = frozenset(["at", "with", "through", "by", "is", "are", "has"])  # words before corners in a sentence
+# words before corners in a sentence
+BEFORE_POINTS = frozenset(["at", "with", "through", "by", "is", "are", "has", "from", "to", "on", "of", "in"])
 _LETTERED = re.compile(r"(?P<owner>[a-dA-DpPqQ])(?P<key>[xywhr])")
 
 
@@ -174,8 +175,8 @@ class Statements(Names):
                 self._line(inner)
         elif isinstance(item, Group):
             declared = notation(item.before) if item.before else None
-            if is_pair(item) and key(item.name) == "center":
-                declared = None  # rectangle position (10, 10)
+            if (is_pair(item) and key(item.name) == "center") or item.name in BEFORE_POINTS:
+                declared = None  # rectangle position (10, 10), a shape is [(0, 0), (4, 0), (0, 3)]
             if declared and (
                 declared.kind in (Kind.BOX, Kind.CIRCLE, Kind.OTHER_SHAPE) or not notation(item.name)
             ):  # Circle c(0, 0, 1)
