@@ -83,6 +83,7 @@ _ROWS = [
         (r"(?<=[\d)\]]) ?\|(?= ?[A-Za-z]\w{0,40}[:=])", lambda m: ",".rjust(len(m[0]))),  # x: 0 | y: 0 | w: 4 | h: 4
         (r"(?:(?<==)|(?<=: ))0x[0-9a-f]{8,16}\b", lambda m: "null".ljust(len(m[0]), "_")),
         (r"(?<=\w) ->(?= \([-+.\d])", lambda _: " : "),
+        (r"(?<=\[)@?pixi[\w./-]*:", blank),
         (_NUMBERED, lambda m: m[1].ljust(len(m[0]))),
         (r"\(/(?=\s*[-+.\d])|(?<=[\s.\d])/\)", lambda m: {"(/": "[ ", "/)": " ]"}[m[0]]),  # Fortran
         (r"^[ \t]*(?:real|integer)\b[^:\n]*::|(?<=\w)\([\d, ]+\)(?=[ ]*=[ ]*(?:\[ |reshape))", blank),
@@ -110,6 +111,8 @@ _WATCH = re.compile(
     r"|std::\w+ of length \d+, capacity \d+ = (?=\{)",
     re.MULTILINE,
 )
+_WITH_Z = re.compile(r"(?P<head>\b(?:MULTI)?POLYGON ?)(?P<z>ZM?|M)(?P<data> ?\([-+.\de,()\s]*)", re.IGNORECASE)  # WKT
+_ROW_WITH_Z = re.compile(rf"{_N}\s+{_N}((?:\s+{_N}){{1,2}})(?=\s*[,)])")
 _QUOTE = re.compile(r"^>+ .*(?:\n>+(?: .*|$))*", re.MULTILINE)  # or the prompts of R and MATLAB
 _HEADS = re.compile(r"^(?:-.*|\+\+\+ .*|@@.*|diff --git.*|index [0-9a-f]{6,}\.\..*|\+)", re.MULTILINE)
 
@@ -129,6 +132,11 @@ def cleaned(text: str) -> tuple[str, list[str]]:
         text = _WATCH.sub(blank, text)
         kept = _CHANGE.sub(lambda m: re.sub(r"(?m)^[ \t]*(?:-.*|\+)", blank, m[0]) if m["added"] else m[0], text)
     remarks = ["the lines that a change removes (-) were left out"] if kept != text else []
+    if _WITH_Z.search(kept):
+        kept = _WITH_Z.sub(
+            lambda m: m["head"] + " " * len(m["z"]) + _ROW_WITH_Z.sub(lambda row: blank(row, 1), m["data"]), kept
+        )
+        remarks += ["the coordinates Z and M of WKT were left out, so the answer is about x and y alone"]
     for pattern, write in _ROWS:
         kept = pattern.sub(write, kept)
     return TYPE.sub(lambda m: blank(m, m.lastgroup or 0) if _is_used(m, kept) else m[0], kept, MAX_TYPES), remarks
