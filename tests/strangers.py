@@ -2644,4 +2644,43 @@ $2 = {center = {x = 4, y = 2}, radius = 0.5}
         asks=True,
         as_="leave-out",
     ),
+    Paste(
+        "entities with numbers",
+        """[physics-3] entity#4012 circle pos=(12.5, 8.0) r=2.0 vel=(1.5, 0.0)
+[physics-3] entity#4077 circle pos=(15.75, 8.0) r=1.5 vel=(-0.5, 0.0)""",
+        ((10.5, 6, 14.5, 10), (14.25, 6.5, 17.25, 9.5)),
+    ),
+    Paste(
+        "rules of css with hyphens",
+        """.box-a { left: 10px; top: 20px; width: 100px; height: 50px; }
+.box-b { left: 105px; top: 30px; width: 40px; height: 40px; }""",
+        ((10, 20, 110, 70), (105, 30, 145, 70)),
+    ),
+    Paste(
+        "a test of GoogleTest",
+        """TEST(Aabb, Touch) {
+  Circle a{{0, 0}, 2};
+  Circle b{{2, 0}, 4};
+  EXPECT_TRUE(a.overlaps(b));
+}""",
+        ((-2, -2, 2, 2), (-2, -4, 6, 4)),
+    ),
+    Paste(
+        "corners of yaml below their key",
+        """robot:
+  footprint:
+    - {x: 0.0, y: 0.0}
+    - {x: 4.0, y: 0.0}
+    - {x: 4.0, y: 4.0}
+wall:
+  - [3, 1]
+  - [9, 1]
+  - [9, 5]""",
+        ((0, 0, 4, 4), (3, 1, 9, 5)),
+    ),
+    Paste(
+        "envelopes of postgis",
+        "select ST_Overlaps(ST_MakeEnvelope(0, 0, 10, 10, 3857), ST_MakeEnvelope(8, 8, 20, 20, 3857));",
+        ((0, 0, 10, 10), (8, 8, 20, 20)),
+    ),
 )

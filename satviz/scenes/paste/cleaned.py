@@ -78,7 +78,10 @@ _ROWS = [
         (r"(?<=\bat )(?:the )?origin\b|(?<=\bon )the origin\b", lambda m: "(0, 0)".rjust(len(m[0]))),
         (r"\.map\((?:(\w+)[ ]?=>[ ]?\[\1\.x,[ ]?\1\.y\]|\(\{[ ]?x,[ ]?y[ ]?\}\)[ ]?=>[ ]?\[x,[ ]?y\])\)", blank),
         (r"\b(\w+)\.begin\(\),[ ]*\1\.end\(\)", lambda m: m[1].ljust(len(m[0]))),
-        (r"\bSRID=\d+;", blank),
+        (r"\bSRID=\d+;|(?<=[A-Za-z])#\d+(?= [A-Za-z])", blank),  # entity#17 circle ...
+        (rf"(?<=ST_MakeEnvelope\()((?:{_N}, ?){{3}}{_N}), ?\d+(?=\))", lambda m: m[1].ljust(len(m[0]))),
+        (r"^[ \t]*[.#][a-z][\w-]*(?=[ \t]*\{)", lambda m: m[0].replace("-", "_")),  # a rule of CSS: .box-a {
+        (r"^(?:TEST(?:_F|_CASE)?|SECTION|BOOST_AUTO_TEST_CASE)\([^()\n]*\)(?=\s{0,9}\{)", blank),
         (r"(?<=[\d)\]])[.,](?= \w{1,40}: [a-z]\w{0,40} ?= ?[-.\d(\[])", lambda _: ";"),  # a: x=0 y=0, b: x=9 y=0
         (r"(?<=[\d)\]]) ?\|(?= ?[A-Za-z]\w{0,40}[:=])", lambda m: ",".rjust(len(m[0]))),  # x: 0 | y: 0 | w: 4 | h: 4
         (r"(?:(?<==)|(?<=: ))0x[0-9a-f]{8,16}\b", lambda m: "null".ljust(len(m[0]), "_")),

@@ -96,7 +96,7 @@ class Statements(Names):
         i = 0
         while i < len(items):
             item, i = items[i], i + 1
-            if isinstance(item, Pair) and _is_points(item.path[-1]) and _is_nameless_point(item.value):
+            if isinstance(item, Pair) and _is_nameless_point(item.value) and self._holds_points(item):
                 rows = [item.value]  # points: and the lines - [2, -1] of YAML
                 while i < len(items) and _is_nameless_point(items[i]):
                     rows.append(items[i])
@@ -142,6 +142,11 @@ class Statements(Names):
                 self.parts.append((item.start, item.end))
                 item = Pair(made.start, made.end, (self._said(says.get("name")) or kind,), made)
             yield item
+
+    def _holds_points(self, pair: Pair) -> bool:
+        """Return whether a key holds corners by its name, or begins a list of YAML, with `-` on the line below."""
+        before = self.text[pair.start : pair.value.start].rstrip(" \t")
+        return _is_points(pair.path[-1]) or (before.endswith("-") and before[:-1].rstrip(" \t").endswith("\n"))
 
     def _said(self, value: Any) -> str:
         """Return the text of a value in quotes, or of a number."""
