@@ -540,7 +540,7 @@ def test_several_refused_shapes_are_listed_in_words():
         pytest.param('<g transform="scale(' + "2 " * 30_000 + ')">', marks=pytest.mark.slow),
         pytest.param("<g " * 300_000, marks=pytest.mark.slow),
     ],
-    ids=range(36),
+    ids=range(39),
 )
 def test_a_long_text_in_these_notations_is_refused_in_linear_time(text):
     start = time.process_time()
