@@ -257,7 +257,8 @@ class _Parser:
         if mark is not None and not any(is_mark(a, ("==", "<=", ">=", "!=")) for a in atoms[:mark]):
             sign = mark
             if is_mark(atoms[mark], (":",)):  # `let a: Type = value`: the value comes after the =
-                sign = next((i for i, a in enumerate(atoms) if i > mark and is_mark(a, ("=",))), mark)
+                signs = [i for i, a in enumerate(atoms) if i > mark and is_mark(a, ("=",))]
+                sign = signs[0] if len(signs) == 1 else mark  # a: pos=(0, 0) mass=3 r=10 has no type
                 if any(isinstance(a, Token) and a.kind == NUMBER for a in atoms[mark:sign]):
                     sign = mark
                 elif sign > mark and self.is_heading(atoms[mark], atoms[mark + 1]):

@@ -25,7 +25,7 @@ from .pair_findings import AnsweredPair, clear, findings_of_pair
 from .parser import parse
 from .reading import Reader
 from .tree import Group
-from .unused import rest
+from .unused import numbers_by_key, rest
 
 MAX_SHAPES = 40
 MAX_TRACES = 60
@@ -36,16 +36,17 @@ GENERAL_WORDS = frozenset(["code", "data", "input", "inputs", "test", "case", "s
 ARTICLES = r"(?!(?:an?|the|my|this|that|of|is)\b)"  # words that are no name
 MAX_NAMED = 5  # parts that are not understood, in one line
 # Points with decimal commas: (0,5; 1,5), POLYGON((0,5 1,5, 2,5 0,5, ...)), three of (0,5, 1,5), x;y;r over 0,5;1,5;2,
-# name;0,5;1,5
+# name;0,5;1,5, rows of 0,5;1,5 and of 0,5<tab>1,5, six or more as 0,5; 1,5
 _N = r"[-+]?\d+,\d+"
 DECIMAL = re.compile(
     rf"\([ ]?{_N}[ ]?;[ ]?{_N}[ ]?\)|\(\s*{_N} +{_N}\s*,|[\[(]\s*(?:\({_N}, +{_N}\)\s*,\s*){{2}}\({_N}, +{_N}\)"
-    rf"|^[A-Za-z]\w*(?:;[A-Za-z]\w*)+\s*\n[-+]?\d*;?{_N};|^\w+;[ ]?{_N};[ ]?{_N}\b",
+    rf"|^[A-Za-z]\w*(?:[;\t][A-Za-z]\w*)+[ \r]*\n(?:[^\n,]+\n){{0,9}}+[^\n,]*(?<=\d),\d+[;\t\r\n]"
+    rf"|^\w+;[ ]?{_N};[ ]?{_N}\b|^{_N}[;\t]{_N}[ \r]*\n{_N}[;\t]{_N}[ \r]*$|(?<!\d){_N}(?:;[ ]?{_N}){{5,}}+",
     re.MULTILINE,
 )
 COMMA = re.compile(r"(?<=\d),(?=\d)")
 NOTHING = (
-    "no shape was found: paste two shapes or more, as WKT, GeoJSON, JSON or lines of code, "
+    "no shape was found{}: paste two shapes or more, as WKT, GeoJSON, JSON or lines of code, "
     "for example POLYGON((0 0, 4 0, 0 3)) and circle((5, 1), 2)"
 )
 ASKS = {
@@ -325,7 +326,7 @@ def paste(what: Any, as_: str | Sequence[str] = ()) -> Pasted:
         bare = Reader(text, [choice for choice in chosen if choice not in forms])
         bare.read(tree.root)
         reader.keeps = Ask.BOX_FORM in bare.asked
-    reads = _checked(reader.read(tree.root), reader)
+    reads = _checked(reader.read(tree.root), reader, numbers_by_key(tree, text))
     shapes = _named(reads, written)
     questions = list(_questions(reader, tree.root, text, chosen))
     about_rest: list[PasteQuestion] = []
@@ -388,10 +389,17 @@ def _sentence(text: str, chosen: tuple[str, ...]) -> str:
         return str(error).partition(":")[0]
 
 
-def _checked(reads: list[Read], reader: Reader) -> list[Read]:
-    """Return the shapes that were read; InvalidScene for none, or for more than MAX_SHAPES or MAX_VERTICES."""
+def _checked(reads: list[Read], reader: Reader, numbers: str) -> list[Read]:
+    """Return the shapes that were read; InvalidScene for none, or for more than MAX_SHAPES or MAX_VERTICES.
+
+    `numbers`: the numbers of the text in words, which are named where there is no shape.
+    """
     if not reads:
-        raise InvalidScene(reader.problems[0] if reader.problems else NOTHING)
+        raise InvalidScene(
+            reader.problems[0]
+            if reader.problems
+            else NOTHING.format(f", only the numbers {numbers}" if numbers else "")
+        )
     if len(reads) > MAX_SHAPES:
         raise InvalidScene(f"{len(reads)} shapes: the limit is {MAX_SHAPES}, so paste those that matter")
     for read in reads:

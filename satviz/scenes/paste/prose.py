@@ -26,10 +26,25 @@ SENTENCES = (
     ),  # DXF; 42 is the bulge of an arc, and 210 to 230 turn the plane
     (
         "circle",
-        re.compile(rf"{_PLACE}{_FILL}(?:radius(?:[ ](?:of|is|=))?|r[ ]?=)[ ]{_N}(?![\w.%]|[ ]*\}})", re.IGNORECASE),
+        re.compile(rf"{_PLACE}{_FILL}(?:radius(?:[ ](?:of|is|=))?|r[ ]?=)[ ]{_N}(?!\w|%|\.\w|[ ]*\}})", re.IGNORECASE),
     ),
     ("circle", re.compile(rf"radius(?:[ ](?:of|is|=))?[ ]{_N}[ ,]{{1,3}}{_AT}{_PLACE}", re.IGNORECASE)),
     ("qrect", re.compile(rf"(?<=QRect)\({_N},{_N} {_N}x{_N}\)|(?<=QRectF)\({_N},{_N} {_N}x{_N}\)")),
+    (
+        "circle",
+        re.compile(
+            rf"\b(?:circle|disc|disk|ball)[ ][(\[][ ]?{_N}[ ]?,[ ]?{_N}[ ]?[)\]](?:,[ ]?|[ ])"
+            rf"(?:r(?:adius)?[ ]?[=:]?[ ]?)?{_N}(?!\w|%|\.\w|[ ]*[x\u00d7*/+-])",
+            re.IGNORECASE,
+        ),
+    ),
+    (
+        "circle",
+        re.compile(rf"\bcenter point, +X= *{_N} +Y= *{_N} +Z= *0\.0*\s+radius +{_N}"),
+        re.compile(rf"(?:[XY]=|radius) *({_N})"),
+    ),  # AutoCAD
+    ("qrect", re.compile(rf"(?<=frame = )\({_N} {_N}; {_N} {_N}\)")),  # UIKit
+    ("image.rect", re.compile(rf"<QgsRectangle: {_N} {_N}, {_N} {_N}>")),
     ("qrect", re.compile(rf"<rect\({_N}, {_N}, {_N}, {_N}\)>")),  # pygame
     ("qrect", re.compile(rf"\[P: {_P}, S: {_P}\]")),  # Godot
     ("qrect", re.compile(rf"\(x:{_N}, y:{_N}, width:{_N}, height:{_N}\)")),  # Unity

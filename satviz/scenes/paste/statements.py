@@ -60,6 +60,7 @@ class Statements(Names):
         # ("rect" or "ellipse", place in the text, mode) of each call such as rectMode(CENTER)
         self.modes = [(m[1], m.start(), m[2].lower()) for m in _MODE.finditer(text)]
         self._open: dict[str, Obj] = {}  # runs that may go on
+        self._in_row = False  # within pairs on one line, of which some may belong to no shape: x=0 y=0 vx=1 r=5
         self._grown: set[int] = set()  # lists to which corners were added
         self._pen: Group | None = None
         self._corners: Obj | None = None  # a numbered list that may go on
@@ -186,8 +187,10 @@ class Statements(Names):
                 self.assign(item.items)
             elif item.bracket in (",", "+") and item.items and all(isinstance(v, Pair) for v in item.items):
                 self._end_run("")  # x = 0, y = 0, r = 5
+                self._in_row = True
                 for inner in item.items:
                     self._line(inner)
+                self._in_row = False
                 self._end_run("")
             elif points := self._points_behind_words(item):
                 self.loose.append(points)
@@ -337,7 +340,8 @@ class Statements(Names):
         name = str(pair.path[0]) if len(pair.path) == 1 else ""
         owner, meaning = owner_of(name) if name else ("", "")
         if not meaning:
-            self._end_run("")
+            if not self._in_row:
+                self._end_run("")
             return
         if owner and not isinstance(pair.value, Num):
             return
