@@ -226,6 +226,12 @@ class Calls(Keyed):
         """Return the box of a call, in the form that `row` gives to its numbers, or that the user chose."""
         arguments, named = self._arguments(group)
         arguments, place, angle = self._body(arguments)
+        if row.ask == CORNER_OR_CENTER and (centered := self._centered(arguments, named)):  # square(4, center=true)
+            form = Form.CENTER_SIZE if centered == "true" else Form.CORNER_SIZE
+            arguments, row = (
+                [a for a in arguments if not isinstance(a, Name)],
+                row._replace(form=form, ask=(), alone=True),
+            )
         if angle is None:
             angle = named.get("angle", "degrees", "radians")
         if only := self._options(arguments):
@@ -293,6 +299,11 @@ class Calls(Keyed):
         )
         made = replace(made, keyed=bool(row.form))
         return [moved(made, place) if place else made]
+
+    def _centered(self, arguments: Sequence[Any], named: Obj) -> str:
+        """Drop the argument that says if the center of a box is at the origin, and return "true", "false" or ""."""
+        said = [v.text for v in (*arguments[-1:], named.fields.pop("center", None)) if isinstance(v, Name)]
+        return next((text for text in said if text in ("true", "false")), "")
 
     def _centers_and_radii(self, items: Sequence[Any], label: str) -> list[Read]:
         """Return the shapes of a call such as CheckCollisionCircleRec(center, radius, box)."""

@@ -178,7 +178,7 @@ class Keyed(Boxes):
 
 
 def _placed(shape: Read, obj: Obj, place: Pt) -> Read:
-    """Move a shape to the place in its fields: a box or circle by its center or corner, as in rect.center = (1, 2)."""
+    """Return a shape moved to the place in its fields, a box or circle by center or corner: rect.center = (1, 2)."""
     names = {str(name).lower() for name in obj.fields}
     has_place = (shape.box or shape.is_circle) and not shape.said.endswith(AT_ORIGIN)
     if "translation" in names or not has_place:

@@ -358,7 +358,7 @@ class Reader(Calls):
                 found = [transformed(shape, tuple(matrix), exact=bool(exact)) for shape in found]
                 continue
             if plain in MOVES and len(arguments.items) in (1, 2):
-                move = self.point(arguments) or self.point(arguments.items[0])
+                move = self.point(arguments) or self.vector(arguments.items[0])
                 if move:
                     found = [moved(shape, move) for shape in found]
                     continue
