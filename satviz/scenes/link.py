@@ -98,7 +98,7 @@ def site_folder(site: str, name: str = "site") -> str:
 
 
 def fragment(found: Scene, options: ViewOptions = DEFAULT_VIEW) -> str:
-    """Return the part of a link after the # for a scene (or its name, if it is built in) and view options."""
+    """Return the part of a link after the #: the scene, by its name if it is built in, and the view options."""
     text = json.dumps(json.loads(found.to_json()), separators=(",", ":"), ensure_ascii=False)
     words = [found.name if found in ALL_SCENES else urlsafe_b64encode(text.encode()).decode().rstrip("=")]
     for key, value in options._asdict().items():

@@ -54,7 +54,7 @@ class Scene:
             )
 
     def record(self) -> Trace:
-        """Run the loop on the scene's shapes and axes; return the Trace."""
+        """Run SAT on the scene's shapes and axes; return the Trace."""
         return record(self.a, self.b, axes=CHOICES[self.axes], every_axis=self.every_axis)
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
@@ -97,7 +97,7 @@ class SceneOfOwnAxes(Scene):
     choice: Chooser | Shortcut = NAMED["needed"]
 
     def record(self) -> Trace:
-        """Run the loop on the scene's shapes and its own axes; return the Trace."""
+        """Run SAT on the scene's shapes and its own axes; return the Trace."""
         return record(self.a, self.b, axes=self.choice, every_axis=self.every_axis)
 
 

@@ -2,7 +2,7 @@
 
 All methods for one work are run once in each round, and the figure is the median over the rounds.  The name of a work
 says where its time begins: with shapes that are made already, or with raw arrays.  Each row also says how its answers
-were checked (`CHECKED_BY`).
+were checked (`CHECKED_BY`).  Each `_bench_...` measures one section and yields its rows.
 """
 
 import subprocess
@@ -72,7 +72,7 @@ CHECKED_BY = {
     "count": "box pairs by their number alone, against shapely's",
 }
 
-Jobs = dict[str, Callable[[], Any]]
+Jobs = dict[str, Callable[[], Any]]  # by method: a function without arguments that does the work and returns answers
 
 
 class TimingRow(NamedTuple):
@@ -296,7 +296,7 @@ def _time_collisions(
 
 
 def _with_wrong_pairs(row: TimingRow, pairs: NDArray[np.intp], right: NDArray[np.intp] | None) -> TimingRow:
-    """Return the row with the pairs counted that only one of `pairs` and shapely's `right` holds; as it is without."""
+    """Return the row with its wrong pairs counted: those in only one of `pairs` and shapely's `right`, if any."""
     if right is None:
         return row
     wrong = len(set(map(tuple, right.tolist())) ^ set(map(tuple, pairs.tolist())))

@@ -257,9 +257,12 @@ class _Parser:
         if mark is not None and not any(is_mark(a, ("==", "<=", ">=", "!=")) for a in atoms[:mark]):
             sign = mark
             if is_mark(atoms[mark], (":",)):  # `let a: Type = value`: the value comes after the =
-                sign = next((i for i, a in enumerate(atoms) if i > mark and is_mark(a, ("=",))), mark)
+                signs = [i for i, a in enumerate(atoms) if i > mark and is_mark(a, ("=",))]
+                sign = signs[0] if len(signs) == 1 else mark  # a: pos=(0, 0) mass=3 r=10 has no type
                 if any(isinstance(a, Token) and a.kind == NUMBER for a in atoms[mark:sign]):
                     sign = mark
+                elif sign > mark and self.is_heading(atoms[mark], atoms[mark + 1]):
+                    return self.value(atoms[mark + 1 :], bracket, keys + 1)
             path = self.path(atoms[:mark])
             if bracket == "{" and mark > 1 and any(isinstance(a, Token) and a.kind == NUMBER for a in atoms[:mark]):
                 return Bad(start_of(atoms[0]), end_of(atoms[-1]), "a number beside a key")
@@ -288,6 +291,11 @@ class _Parser:
             before = [a for a in found if isinstance(a, Group) and a.bracket in "({" and not _are_words(a)]
             return Group(pair.start, pair.end, [*before, pair], "+") if before else pair  # {x: 1, y: 2} radius: 5
         return self.plain(atoms, is_line=not bracket and not keys)
+
+    def is_heading(self, colon: Token, name: Any) -> bool:
+        """Return whether a colon ends words before a name and its value (Input: A = 1), not a name before its type."""
+        single = isinstance(name, Token) and len(name.text) == 1 and name.text.isupper()
+        return single or "\n" in self.text[colon.end : start_of(name)]
 
     def run_of_pairs(self, atoms: list[Any], bracket: str) -> Group | None:
         """Return the pairs of `x: 0 y: 0 width: 4`, where no comma stands between them; None for anything else."""

@@ -38,7 +38,8 @@ RESULTS = frozenset(
     ["contact", "contacts", "manifold", "intersection", "overlap", "axes", "axis", "simplex", "normals", "minkowski"]
 )
 TYPES = frozenset(["float", "double", "number", "int", "integer", "f32", "f64"])
-BEFORE_POINTS = frozenset(["at", "with", "through", "by", "is", "are", "has"])  # words before corners in a sentence
+# words before corners in a sentence
+BEFORE_POINTS = frozenset(["at", "with", "through", "by", "is", "are", "has", "from", "to", "on", "of", "in"])
 _LETTERED = re.compile(r"(?P<owner>[a-dA-DpPqQ])(?P<key>[xywhr])")
 
 
@@ -59,6 +60,7 @@ class Statements(Names):
         # ("rect" or "ellipse", place in the text, mode) of each call such as rectMode(CENTER)
         self.modes = [(m[1], m.start(), m[2].lower()) for m in _MODE.finditer(text)]
         self._open: dict[str, Obj] = {}  # runs that may go on
+        self._in_row = False  # within pairs on one line, of which some may belong to no shape: x=0 y=0 vx=1 r=5
         self._grown: set[int] = set()  # lists to which corners were added
         self._pen: Group | None = None
         self._corners: Obj | None = None  # a numbered list that may go on
@@ -174,8 +176,8 @@ class Statements(Names):
                 self._line(inner)
         elif isinstance(item, Group):
             declared = notation(item.before) if item.before else None
-            if is_pair(item) and key(item.name) == "center":
-                declared = None  # rectangle position (10, 10)
+            if (is_pair(item) and key(item.name) == "center") or item.name in BEFORE_POINTS:
+                declared = None  # rectangle position (10, 10), a shape is [(0, 0), (4, 0), (0, 3)]
             if declared and (
                 declared.kind in (Kind.BOX, Kind.CIRCLE, Kind.OTHER_SHAPE) or not notation(item.name)
             ):  # Circle c(0, 0, 1)
@@ -185,8 +187,10 @@ class Statements(Names):
                 self.assign(item.items)
             elif item.bracket in (",", "+") and item.items and all(isinstance(v, Pair) for v in item.items):
                 self._end_run("")  # x = 0, y = 0, r = 5
+                self._in_row = True
                 for inner in item.items:
                     self._line(inner)
+                self._in_row = False
                 self._end_run("")
             elif points := self._points_behind_words(item):
                 self.loose.append(points)
@@ -336,7 +340,8 @@ class Statements(Names):
         name = str(pair.path[0]) if len(pair.path) == 1 else ""
         owner, meaning = owner_of(name) if name else ("", "")
         if not meaning:
-            self._end_run("")
+            if not self._in_row:
+                self._end_run("")
             return
         if owner and not isinstance(pair.value, Num):
             return

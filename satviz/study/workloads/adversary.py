@@ -33,7 +33,10 @@ LEAST_BEND = 1e-6  # sine of the turn at a corner, below which a 4-gon counts as
 
 
 class WorstPair(NamedTuple):
-    """The worst pair that was found: its relative margin (0: none was wrong), its outlines, and how many were tried."""
+    """The worst pair that was found: its relative margin (0: none was wrong), its outlines, and how many were tried.
+
+    a, b: (1, V, 2), or (0, V, 2) if none was wrong.
+    """
 
     margin: float
     a: Rings

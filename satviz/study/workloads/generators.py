@@ -99,7 +99,7 @@ def touching_pairs(rng: np.random.Generator, n: int, v: int) -> tuple[Rings, Rin
 
 
 def tiles(n: int) -> Rings:
-    """Return a map of n by n upright boxes, each of which touches its eight neighbours."""
+    """Return a map of n by n upright boxes of side 0.25, each of which touches its eight neighbours."""
     at = np.stack(np.meshgrid(np.arange(n), np.arange(n)), axis=-1).reshape(-1, 1, 2) * 0.25
     return np.asarray(at + np.array([[0, 0], [0.25, 0], [0.25, 0.25], [0, 0.25]]))
 
@@ -176,13 +176,13 @@ def _even_places_and_sizes(rng: np.random.Generator, n: int) -> tuple[Array, Arr
 
 
 def _boxes_of_many_sizes(rng: np.random.Generator, n: int) -> Array:
-    """Return boxes spread evenly whose sizes differ up to a thousandfold."""
+    """Return (n, 4) boxes spread evenly whose sizes differ up to a thousandfold."""
     at, size = _even_places_and_sizes(rng, n)
     return _boxes_at(at * 6, size * 10 ** rng.uniform(-1.5, 1.5, (n, 1)))
 
 
 def _tiny_boxes_in_a_large_one(rng: np.random.Generator, n: int) -> Array:
-    """Return one large box and tiny ones inside it, which all lie in one cell of a grid."""
+    """Return (n, 4) boxes: a large one and tiny ones inside it, which all lie in one cell of a grid."""
     at, size = _even_places_and_sizes(rng, n)
     at, size = at * 1e-6, size * 1e-6
     at[0], size[0] = 0, 1
@@ -190,7 +190,7 @@ def _tiny_boxes_in_a_large_one(rng: np.random.Generator, n: int) -> Array:
 
 
 def _boxes_with_one_far_away(rng: np.random.Generator, n: int) -> Array:
-    """Return boxes spread evenly and one at 1e300, which stretches the bounds of the whole scene."""
+    """Return (n, 4) boxes spread evenly, but one at 1e300, which stretches the bounds of the whole scene."""
     at, size = _even_places_and_sizes(rng, n)
     at[0], size[0] = 1e300, 1e285
     return _boxes_at(at, size)

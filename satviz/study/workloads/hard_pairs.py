@@ -150,7 +150,7 @@ def _needles(rng: Rng, n: int) -> RingPairs:
 
 
 def _needle(rng: Rng, n: int) -> Rings:
-    """Return rhombi of length 2 whose half widths go down to 2**-17, turned and moved at random."""
+    """Return rhombi of length 2 whose half widths go down to 2**-18, turned and moved at random."""
     thin = np.array([(-1.0, 0.0), (0.0, -1.0), (1.0, 0.0), (0.0, 1.0)]) * np.ones((n, 1, 1))
     thin[..., 1:] /= _log_uniform(rng, n, MAX_OCTAVES)
     return turn_rings(thin, unit_vectors(rng, n)) + rng.uniform(-2, 2, (n, 1, 2))

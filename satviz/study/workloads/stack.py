@@ -48,7 +48,10 @@ class Body(NamedTuple):
 
 @dataclass
 class ContactPoint:
-    """One point of a contact between bodies i and j, with its impulses: along the normal, and of friction across it."""
+    """One point of a contact between bodies i and j, with its impulses: along the normal, and of friction across it.
+
+    at: where it is; contact: (unit normal from i to j, depth in metres).
+    """
 
     i: int
     j: int
@@ -134,7 +137,7 @@ def contact_points(a: tuple[Point, ...], b: tuple[Point, ...], normal: Point) ->
 
 
 def _arms(bodies: list[Body], point: ContactPoint, k: int) -> tuple[Point, float, float]:
-    """Return the direction of impulse k (0: the normal, 1: across it) and its lever arms about both bodies' centers."""
+    """Return (unit direction of impulse k, 0: normal, 1: across it; lever arm about body i's center; about j's)."""
     (nx, ny), (px, py) = point.contact[0], point.at
     x, y = (nx, ny) if k == 0 else (-ny, nx)
     (ax, ay), (bx, by) = bodies[point.i].at, bodies[point.j].at
