@@ -119,11 +119,11 @@ class Calls(Keyed):
                 others = [self.resolve(a) for a in arguments[1:]]
                 if any(isinstance(a, Group) and self.ring(a) for a in others):
                     if notation(group.name) and group.name.lower().split("::")[0].split(".")[-1] in ("polygon",):
-                        raise Unreadable("a polygon with holes: satviz takes outlines without holes")
+                        raise Unreadable("a polygon with holes: satviz takes no holes, so write the outer ring alone")
                     outline = None
         rings = (outline, *(self.ring(v) for v in arguments if isinstance(self.resolve(v), Group)))
         if SHAPE_WORDS.search(group.name) and any(ring and len(ring) == 2 for ring in rings):
-            raise Unreadable("two corners are a segment and no polygon: satviz takes outlines with an area")
+            raise Unreadable("two corners are a segment and no polygon: write three corners or more")
         if outline is None or len(outline) < 3:
             return self._plain(group, label)
         if place is not None and group.name.lower().endswith("fromvertices"):

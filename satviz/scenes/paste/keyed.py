@@ -171,7 +171,7 @@ class Keyed(Boxes):
                     "a circle by its left and top sides and a position",
                 )
             elif origins != ("center", "center"):
-                raise Unreadable("the origin of the circle is neither its corner nor its center: write the center")
+                raise Unreadable("the circle's origin is neither its center nor its box's corner: write the center")
         if given is None:
             said = said.replace("radius", "diameter")
         return circle(place or ZERO, radius, obj, label, said, *given_numbers)
