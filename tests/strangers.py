@@ -2683,4 +2683,40 @@ wall:
         "select ST_Overlaps(ST_MakeEnvelope(0, 0, 10, 10, 3857), ST_MakeEnvelope(8, 8, 20, 20, 3857));",
         ((0, 0, 10, 10), (8, 8, 20, 20)),
     ),
+    Paste(
+        "OpenSCAD, centered",
+        "square([4,2], center=true);\ntranslate([2,0]) square([4,2], center=true);",
+        ((-2, -1, 2, 1), (0, -1, 4, 1)),
+    ),
+    Paste(
+        "OpenSCAD, one in another module",
+        "module a() { polygon([[0,0],[4,0],[4,4]]); }\nmodule b() { translate([3,1,0]) circle(r=2, $fn=64); }",
+        ((0, 0, 4, 4), (1, -1, 5, 3)),
+    ),
+    Paste(
+        "OpenSCAD, turned before it is moved",
+        "square(2);\ntranslate([5,0]) rotate(90) polygon([[0,0],[4,0],[4,2]]);",
+        ((0, 0, 2, 2), (3, 0, 5, 4)),
+        as_="corner-size around-origin y-up",
+    ),
+    Paste(
+        "KML in one line",
+        "<Polygon><outerBoundaryIs><LinearRing><coordinates>0,0 4,0 4,4 0,0</coordinates></LinearRing></outerBoundaryIs>"
+        "</Polygon>\n<Polygon><outerBoundaryIs><LinearRing><coordinates>2,2 6,2 6,6 2,2</coordinates></LinearRing>"
+        "</outerBoundaryIs></Polygon>",
+        ((0, 0, 4, 4), (2, 2, 6, 6)),
+    ),
+    Paste(
+        "GML with lists of corners",
+        '<gml:Polygon><gml:exterior><gml:LinearRing><gml:posList srsDimension="2">0 0 4 0 4 4 0 0</gml:posList>'
+        "</gml:LinearRing></gml:exterior></gml:Polygon>\n<gml:Polygon><gml:exterior><gml:LinearRing>"
+        "<gml:posList>2 2 6 2 6 6 2 2</gml:posList></gml:LinearRing></gml:exterior></gml:Polygon>",
+        ((0, 0, 4, 4), (2, 2, 6, 6)),
+    ),
+    Paste(
+        "GML with an element for each corner",
+        "<gml:LinearRing><gml:pos>0 0</gml:pos><gml:pos>4 0</gml:pos><gml:pos>4 4</gml:pos></gml:LinearRing>\n"
+        "<gml:LinearRing><gml:pos>2 2</gml:pos><gml:pos>6 2</gml:pos><gml:pos>6 6</gml:pos></gml:LinearRing>",
+        (),
+    ),
 )

@@ -539,6 +539,9 @@ def test_several_refused_shapes_are_listed_in_words():
         pytest.param('<g transform="scale(2)">' * 9_000, marks=pytest.mark.slow),
         pytest.param('<g transform="scale(' + "2 " * 30_000 + ')">', marks=pytest.mark.slow),
         pytest.param("<g " * 300_000, marks=pytest.mark.slow),
+        "POLYGON Z(" + "1" * 100_000,
+        pytest.param("1,1;" * 5 + "x1,1;" * 30_000, marks=pytest.mark.slow),
+        pytest.param("a;b\n" * 100_000, marks=pytest.mark.slow),
     ],
     ids=range(39),
 )
@@ -679,3 +682,11 @@ def test_two_points_are_never_taken_for_a_box_without_a_word():
     assert "a line segment is no shape here" in str(sv.paste("a = [(0,0),(4,4)]\nb = [(2,2),(6,6)]"))
     for name in ("segment", "line1", "wallEdge", "ray"):
         assert "two points are a line segment" in str(sv.paste(f"{name} = [(0,0),(4,4)]\n{BOTH}"))
+
+
+def test_corners_have_the_names_of_the_pictures_in_every_finding():
+    pasted = sv.paste("a = [(0,0),(2,0),(4,0),(4,0),(4,4)]\nb = [(0,0),(4,4),(4,0),(0,4)]")
+    said = " ".join(finding.text for finding in pasted.findings)
+    assert "a4 repeats a3, with a1 as the first corner" in said
+    assert "a2 lies straight on between its neighbours, with a1 as the first corner" in said
+    assert "edges b1b2 and b3b4 cross" in said

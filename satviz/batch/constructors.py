@@ -309,9 +309,9 @@ def build_shapes(points: Array, start: Indices, name: Callable[[int], str], conc
 
 
 def _convex_rings(points: Array, given: RaggedRings) -> tuple[RaggedRings, Mask]:
-    """Return what `convex_rings` returns for the outlines `given`, made of the (M, 2) `points`, which stay as they are.
+    """Return what `convex_rings` returns for the outlines `given`, whose corners are also the (M, 2) `points`.
 
-    The engine certifies most of them in one pass, where it can.
+    Neither is changed.  The engine certifies most of them in one pass.
     """
     if (certified_rings := engine_for_checks(len(points)).certified_rings) is None:
         return convex_rings(RaggedRings(given.x + 0.0, given.y + 0.0, given.start))  # a copy, where -0.0 is 0.0

@@ -156,7 +156,7 @@ def parse_fragment(text: str) -> tuple[Scene, ViewOptions]:
 def _scene_of_name(name: str) -> Scene:
     """Return the built-in scene of this name; InvalidScene, without a list of names, if there is none."""
     if name not in names():
-        raise InvalidScene(f"no scene is called {short_repr(name)}")
+        raise InvalidScene(f"no scene is called {short_repr(name)}: correct the name in the link")
     return scene(name)
 
 

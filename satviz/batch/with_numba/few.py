@@ -89,7 +89,7 @@ def _collide_blocks(a: Array, b: Array, c: Array, d: Array) -> tuple[Pairs, bool
 def _collide(x: Array, y: Array, start: Indices, radius: Array) -> tuple[Pairs, bool]:
     """Return (pairs i < j of the shapes that share a point, in order; whether all pairs are decided).
 
-    If not, the pairs mean nothing: floats do not decide a pair, or there are too many shapes or boxes to compare.
+    If not, the pairs mean nothing.
     """
     n = radius.size
     if n > MAX_SHAPES:

@@ -219,9 +219,9 @@ def relate_circles(ax: float, ay: float, ar: float, bx: float, by: float, br: fl
 
 
 def circle_polygons(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first: int, out: Signs) -> None:
-    """Fill out[k] with the relation of circle first + k and the polygon in column first + k of px, py.
+    """Fill out[k] with the relation of circle first + k and polygon column first + k, by squared distance to boundary.
 
-    UNDECIDED where the squared distance from center to boundary is within its error bound of the squared radius.
+    UNDECIDED within its error bound.
     """
     (_circle_unrolled(len(px)) if len(px) <= 8 else _circle_general)(cx, cy, cr, px, py, first, out)
 

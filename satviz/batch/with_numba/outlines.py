@@ -51,7 +51,7 @@ def _columns_kernel(fixed: int | None) -> Callable[[Array, Array, Array], bool]:
 
     @compiled
     def fill_columns(vertices: Array, columns: Array, maxima: Array) -> bool:
-        """Fill (2, V, n) columns and (2, tiles) maxima as of CornerColumns; return whether all are certified convex."""
+        """Fill (2, V, n) columns and (2, tiles) maxima for CornerColumns; return whether all are certified convex."""
         corners = vertices.shape[1] if fixed is None else fixed
         for tile in range(maxima.shape[1]):
             max_edge = max_coordinate = 0.0

@@ -154,9 +154,9 @@ def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array, fi
 
 
 def circle_polygons(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first: int, out: Signs) -> None:
-    """Fill out[k] with the relation of circle first + k and the polygon in column first + k of px, py.
+    """Fill out[k] with the relation of circle first + k and polygon column first + k, by squared distance to boundary.
 
-    UNDECIDED where the squared distance from center to boundary is within its error bound of the squared radius.
+    UNDECIDED within its error bound.
     """
     cx, cy, cr, px, py = (c[..., first : first + out.size] for c in (cx, cy, cr, px, py))
     closed = np.empty((2, len(px) + 1, out.size))

@@ -119,11 +119,11 @@ class Calls(Keyed):
                 others = [self.resolve(a) for a in arguments[1:]]
                 if any(isinstance(a, Group) and self.ring(a) for a in others):
                     if notation(group.name) and group.name.lower().split("::")[0].split(".")[-1] in ("polygon",):
-                        raise Unreadable("a polygon with holes: satviz takes outlines without holes")
+                        raise Unreadable("a polygon with holes: satviz takes no holes, so write the outer ring alone")
                     outline = None
         rings = (outline, *(self.ring(v) for v in arguments if isinstance(self.resolve(v), Group)))
         if SHAPE_WORDS.search(group.name) and any(ring and len(ring) == 2 for ring in rings):
-            raise Unreadable("two corners are a segment and no polygon: satviz takes outlines with an area")
+            raise Unreadable("two corners are a segment and no polygon: write three corners or more")
         if outline is None or len(outline) < 3:
             return self._plain(group, label)
         if place is not None and group.name.lower().endswith("fromvertices"):
@@ -226,6 +226,12 @@ class Calls(Keyed):
         """Return the box of a call, in the form that `row` gives to its numbers, or that the user chose."""
         arguments, named = self._arguments(group)
         arguments, place, angle = self._body(arguments)
+        if row.ask == CORNER_OR_CENTER and (centered := self._centered(arguments, named)):  # square(4, center=true)
+            form = Form.CENTER_SIZE if centered == "true" else Form.CORNER_SIZE
+            arguments, row = (
+                [a for a in arguments if not isinstance(a, Name)],
+                row._replace(form=form, ask=(), alone=True),
+            )
         if angle is None:
             angle = named.get("angle", "degrees", "radians")
         if only := self._options(arguments):
@@ -293,6 +299,11 @@ class Calls(Keyed):
         )
         made = replace(made, keyed=bool(row.form))
         return [moved(made, place) if place else made]
+
+    def _centered(self, arguments: Sequence[Any], named: Obj) -> str:
+        """Drop the argument that says if the center of a box is at the origin, and return "true", "false" or ""."""
+        said = [v.text for v in (*arguments[-1:], named.fields.pop("center", None)) if isinstance(v, Name)]
+        return next((text for text in said if text in ("true", "false")), "")
 
     def _centers_and_radii(self, items: Sequence[Any], label: str) -> list[Read]:
         """Return the shapes of a call such as CheckCollisionCircleRec(center, radius, box)."""

@@ -45,7 +45,7 @@ _CHANGE = re.compile(rf"^(?:{_REMOVED})++(?P<added>(?:{_ADDED})++)?", re.MULTILI
 
 
 def blank(match: re.Match[str], part: str | int = 0) -> str:
-    """Return a match with spaces in the place of a group at its end; its lines stay lines."""
+    """Return a match with spaces in place of the text of a group that ends it; 0 is all of it.  Lines stay lines."""
     return match[0].removesuffix(match[part]) + re.sub(r"[^\n]", " ", match[part])
 
 
@@ -87,6 +87,7 @@ _ROWS = [
         (r"(?:(?<==)|(?<=: ))0x[0-9a-f]{8,16}\b", lambda m: "null".ljust(len(m[0]), "_")),
         (r"(?<=\w) ->(?= \([-+.\d])", lambda _: " : "),
         (r"(?<=\[)@?pixi[\w./-]*:", blank),
+        (r"\bsrsDimension=\"2\"", lambda m: 'srsDimension=""'.rjust(len(m[0]))),  # GML
         (_NUMBERED, lambda m: m[1].ljust(len(m[0]))),
         (r"\(/(?=\s*[-+.\d])|(?<=[\s.\d])/\)", lambda m: {"(/": "[ ", "/)": " ]"}[m[0]]),  # Fortran
         (r"^[ \t]*(?:real|integer)\b[^:\n]*::|(?<=\w)\([\d, ]+\)(?=[ ]*=[ ]*(?:\[ |reshape))", blank),
@@ -115,7 +116,7 @@ _WATCH = re.compile(
     re.MULTILINE,
 )
 _WITH_Z = re.compile(r"(?P<head>\b(?:MULTI)?POLYGON ?)(?P<z>ZM?|M)(?P<data> ?\([-+.\de,()\s]*)", re.IGNORECASE)  # WKT
-_ROW_WITH_Z = re.compile(rf"{_N}\s+{_N}((?:\s+{_N}){{1,2}})(?=\s*[,)])")
+_ROW_WITH_Z = re.compile(r"(?<![^\s(,])[-+.\de]++\s++[-+.\de]++((?:\s++[-+.\de]++){1,2})(?=\s*[,)])", re.IGNORECASE)
 _QUOTE = re.compile(r"^>+ .*(?:\n>+(?: .*|$))*", re.MULTILINE)  # or the prompts of R and MATLAB
 _HEADS = re.compile(r"^(?:-.*|\+\+\+ .*|@@.*|diff --git.*|index [0-9a-f]{6,}\.\..*|\+)", re.MULTILINE)
 

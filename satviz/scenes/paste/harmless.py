@@ -4,7 +4,7 @@ import re
 
 
 def listed(text: str) -> frozenset[str]:
-    """Return the words of a list."""
+    """Return the words of a text that has spaces or line ends between them."""
     return frozenset(text.split())
 
 
@@ -108,7 +108,7 @@ OTHER_NUMBERS = listed(
     prev previous impulse motion tolerance epsilon eps expected distance dist camera image version line error warn info
     background strokeweight fps framerate type srid iscrowd score ts bbox rows capacity make satviz contact vx vy vz
     fixture moment linewidth zindex elasticity bounce text font style figsize dpi xlim ylim mtv normal depth penetration
-    overlap wkid
+    overlap wkid fn
     """
 )
 # A line with one of these words can describe a shape relative to another shape.

@@ -171,14 +171,14 @@ class Keyed(Boxes):
                     "a circle by its left and top sides and a position",
                 )
             elif origins != ("center", "center"):
-                raise Unreadable("the origin of the circle is neither its corner nor its center: write the center")
+                raise Unreadable("the circle's origin is neither its center nor its box's corner: write the center")
         if given is None:
             said = said.replace("radius", "diameter")
         return circle(place or ZERO, radius, obj, label, said, *given_numbers)
 
 
 def _placed(shape: Read, obj: Obj, place: Pt) -> Read:
-    """Move a shape to the place in its fields: a box or circle by its center or corner, as in rect.center = (1, 2)."""
+    """Return a shape moved to the place in its fields, a box or circle by center or corner: rect.center = (1, 2)."""
     names = {str(name).lower() for name in obj.fields}
     has_place = (shape.box or shape.is_circle) and not shape.said.endswith(AT_ORIGIN)
     if "translation" in names or not has_place:

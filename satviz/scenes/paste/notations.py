@@ -154,6 +154,11 @@ MAX_WORDS = max(len(re.split(r"\.|::|->", name)) for name in NAMES)
 
 # Texts whose shapes cannot be told from their lines: what they are, and what helps.
 UNREAD = (
+    (
+        re.compile(r"<(?:\w+:)?innerBoundaryIs>|<gml:(?:interior|pos|lowerCorner)>|\bsrsDimension=.3"),
+        "GML or KML with holes, with a third coordinate or with an element for each corner is not read: "
+        "paste each outer ring as POLYGON((x y, ...))",
+    ),
     (re.compile(r"^<{7} ", re.MULTILINE), "two versions of a text (<<<<<<<, =======): keep the lines of one of them"),
     (
         re.compile(r"^[ \t]*canvas(?:\.\w+)?:", re.MULTILINE),

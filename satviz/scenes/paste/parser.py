@@ -37,6 +37,7 @@ from .tree import Bad, Group, Name, Num, Pair, parts_of
 MAX_ANGLE = 50  # characters of an angle in terms of pi
 MAX_DEPTH = 24
 MAX_WORDS_BETWEEN = 60  # tokens between a shape and the word that separates it from the next one
+BEFORE_SHAPES = frozenset(["translate", "rotate"])  # of OpenSCAD: translate([1, 2]) square(4)
 LEAST = 3  # corners of an outline
 SIZES = frozenset(["center", "corner", "size", "half", "offset"])  # what a word before two numbers of a shape means
 PAIRS = {"(": ")", "[": "]", "{": "}"}
@@ -361,6 +362,10 @@ class _Parser:
             if any(o in OPERATORS for o in operators) or (hides and "@" in operators):  # a matrix product of Python
                 return Bad(start, end, "an expression, which is not evaluated", hides=hides)
             return Bad(start, end, "not a number", [v for v in values if isinstance(v, Group)])
+        while len(values) > 1 and _is_call(values[-1]) and _is_call(values[-2]) and values[-2].name in BEFORE_SHAPES:
+            move = values.pop(-2)
+            self.understood.append((move.start, move.start + len(move.name)))
+            values[-1] = replace(values[-1], start=move.start, methods=[*values[-1].methods, (move.name, move)])
         if len(values) == 1:
             return values[0]
         if all(isinstance(v, Num) for v in values):
@@ -467,6 +472,11 @@ class _Parser:
                 elif isinstance(index, Name) and self.text[index.start] in "'\"":  # b["x"] = 20
                     parts.append(index.text)
         return tuple(parts)
+
+
+def _is_call(value: Any) -> bool:
+    """Return whether a value is a bracket with a name before it."""
+    return isinstance(value, Group) and bool(value.name)
 
 
 def _is_negative(value: Any) -> bool:

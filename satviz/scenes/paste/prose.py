@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 from .tokens import CLOSE, MARK, NAME, NUMBER, OPEN, Token, tokens
 
-_N = r"[-+\u2212]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?(?:[ ]?(?:px|[cmk]?m|ft)\b)?+"
+_N = r"[-+\u2212]?(?:[0-9]++\.?[0-9]*+|\.[0-9]++)(?:[eE][-+]?[0-9]++)?(?:[ ]?(?:px|[cmk]?m|ft)\b)?+"
 _PLACE = rf"(?:\([ ]?{_N}[ ]?,[ ]?{_N}[ ]?\)|\b(?:center|centre|at|position)[ ]{_N}[ ]?,[ ]?{_N})"
 _AT = r"(?:(?:centered|centred|at|on|with|and|its) +){0,3}"
 _M = r"-?\d+(?:\.\d+)?"  # a number in a range: 0..4

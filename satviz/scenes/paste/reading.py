@@ -264,7 +264,7 @@ class Reader(Calls):
         if group.name == "map" and self._has_numbers(group):
             raise Unreadable("map(...) is not evaluated: write the result")
         if group.name == "LINESTRING":
-            raise Unreadable("a line is not a polygon: satviz takes outlines with an area")
+            raise Unreadable("a line is not a polygon: write three corners or more")
         if kind == Kind.ARC:
             ring = self._points(group.items) or []
             if len(ring) == 3 and ring[0] == ring[2] and ring[0][1] == ring[1][1]:
@@ -358,7 +358,7 @@ class Reader(Calls):
                 found = [transformed(shape, tuple(matrix), exact=bool(exact)) for shape in found]
                 continue
             if plain in MOVES and len(arguments.items) in (1, 2):
-                move = self.point(arguments) or self.point(arguments.items[0])
+                move = self.point(arguments) or self.vector(arguments.items[0])
                 if move:
                     found = [moved(shape, move) for shape in found]
                     continue
