@@ -543,7 +543,7 @@ def test_several_refused_shapes_are_listed_in_words():
         pytest.param("1,1;" * 5 + "x1,1;" * 30_000, marks=pytest.mark.slow),
         pytest.param("a;b\n" * 100_000, marks=pytest.mark.slow),
     ],
-    ids=range(39),
+    ids=range(42),
 )
 def test_a_long_text_in_these_notations_is_refused_in_linear_time(text):
     start = time.process_time()
