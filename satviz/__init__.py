@@ -140,7 +140,7 @@ def __getattr__(name: str) -> object:
     if name in _MODULES:
         return import_module(_MODULES[name])
     if name not in _MODULE_OF:
-        raise AttributeError(f"module 'satviz' has no attribute {name!r}")
+        raise AttributeError(f"module 'satviz' has no attribute {name!r}: dir(satviz) lists its names")
     value = getattr(import_module(f"{__name__}.{_MODULE_OF[name]}"), name)
     globals()[name] = value
     return value

@@ -83,7 +83,7 @@ def main(argv: Sequence[str] | None = None) -> int:
             # whatever an interrupt was turned into on its way
             code = 130 if interrupted() or isinstance(error, KeyboardInterrupt) else _report_failure(error)
         if code == 130 or interrupted():
-            say("interrupted; files already named are whole")
+            say("interrupted; the files named above are complete")
             return 130
     return code
 
@@ -104,9 +104,9 @@ def _report_failure(error: BaseException) -> int:
     if isinstance(error, Failed):
         say(str(error))
     elif isinstance(error, MemoryError):
-        say("not enough memory: ask for less at once")
+        say("not enough memory: give fewer or smaller inputs")
     elif isinstance(error, Exception) and not sys.flags.dev_mode:
-        say(f"{type(error).__name__}: {error} (a fault of satviz or below it; python -X dev -m satviz ... shows where)")
+        say(f"{type(error).__name__}: {error} (an internal error; run python -X dev -m satviz ... to see where)")
     else:
         raise error
     return 1
@@ -133,10 +133,10 @@ def _parser() -> argparse.ArgumentParser:
     trace = command.add_parser("trace", help="print every test of a scene as a table")
     _add_scene_options(trace)
     trace.add_argument("--json", action="store_true", help="print the whole trace as JSON")
-    trace.add_argument("--sums", action="store_true", help="print the sums behind the ends of the ranges too")
+    trace.add_argument("--sums", action="store_true", help="print also how the ends of the ranges are computed")
     trace.set_defaults(
         run=commands.trace,
-        clash=lambda args: "--sums is of the table: leave out --json" if args.sums and args.json else None,
+        clash=lambda args: "--sums adds to the table: leave out --json" if args.sums and args.json else None,
     )
 
     explain = command.add_parser(
@@ -160,7 +160,7 @@ def _parser() -> argparse.ArgumentParser:
         "--to", choices=EXPLAIN_FORMS, help="print only this, to send it on (default: the explanation)"
     )
     explain.add_argument(
-        "--pair", type=_whole_number(1, 10_000), default=1, metavar="N", help="which pair --to is about"
+        "--pair", type=_whole_number(1, 10_000), default=1, metavar="N", help="the pair for --to (default: 1)"
     )
     explain.add_argument("--site", default="", metavar="URL", help="the address of the site for --to link")
     wrong_site = "--site is the address of a link: give it with --to link"
@@ -181,12 +181,12 @@ def _parser() -> argparse.ArgumentParser:
     which.add_argument(
         "--sweep", action="store_true", help="draw an axis that turns through 180 degrees, instead of the steps"
     )
-    which.add_argument("--difference", action="store_true", help="draw how B - A comes about, instead of the steps")
+    which.add_argument("--difference", action="store_true", help="draw how B - A is made, instead of the steps")
     which.add_argument("--sheet", action="store_true", help="draw the whole run in one picture, a row for each axis")
     which.add_argument(
         "--steps",
         action="store_true",
-        help=f"draw every step, even of a run of more than {commands.MAX_STEP_FILES}, which gets a sheet otherwise",
+        help=f"draw every step; without it, a run of more than {commands.MAX_STEP_FILES} steps gets a sheet",
     )
     which.add_argument(
         "--step",
@@ -197,7 +197,7 @@ def _parser() -> argparse.ArgumentParser:
     draw.add_argument("--predict", action="store_true", help="ask the reader for each result (page, link, frame)")
     draw.add_argument("--goal", choices=GOALS, help="set this challenge (link, frame)")
     draw.add_argument("--play", action="store_true", help="step through the run (frame)")
-    draw.add_argument("--show", action="append", choices=VIEW_PARTS, help="show this too (frame); may be repeated")
+    draw.add_argument("--show", action="append", choices=VIEW_PARTS, help="show this part too (frame); may be repeated")
     draw.add_argument(
         "--speed",
         type=_speed,
@@ -215,11 +215,11 @@ def _parser() -> argparse.ArgumentParser:
         "pairs; without it, all pairs whose boxes meet are tested.",
     )
     advise.add_argument("scene", metavar="SCENE", help="a built-in scene's name, a scene file, or an .npz of shapes")
-    advise.add_argument("--json", action="store_true", help="print it as JSON (with --chart, with the costs)")
+    advise.add_argument("--json", action="store_true", help="print the result as JSON; with --chart it has the costs")
     advise.add_argument(
         "--chart", type=_folder, metavar="DIR", help="draw time against wrong answers, into this folder"
     )
-    advise.add_argument("--force", action="store_true", help="overwrite what satviz did not make")
+    advise.add_argument("--force", action="store_true", help="overwrite files that satviz did not make")
     advise.set_defaults(run=commands.advise, axes=None, every_axis=False, clash=_clash_of_chart)
 
     check = command.add_parser(
@@ -234,22 +234,22 @@ def _parser() -> argparse.ArgumentParser:
     check.add_argument(
         "--symptom", metavar="WORDS", help='list the known mistakes that look like this: "falls through"'
     )
-    check.add_argument("--returns", choices=RETURNED, help="what it returns (default: as its first answers)")
+    check.add_argument("--returns", choices=RETURNED, help="what it returns (default: found from its first answers)")
     check.add_argument(
         "--kinds", action="append", choices=PAIR_KINDS, help="pairs to test; may be repeated (default: boxes, convex)"
     )
     check.add_argument("--form", choices=FORMS, default="points", help="how a function gets shapes (default: points)")
-    check.add_argument("--touching", choices=TOUCHING_AS, default="hit", help="what is right for touching shapes")
-    check.add_argument("--tolerance", type=float, default=0.0, metavar="X", help="skip pairs within X of touching")
+    check.add_argument("--touching", choices=TOUCHING_AS, default="hit", help="the right answer for touching shapes")
+    check.add_argument("--tolerance", type=float, default=0.0, metavar="X", help="skip gaps and overlaps up to X")
     check.add_argument("--whole-numbers", action="store_true", help="test only pairs in whole numbers")
     check.add_argument("--counter-clockwise", action="store_true", help="give all vertices counter-clockwise")
     check.add_argument("--seed", type=SEED, default=1, metavar="N", help="seed of the random pairs (default: 1)")
-    check.add_argument("--seconds", type=float, default=5.0, metavar="S", help="time for all calls (default: 5)")
-    check.add_argument("--call-seconds", type=float, default=2.0, metavar="S", help="time for one call (default: 2)")
+    check.add_argument("--seconds", type=float, default=5.0, metavar="S", help="seconds for all calls (default: 5)")
+    check.add_argument("--call-seconds", type=float, default=2.0, metavar="S", help="seconds for one call (default: 2)")
     check.add_argument("--json", action="store_true", help="print the result as JSON")
     check.add_argument("--out", type=_folder, metavar="DIR", help="draw the counterexample, into this folder")
     check.add_argument("--theme", choices=THEMES, default="light", help="(default: light)")
-    check.add_argument("--force", action="store_true", help="overwrite what satviz did not make")
+    check.add_argument("--force", action="store_true", help="overwrite files that satviz did not make")
     check.set_defaults(run=commands.check, clash=_clash_of_check)
 
     handout = command.add_parser(
@@ -283,13 +283,13 @@ def _parser() -> argparse.ArgumentParser:
         help="pairs per workload; scenes grow with them (default: 100000)",
     )
     bench.add_argument(
-        "--rounds", type=_whole_number(1, 10**6), metavar="N", help="rounds to take the median of (default: 9)"
+        "--rounds", type=_whole_number(1, 10**6), metavar="N", help="rounds; times are medians (default: 9)"
     )
     bench.add_argument("--seed", type=SEED, default=1, metavar="N", help="seed of the random pairs (default: 1)")
-    bench.add_argument("--quick", action="store_true", help="run less of everything: half a minute, rough figures")
+    bench.add_argument("--quick", action="store_true", help="make a shorter run: half a minute, rough figures")
     bench.add_argument("--json", action="store_true", help="print the figures, the machine and the versions as JSON")
     bench.add_argument("--chart", type=_folder, metavar="DIR", help="draw the figures as well, into this folder")
-    bench.add_argument("--force", action="store_true", help="overwrite what satviz did not make")
+    bench.add_argument("--force", action="store_true", help="overwrite files that satviz did not make")
     bench.set_defaults(run=commands.bench, clash=_clash_of_bench, usual={"pairs": 100_000, "rounds": 9})
 
     study = command.add_parser("study", help="chart speed against accuracy, and what exactness costs")
@@ -314,7 +314,7 @@ def _parser() -> argparse.ArgumentParser:
     site.add_argument("--open", action="store_true", help="serve it on this machine and open it, until Ctrl-C")
     site.add_argument("--zip", action="store_true", help="write DIR.zip, a package for a learning platform, instead")
     site.add_argument("--url", default="", metavar="URL", help="the site's future address, for sitemap and previews")
-    site.add_argument("--pyodide", type=_folder, metavar="DIR", help="Pyodide's core, so that npm does not fetch it")
+    site.add_argument("--pyodide", type=_folder, metavar="DIR", help="folder with Pyodide's core (else npm fetches it)")
     site.add_argument("--still", action="store_true", help="leave out Python: then shapes cannot be dragged")
     site.add_argument("--force", action="store_true", help="overwrite files that satviz did not make")
     site.set_defaults(run=commands.site, clash=_clash_of_site)
@@ -347,7 +347,7 @@ def _add_scene_options(parser: argparse.ArgumentParser) -> None:
 def _add_output_options(parser: argparse.ArgumentParser, out: str, formats: Sequence[str]) -> None:
     """Add the options of commands that write files; `out`: the default folder, `formats`: choices."""
     parser.add_argument("--out", type=_folder, metavar="DIR", help=f"the folder to write to (default: {out})")
-    parser.add_argument("--format", action="append", choices=formats, help="may be given several times (default: svg)")
+    parser.add_argument("--format", action="append", choices=formats, help="format; may be repeated (default: svg)")
     parser.add_argument("--theme", choices=THEMES, help="(default: light)")
     parser.add_argument("--force", action="store_true", help="overwrite files that satviz did not make")
     parser.set_defaults(usual={"out": Path(out), "format": ["svg"], "theme": "light"})
@@ -436,15 +436,15 @@ def _clash_of_bench(args: argparse.Namespace) -> str | None:
 def _clash_of_check(args: argparse.Namespace) -> str | None:
     """Return None if exactly one of a file, --command and --symptom is given; otherwise an error line."""
     if sum(map(bool, (args.target, args.command, args.symptom))) != 1:
-        return 'give a file, FILE.py:function, or a program, --command "node mine.js", or --symptom WORDS'
+        return 'give exactly one: FILE.py:function, --command "node mine.js" or --symptom WORDS'
     return None
 
 
 def _clash_of_site(args: argparse.Namespace) -> str | None:
     """Return an error line if options of `site` cannot be given together; otherwise None."""
     if args.zip and args.open:
-        return "--zip writes no folder that could be served: give it without --open"
-    return "--still has no Python in the page: give it without --pyodide" if args.still and args.pyodide else None
+        return "--open serves a folder, and --zip writes a file: leave out one of them"
+    return "--still leaves out Python: leave out --pyodide" if args.still and args.pyodide else None
 
 
 def _first_given(args: argparse.Namespace, *names: str) -> str | None:

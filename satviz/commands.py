@@ -204,7 +204,7 @@ def _drawable_run(args: argparse.Namespace, found: "Resolved") -> _Drawable:
         every = (sweep if args.sweep else difference_steps)(trace, title=scene.title)
 
     def frames() -> "Animation":
-        """Return the animation of the run, of the axis that turns or of how B - A comes about; sentences are below."""
+        """Return the animation of the run, of the axis that turns or of how B - A is made; sentences are below."""
         if args.sweep:
             return turning(add_captions(every), speed=args.speed or 1.0)
         drawn = every or [picture(trace, s) for s in range(first, last + 1)]
@@ -475,7 +475,7 @@ def bench(args: argparse.Namespace) -> ExitCode:
     ):
         rows.append(row)
         stop_if_interrupted()
-    warning = "quick figures are rough: a table for keeps takes minutes" if args.quick else busy_warning(rows)
+    warning = "quick figures are rough: leave out --quick for better ones" if args.quick else busy_warning(rows)
     if args.json:
         data = {"machine": machine_facts(), "missing": missing_peers(), "pairs": pairs, "rounds": rounds}
         out_json(json.dumps(data | {"warning": warning, "rows": [row._asdict() for row in rows]}, indent=1))

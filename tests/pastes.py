@@ -3795,7 +3795,7 @@ ConvexPolygon((Point(9, 0, 0), Point(13, 0, 190), Point(9, 4, 190)))""",
         )
         for transform, says in (
             ('transform="skewX(30)"', "'skewX(30)' is not applied"),
-            ('transform="scale(2, 1)"', "makes an ellipse of a circle"),
+            ('transform="scale(2, 1)"', "turns a circle into an ellipse"),
             ('transform="scale(k)"', "'scale(k)' is not applied"),
             ('transform="rotate(1 2)"', "'rotate(1 2)' is not applied"),
             ('transform="rotate(5)" transform-origin="2 2"', "'2 2' is not applied"),

@@ -76,7 +76,7 @@ def measured_sentences() -> list[str]:
     answer, whole = (format_ratio(ratio_interval(exact[key], raw[key])) for key in ("ns_runs", "whole_runs"))
     of_others = prices_of_few_corners(run["rows"])
     found = [
-        f"with 4-gons whose sides are at least {{{in_metres(LEAST_SIDE)}}} and which are at most "
+        f"It has 4-gons whose sides are at least {{{in_metres(LEAST_SIDE)}}} and which are at most "
         f"{{{in_metres(MOST_ACROSS)}}} across. The gap",
         f"`satviz bench` measured medians of {{{min(of_others):.1f} to {max(of_others):.1f}}} times for the answers "
         "alone.",

@@ -2533,4 +2533,190 @@ Then A.intersects(B) returns true in 3.1 but false in 3.0.""",
         as_="leave-out",
         asks=True,
     ),
+    Paste(
+        "other keys between those of a circle",
+        """a: pos=(0, 0) mass=3 r=10
+b: pos=(15, 0), vel=(1, 0), r=6""",
+        ((-10, -10, 10, 10), (9, -6, 21, 6)),
+    ),
+    Paste(
+        "speeds between the keys of a circle",
+        """10:15:01 entity 7: x=0 y=0 vx=3 vy=1 r=10
+10:15:01 entity 9: x=15 y=0 vx=-3 vy=1 r=6""",
+        ((-10, -10, 10, 10), (9, -6, 21, 6)),
+    ),
+    Paste(
+        "two circles with keys on one line",
+        "c1: x=0 y=0 r=10, c2: x=15 y=0 r=6. dist=15 < 16 so it should hit",
+        ((-10, -10, 10, 10), (9, -6, 21, 6)),
+    ),
+    Paste(
+        "a circle as a point and a number",
+        "poly (0,0), (4,0), (4,4); circle (5,2), 1.\ncircle [7, 2] r=2",
+        ((0, 0, 4, 4), (4, 1, 6, 3), (5, 0, 9, 4)),
+    ),
+    Paste(
+        "a sentence that ends with a radius",
+        "One circle is at (3, 4) with a radius of 2 and one is centered at (6, 4) with radius 1.5. They should hit.",
+        ((1, 2, 5, 6), (4.5, 2.5, 7.5, 5.5)),
+    ),
+    Paste(
+        "keys in Spanish and French",
+        "A: centro=(3, 4), radio=2\nB: centre=(6, 4), rayon=1.5",
+        ((1, 2, 5, 6), (4.5, 2.5, 7.5, 5.5)),
+    ),
+    Paste(
+        "flixel",
+        "player (x: 10 | y: 10 | w: 16 | h: 16)\ncrate (x: 25 | y: 12 | w: 16 | h: 16)",
+        ((10, 10, 26, 26), (25, 12, 41, 28)),
+    ),
+    Paste(
+        "qgis",
+        "<QgsRectangle: 0 0, 10 10>\n<QgsRectangle: 8 8, 20 20>",
+        ((0, 0, 10, 10), (8, 8, 20, 20)),
+    ),
+    Paste(
+        "postgis",
+        """ gid |      box2d
+-----+-----------------
+   1 | BOX(0 0,10 10)
+   2 | BOX(8 8,20 20)
+(2 rows)
+SELECT 'SRID=4326;POLYGON((4 4, 9 4, 9 9, 4 4))'::geometry;""",
+        ((0, 0, 10, 10), (8, 8, 20, 20), (4, 4, 9, 9)),
+    ),
+    Paste(
+        "uikit",
+        """<UIView: 0x7f8b2a40; frame = (0 0; 44 44); layer = <CALayer: 0x60000>>
+<UIView: 0x7f8b2b80; frame = (40 10; 20 20); layer = <CALayer: 0x60001>>""",
+        ((0, 0, 44, 44), (40, 10, 60, 30)),
+    ),
+    Paste(
+        "autocad",
+        """                  CIRCLE    Layer: "0"
+                   Handle = 1f4
+            center point, X=   5.0000  Y=   5.0000  Z=   0.0000
+            radius    2.0000
+                  CIRCLE    Layer: "0"
+                   Handle = 1f5
+            center point, X=   8.0000  Y=   5.0000  Z=   0.0000
+            radius    1.5000""",
+        ((3, 3, 7, 7), (6.5, 3.5, 9.5, 6.5)),
+    ),
+    Paste(
+        "a table with a column of polygons",
+        "poly,idx,x,y\nA,0,0,0\nA,1,4,0\nA,2,4,4\nB,0,3,1\nB,1,8,1\nB,2,8,6",
+        ((0, 0, 4, 4), (3, 1, 8, 6)),
+    ),
+    Paste(
+        "mathematica",
+        "In[3]:= RegionDisjoint[Polygon[{{0, 0}, {4, 0}, {4, 4}}], Disk[{5, 2}, 1]]\nOut[3]= False",
+        ((0, 0, 4, 4), (4, 1, 6, 3)),
+    ),
+    Paste(
+        "gdb with pointers",
+        """$1 = {center = {x = 1, y = 2}, radius = 3}
+$2 = {center = {x = 4, y = 2}, radius = 0.5}
+#0  circle_hit (a=0x7fffffffe0a0, b=0x7fffffffe0b0) at collide.c:88""",
+        ((-2, -1, 4, 5), (3.5, 1.5, 4.5, 2.5)),
+    ),
+    Paste(
+        "vectors of edges",
+        "A edges: (4,0) (0,4) (-4,0) (0,-4)\nA: (2,2) (6,2) (6,6) (2,6)\nB: (3,3) (6,3) (6,6)",
+        ((2, 2, 6, 6), (3, 3, 6, 6)),
+        as_="leave-out",
+        asks=True,
+    ),
+    Paste(
+        "squares in a chat",
+        "square from 0,0 to 2,2 and another one from 2,0 to 4,2",
+        ((0, 0, 2, 2), (2, 0, 4, 2)),
+    ),
+    Paste(
+        "a shape at a point is not the point",
+        "a 3x3 square at the origin and a 2x2 square at (1, 1)",
+        (),
+    ),
+    Paste(
+        "a remainder in a call",
+        "b2MakeSquare(1.0f % 2)\nb2MakeSquare(2.0f)\nb2MakeBox(1, 1)",
+        ((-2, -2, 2, 2), (-1, -1, 1, 1)),
+        asks=True,
+        as_="leave-out",
+    ),
+    Paste(
+        "entities with numbers",
+        """[physics-3] entity#4012 circle pos=(12.5, 8.0) r=2.0 vel=(1.5, 0.0)
+[physics-3] entity#4077 circle pos=(15.75, 8.0) r=1.5 vel=(-0.5, 0.0)""",
+        ((10.5, 6, 14.5, 10), (14.25, 6.5, 17.25, 9.5)),
+    ),
+    Paste(
+        "rules of css with hyphens",
+        """.box-a { left: 10px; top: 20px; width: 100px; height: 50px; }
+.box-b { left: 105px; top: 30px; width: 40px; height: 40px; }""",
+        ((10, 20, 110, 70), (105, 30, 145, 70)),
+    ),
+    Paste(
+        "a test of GoogleTest",
+        """TEST(Aabb, Touch) {
+  Circle a{{0, 0}, 2};
+  Circle b{{2, 0}, 4};
+  EXPECT_TRUE(a.overlaps(b));
+}""",
+        ((-2, -2, 2, 2), (-2, -4, 6, 4)),
+    ),
+    Paste(
+        "corners of yaml below their key",
+        """robot:
+  footprint:
+    - {x: 0.0, y: 0.0}
+    - {x: 4.0, y: 0.0}
+    - {x: 4.0, y: 4.0}
+wall:
+  - [3, 1]
+  - [9, 1]
+  - [9, 5]""",
+        ((0, 0, 4, 4), (3, 1, 9, 5)),
+    ),
+    Paste(
+        "envelopes of postgis",
+        "select ST_Overlaps(ST_MakeEnvelope(0, 0, 10, 10, 3857), ST_MakeEnvelope(8, 8, 20, 20, 3857));",
+        ((0, 0, 10, 10), (8, 8, 20, 20)),
+    ),
+    Paste(
+        "OpenSCAD, centered",
+        "square([4,2], center=true);\ntranslate([2,0]) square([4,2], center=true);",
+        ((-2, -1, 2, 1), (0, -1, 4, 1)),
+    ),
+    Paste(
+        "OpenSCAD, one in another module",
+        "module a() { polygon([[0,0],[4,0],[4,4]]); }\nmodule b() { translate([3,1,0]) circle(r=2, $fn=64); }",
+        ((0, 0, 4, 4), (1, -1, 5, 3)),
+    ),
+    Paste(
+        "OpenSCAD, turned before it is moved",
+        "square(2);\ntranslate([5,0]) rotate(90) polygon([[0,0],[4,0],[4,2]]);",
+        ((0, 0, 2, 2), (3, 0, 5, 4)),
+        as_="corner-size around-origin y-up",
+    ),
+    Paste(
+        "KML in one line",
+        "<Polygon><outerBoundaryIs><LinearRing><coordinates>0,0 4,0 4,4 0,0</coordinates></LinearRing></outerBoundaryIs>"
+        "</Polygon>\n<Polygon><outerBoundaryIs><LinearRing><coordinates>2,2 6,2 6,6 2,2</coordinates></LinearRing>"
+        "</outerBoundaryIs></Polygon>",
+        ((0, 0, 4, 4), (2, 2, 6, 6)),
+    ),
+    Paste(
+        "GML with lists of corners",
+        '<gml:Polygon><gml:exterior><gml:LinearRing><gml:posList srsDimension="2">0 0 4 0 4 4 0 0</gml:posList>'
+        "</gml:LinearRing></gml:exterior></gml:Polygon>\n<gml:Polygon><gml:exterior><gml:LinearRing>"
+        "<gml:posList>2 2 6 2 6 6 2 2</gml:posList></gml:LinearRing></gml:exterior></gml:Polygon>",
+        ((0, 0, 4, 4), (2, 2, 6, 6)),
+    ),
+    Paste(
+        "GML with an element for each corner",
+        "<gml:LinearRing><gml:pos>0 0</gml:pos><gml:pos>4 0</gml:pos><gml:pos>4 4</gml:pos></gml:LinearRing>\n"
+        "<gml:LinearRing><gml:pos>2 2</gml:pos><gml:pos>6 2</gml:pos><gml:pos>6 6</gml:pos></gml:LinearRing>",
+        (),
+    ),
 )

@@ -794,7 +794,7 @@ def test_the_command_advises_on_a_file_of_many_shapes_and_draws_the_costs_of_the
         ({}, "has no shapes"),
         ({"centers": [(0, 0)], "radii": [-1.0]}, "circle 0: radius is -1.0"),
         ({"coords": [(0, 0), (1, 1), (2, 2)], "offsets": [0, 3]}, "polygon 0"),
-        ({"centers": [(0, 0)], "radii": [1.0], "pairs": [[0, 1]]}, "expected numbers below"),
+        ({"centers": [(0, 0)], "radii": [1.0], "pairs": [[0, 1]]}, "expected (i, j) with"),
         ({"centers": [(0, 0)], "radii": [1.0], "pairs": [0.5]}, "pairs is float64 of the shape (1,)"),
         ({"coords": np.array([{}]), "offsets": [0]}, "coords is object of the shape (1,)"),
     ],

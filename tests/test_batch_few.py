@@ -933,5 +933,5 @@ def test_values_of_any_order_are_sorted():
             rng.choice([-1.7e308, 1.7e308], n),
             rng.choice([-0.0, 0.0, 5e-324], n),
         ):
-            order = few._sorted(values)
+            order = few._argsort(values)
             assert sorted(order.tolist()) == list(range(n)) and np.array_equal(values[order], np.sort(values))

@@ -160,8 +160,8 @@ REFUSED = [
     ("boxes", np.array([BOX] * 3, complex), "corners is an array of complex128: coordinates must be real numbers"),
     ("boxes", np.array([BOX] * 3) > 1, "corners is an array of bool: coordinates must be real numbers"),
     ("boxes", [[[True, False]] * 4] * 3, "polygon 0: vertex 0.x is True: "),
-    ("boxes", np.array([BOX, BOX, [(0, 0), (4, 0), (1, 1), (0, 4)]]), "polygon 2 is not convex with these coordinates: "
-     "nothing was moved"),
+    ("boxes", np.array([BOX, BOX, [(0, 0), (4, 0), (1, 1), (0, 4)]]), "polygon 2 is not convex with these coordinates, "
+     "so nothing was moved"),
     ("boxes", [BOX, BOX, BOX[[0, 2, 1, 3]]], "polygon 2: edges 0 and 2 cross near"),
 ]  # fmt: skip
 
@@ -259,8 +259,8 @@ PLACES = [
     (np.zeros((3, 2)), np.nan, "angle is nan: numbers must be finite"),
     (np.zeros(2), 0.0, "offsets has the shape (2,): expected (N, 2)"),
     (3, 0.0, "offsets is 3: expected a sequence"),
-    (np.full((3, 2), 1e300), 0.0, "polygon 0: 1 distinct vertices: a polygon needs at least 3 (the "
-     "coordinates of the new place are rounded to floats)"),
+    (np.full((3, 2), 1e300), 0.0, "polygon 0: 1 distinct vertices: a polygon needs at least 3 (its "
+     "moved coordinates are rounded to floats; move it elsewhere)"),
 ]  # fmt: skip
 
 
@@ -289,7 +289,7 @@ def test_moving_warns_where_the_processor_flushes_subnormal_numbers_to_zero(monk
         corners = corners_of(shapes)
         with monkeypatch.context() as patch:
             patch.setattr(predicates, "MIN_FLOAT", 0.0)
-            with pytest.warns(RuntimeWarning, match="answers are exact only where"):
+            with pytest.warns(RuntimeWarning, match="answers are exact only if"):
                 batch.move(shapes, corners)
 
 

@@ -214,9 +214,9 @@ def test_one_shape_against_many_and_pairs_by_index_have_the_relations_of_single_
 
 def test_lengths_and_indices_that_do_not_fit_are_refused():
     three, two = batch.Circles(np.zeros((3, 2)), 1), batch.Circles(np.zeros((2, 2)), 1)
-    with pytest.raises(ValueError, match="3 shapes against 2"):
+    with pytest.raises(ValueError, match="a has 3 shapes and b has 2"):
         batch.relate(three, two)
-    with pytest.raises(IndexError, match="expected numbers below 3"):
+    with pytest.raises(IndexError, match="with 0 <= i < 3"):
         batch.relate(three, three, [(0, 3)])
     with pytest.raises(ValueError, match="expected \\(K, 2\\)"):
         batch.relate(three, three, [0, 1])
@@ -234,13 +234,13 @@ def test_lengths_and_indices_that_do_not_fit_are_refused():
         ([[0], [1]], "shape \\(2, 1\\)"),
         ([[0.0, 1.0]], "holds float64"),
         ([[True, False]], "holds bool"),
-        ([[0, 0], [0, -1]], "expected numbers below 3 and 5"),
-        ([[-1, 0], [2, 4]], "expected numbers below 3 and 5"),
-        ([[0, 0], [3, 0]], "expected numbers below 3 and 5"),
-        ([[5, 0], [0, 0]], "expected numbers below 3 and 5"),
-        ([[0, 0], [0, 5]], "expected numbers below 3 and 5"),
-        ([[0, 0], [2, 6]], "expected numbers below 3 and 5"),
-        (np.array([[0, 2**64 - 1]], np.uint64), "expected numbers below 3 and 5"),
+        ([[0, 0], [0, -1]], "0 <= i < 3 and 0 <= j < 5"),
+        ([[-1, 0], [2, 4]], "0 <= i < 3 and 0 <= j < 5"),
+        ([[0, 0], [3, 0]], "0 <= i < 3 and 0 <= j < 5"),
+        ([[5, 0], [0, 0]], "0 <= i < 3 and 0 <= j < 5"),
+        ([[0, 0], [0, 5]], "0 <= i < 3 and 0 <= j < 5"),
+        ([[0, 0], [2, 6]], "0 <= i < 3 and 0 <= j < 5"),
+        (np.array([[0, 2**64 - 1]], np.uint64), "0 <= i < 3 and 0 <= j < 5"),
     ],
 )
 def test_invalid_pairs_of_indices_are_refused_also_among_valid_ones(function, index, words):
@@ -582,7 +582,7 @@ def test_numba_evaluates_undecided_columns_exactly_and_leaves_the_others_unchang
         q = batch.Polygons((touching[:8] + np.array([move, 0.0])) * scale)
         exact = one_by_one(p, q)
         out = np.array([UNDECIDED, 7, UNDECIDED, UNDECIDED, 5], np.int8)
-        indexed_numba.columns(p.uniform, q.uniform, 3, out)
+        indexed_numba.exact_columns(p.uniform, q.uniform, 3, out)
         assert out.tolist() == [exact[3], 7, *exact[5:7], 5]
 
 

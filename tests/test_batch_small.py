@@ -184,14 +184,14 @@ class Counted:
 def test_values_are_sorted_without_merging_if_they_lie_evenly_and_never_in_quadratic_time(few, monkeypatch):
     rng, n, merged = RNG(4), 300, []
     monkeypatch.setattr(
-        few, "_merge_sorted", lambda values: merged.append(len(values.values)) or np.argsort(values.values)
+        few, "_merge_argsort", lambda values: merged.append(len(values.values)) or np.argsort(values.values)
     )
     even = [rng.permutation(n) * 1.0, rng.uniform(-3, 5, n), np.arange(n)[::-1] * 0.5, rng.permutation(n) % 10 * 1.0]
     for values in even:
-        few._sorted(counted := Counted(values))
+        few._argsort(counted := Counted(values))
         assert not merged and counted.reads < 12 * n
     for values in np.append(even[1], 1e9), np.zeros(n), np.arange(n) * 5e-324, np.array([-1.7e308, 1.7e308] * 9):
-        few._sorted(counted := Counted(values))
+        few._argsort(counted := Counted(values))
         assert merged.pop() == len(values) and counted.reads < 12 * n
 
 
@@ -372,7 +372,7 @@ def test_the_filter_decides_columns_by_the_error_bound_of_their_tile_and_no_othe
         assert len(classified) == len(out)  # each once
         classified.clear()
         settled = out.copy()
-        kernels_of("indexed").columns(a, b, first, settled)
+        kernels_of("indexed").exact_columns(a, b, first, settled)
         assert len(exactly) == (out == UNDECIDED).sum()
         exactly.clear()
         rings = [np.stack([g.x, g.y], axis=2).transpose(1, 0, 2).astype(np.int64).tolist() for g in (a, b)]

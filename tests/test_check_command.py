@@ -134,7 +134,7 @@ def test_nothing_but_the_report_is_printed(tmp_path, capfd):
 
 def test_a_missing_program_is_reported():
     found = check_asker(Program("there-is-no-such-program x", 1), Options())
-    assert found.line == "cannot be started: there is no 'there-is-no-such-program'"
+    assert found.line == "cannot be started: there is no program 'there-is-no-such-program'"
 
 
 def needs(tool):

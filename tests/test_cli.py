@@ -166,7 +166,7 @@ BAD = {
     "bool": ({**GOOD, "b": {"circle": [True, 0], "radius": 1}}, "center.x is True"),
     "text": ({**GOOD, "b": {"circle": ["1", 0], "radius": 1}}, "center.x is '1'"),
     "no shape": ({**GOOD, "b": 7}, "b must be a JSON object"),
-    "too many vertices": ({**GOOD, "a": {"polygon": [[i, i * i] for i in range(1001)]}}, "the limit is 1000"),
+    "too many vertices": ({**GOOD, "a": {"polygon": [[i, i * i] for i in range(1001)]}}, "give at most 1000"),
     "too long": (" " * 1_100_000, "limit is 1,048,576"),
     "axes": ({**GOOD, "axes": "all"}, "unknown axes 'all'"),
     "name": ({**GOOD, "name": "../../etc/passwd"}, "the name '../../etc/passwd'"),
@@ -337,7 +337,9 @@ def test_too_little_memory_gives_a_one_line_error(capsys, monkeypatch):
         raise MemoryError
 
     monkeypatch.setattr("satviz.study.bench.bench", none)
-    assert main(["bench"]) == 1 and capsys.readouterr().err == "satviz: not enough memory: ask for less at once\n"
+    assert (
+        main(["bench"]) == 1 and capsys.readouterr().err == "satviz: not enough memory: give fewer or smaller inputs\n"
+    )
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no named pipes there")
@@ -347,7 +349,10 @@ def test_a_path_that_is_no_regular_file_is_refused(tmp_path, capsys):
     for path in (tmp_path / "fifo", tmp_path / "link", tmp_path, Path("/dev/zero"), Path("/dev/null")):
         for command in ("trace", "draw"):
             assert main([command, str(path)]) == 2
-            assert capsys.readouterr().err == f"satviz: cannot read {path}: it is not a regular file\n"
+            assert (
+                capsys.readouterr().err
+                == f"satviz: cannot read {path}: it is not a regular file; give the path of one\n"
+            )
 
 
 ESCAPES = "a\x1b[31m\x07\r\x9b\u202e\nb"
@@ -487,7 +492,7 @@ def test_an_interrupt_whose_exception_was_lost_stops_the_command_all_the_same(
     monkeypatch.setattr("satviz.study.run.SECTIONS", (SimpleNamespace(cells=two_cells, charts=lambda found: []),))
     before = signal.getsignal(signal.SIGINT)
     assert main([*args, str(tmp_path)] if args[0] in ("figures", "draw", "study", "notebook") else args) == 130
-    assert capsys.readouterr().err == "satviz: interrupted; files already named are whole\n"
+    assert capsys.readouterr().err == "satviz: interrupted; the files named above are complete\n"
     assert len([path for path in tmp_path.rglob("*") if path.is_file()]) <= 1  # no second job was begun
     assert signal.getsignal(signal.SIGINT) is before
 
@@ -640,9 +645,9 @@ CLASHES = {
     "bench --force": "give it with --chart",
     "bench --quick --pairs 100000": "--quick sets the pairs and the rounds: give it without --pairs",
     "bench --rounds 9 --quick": "--quick sets the pairs and the rounds: give it without --rounds",
-    "site --still --zip --open": "--zip writes no folder that could be served",
+    "site --still --zip --open": "--open serves a folder, and --zip writes a file",
     "site --still --url example.org": "the address is",
-    "site --still --pyodide somewhere": "--still has no Python in the page: give it without --pyodide",
+    "site --still --pyodide somewhere": "--still leaves out Python: leave out --pyodide",
 }
 
 

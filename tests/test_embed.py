@@ -55,7 +55,7 @@ def test_an_invalid_query_is_refused_and_the_page_says_why(text):
 
 @pytest.mark.parametrize("options", [EmbedOptions(theme="dark&play"), EmbedOptions(show=("tools,table",))])
 def test_options_that_would_be_read_as_others_are_refused(options):
-    with pytest.raises(InvalidScene, match="would read the options as others"):
+    with pytest.raises(InvalidScene, match="an address cannot hold these options"):
         query(options)
 
 

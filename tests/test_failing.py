@@ -243,7 +243,7 @@ def test_a_user_defined_shortcut_is_recorded_but_not_saved():
     mine = sv.Shortcut("mine", "y is enough", sv.axes.directions((0, 1)))
     trace = sv.record(box(0, 0, 2, 2), box(3, 0.5, 5, 2.5), axes=mine)
     assert trace.false_hit and "“y is enough”" in trace.sentence
-    with pytest.raises(sv.InvalidScene, match="'mine' is not one of satviz"):
+    with pytest.raises(sv.InvalidScene, match="'mine' is not of satviz"):
         trace.to_json()
 
     class Otherwise(sv.Shortcut):

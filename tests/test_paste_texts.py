@@ -297,6 +297,8 @@ def test_a_call_that_gives_the_hull_of_points_is_read_as_the_hull():
         "(0,5; 0,5) (4,5; 0,5) (0,5; 3,5)",
         "POLYGON((0,5 0,5, 4,5 0,5, 0,5 3,5))",
         "[(0,5, 0,5), (4,5, 0,5), (0,5, 3,5)]",
+        "x\ty\n0,5\t0,5\n4,5\t0,5\n0,5\t3,5\n",
+        "A\n0,5\t0,5\n4,5\t0,5\n0,5\t3,5\n",
     ],
 )
 def test_decimal_commas_are_asked_about_and_then_read(text):
@@ -305,6 +307,19 @@ def test_decimal_commas_are_asked_about_and_then_read(text):
     first, second = sv.paste(f"{text}\n{text}", "decimal-commas").readings
     assert first.vertices == second.vertices == ((0.5, 0.5), (4.5, 0.5), (0.5, 3.5))
     assert "0,5" in first.excerpt
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "x;y;w;h\n0;1;4;4\n2;2;4,5;4\n",
+        "name;x;y;radius\nA;1;2;3,5\nB;4;2;1,5\n",
+        "A\n0,5;1,5\n4,5;1,5\n4,5;5,5\nB\n2,5;2,5\n6,5;2,5\n6,5;6,5\n",
+        "A: 0,5; 1,5; 4,5; 1,5; 4,5; 5,5\nB: 2,5; 2,5; 6,5; 2,5; 6,5; 6,5\n",
+    ],
+)
+def test_columns_of_a_spreadsheet_with_decimal_commas_are_asked_about(text):
+    assert [question.what for question in sv.paste(text).questions] == ["commas"]
 
 
 @pytest.mark.parametrize(
@@ -438,7 +453,7 @@ def test_a_table_of_two_corners_is_one_of_boxes_and_of_three_one_of_triangles(ma
 
 @pytest.mark.parametrize(("x", "y"), [("0,1,0", "0,0"), ("0,0", "0,0,1"), ("0,1,0,2", "0,0,1")])
 def test_lists_of_x_and_y_of_different_lengths_are_refused(x, y):
-    with pytest.raises(sv.InvalidScene, match="each corner needs one of both"):
+    with pytest.raises(sv.InvalidScene, match="write one x and one y for each corner"):
         sv.paste(f'{{"x": [{x}], "y": [{y}]}}')
 
 
@@ -493,6 +508,9 @@ def test_several_refused_shapes_are_listed_in_words():
         pytest.param("x: 1 " * 39_000, marks=pytest.mark.slow),
         pytest.param("1 vs " * 59_000, marks=pytest.mark.slow),
         pytest.param("1 px " * 59_000, marks=pytest.mark.slow),
+        pytest.param("0.0 | a: b" * 39_000, marks=pytest.mark.slow),
+        pytest.param("hexagon ellipse " * 29_000, marks=pytest.mark.slow),
+        pytest.param("center point, X= " * 15_000, marks=pytest.mark.slow),
         pytest.param("1 2 moveto " + "3 4 lineto " * 16_000, marks=pytest.mark.slow),
         pytest.param("LWPOLYLINE\n" + " 10\n1.0\n" * 29_000, marks=pytest.mark.slow),
         "x" * 100_000 + " = [1, 2, 3]",
@@ -521,8 +539,11 @@ def test_several_refused_shapes_are_listed_in_words():
         pytest.param('<g transform="scale(2)">' * 9_000, marks=pytest.mark.slow),
         pytest.param('<g transform="scale(' + "2 " * 30_000 + ')">', marks=pytest.mark.slow),
         pytest.param("<g " * 300_000, marks=pytest.mark.slow),
+        "POLYGON Z(" + "1" * 100_000,
+        pytest.param("1,1;" * 5 + "x1,1;" * 30_000, marks=pytest.mark.slow),
+        pytest.param("a;b\n" * 100_000, marks=pytest.mark.slow),
     ],
-    ids=range(36),
+    ids=range(42),
 )
 def test_a_long_text_in_these_notations_is_refused_in_linear_time(text):
     start = time.process_time()
@@ -552,3 +573,120 @@ def test_additions_of_a_page_or_a_class_do_not_change_the_shapes(change):
 def test_the_printed_result_of_a_test_is_not_read_as_a_shape(words):
     text = "a = Circle(0, 0, 5)\nb = Circle(9, 0, 5)\n"
     assert answer(f"{text}{words}: (5, 0), (6, 2), (7, 9)")[1] == answer(text)[1]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "a {} at (0, 0) with radius 5 and a circle at (9, 0) with radius 3",
+        '{{"type": "{}", "x": 0, "y": 0, "width": 10, "height": 6}}\n'
+        '{{"type": "rectangle", "x": 9, "y": 4, "width": 1, "height": 6}}',
+        "{}: kind={} x=0 y=0 r=5\nb: kind=circle x=9 y=0 r=5",
+    ],
+)
+@pytest.mark.parametrize("kind", ["ellipse", "hexagon", "triangle", "capsule", "oval", "diamond", "8-gon"])
+def test_a_shape_of_another_kind_is_never_taken_for_a_circle_or_a_box(text, kind):
+    pasted = sv.paste(text.format(kind, kind))
+    assert not pasted.shapes and f"of another kind: {kind}" in pasted.sentence
+
+
+BOTH = "a = [(0,0),(4,0),(4,4),(0,4)]\nb = [(2,2),(6,2),(6,6),(2,6)]\n"
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "result = [(2,2),(4,2),(4,4)]",
+        "expected = [(2,2),(4,2),(4,4)]",
+        "Got: POLYGON((2 2, 4 2, 4 4, 2 2))",
+        "union: (2,2), (4,2), (4,4)",
+        "Answer: 2,2 4,2 4,4",
+        "clip(a, b) = [(2,2),(4,2),(4,4)]",
+        "a = [(0,0),(4,0),(4,4),(0,4)]",
+    ],
+)
+def test_a_result_or_a_shape_that_is_printed_again_is_asked_about(line):
+    asked = sv.paste(BOTH + line)
+    assert asked.open and {"leave-out", "take-in"} <= {a.choice for q in asked.questions for a in q.answers}
+    assert [each.label for each in sv.paste(BOTH + line, "leave-out").readings] == ["a", "b"]
+
+
+def test_a_log_of_two_moments_is_asked_about():
+    text = "player: Rect(0, 0, 4, 4)\nenemy: Rect(2, 2, 4, 4)\nplayer: Rect(1, 0, 4, 4)\nenemy: Rect(3, 2, 4, 4)"
+    assert [len(sv.paste(text, f"corner-size {as_}").shapes) for as_ in ("", "each-value", "last-value")] == [0, 4, 2]
+
+
+@pytest.mark.parametrize(
+    ("text", "names"),
+    [
+        ("player rect: (0, 0, 4, 4)\nenemy rect: (2, 2, 4, 4)", ["player rect", "enemy rect"]),
+        ("Triangle 1: (0,0), (4,0), (4,4)\nTriangle 2: (2,2), (6,2), (6,6)", ["Triangle 1", "Triangle 2"]),
+        ("first shape is [(0,0),(4,0),(4,4)]\nsecond shape is [(2,2),(6,2),(6,6)]", ["", ""]),
+        ("Input: A = [[0,0],[4,0],[4,4]], B = [[2,2],[6,2],[6,6]]\nOutput: true", ["A", "B"]),
+        ("my code:\nverts = [(0,0),(4,0),(4,4)]\nother = [(2,2),(6,2),(6,6)]", ["verts", "other"]),
+        ("Here is the data: [(0,0),(4,0),(4,4)]\nwall: [(2,2),(6,2),(6,6)]", ["", "wall"]),
+        ("[@pixi/math:Rectangle x=0 y=0 width=9 height=9]\n[@pixi/math:Circle x=5 y=5 radius=3]", ["", ""]),
+        ("let a: Polygon = Polygon([(0,0),(4,0),(4,4)])\nlet b: Circle = Circle(2, 2, 1)", ["a", "b"]),
+    ],
+)
+def test_a_shape_has_the_name_that_the_author_gives_it(text, names):
+    assert [each.label for each in sv.paste(text).readings] == names
+
+
+def test_where_no_shape_is_found_the_numbers_of_the_text_are_named():
+    with pytest.raises(sv.InvalidScene, match=r"no shape was found, only the numbers radius 10.0, size 4, 5: paste"):
+        sv.paste("class_name Ball\n@export var radius = 10.0\n@export var size = Vector2(4, 5)")
+
+
+@pytest.mark.parametrize("kind", ["POLYGON Z", "POLYGONZ", "POLYGON M", "POLYGON ZM", "polygon z"])
+def test_z_and_m_of_wkt_are_left_out_and_named(kind):
+    more = " 7 8" if "ZM" in kind else " 7"
+    pasted = sv.paste(f"{kind} ((0 0{more}, 4 0{more}, 0 3{more}))\nPOLYGON((1 1, 4 1, 1 3))")
+    assert pasted.shapes[0].vertices == ((0, 0), (4, 0), (0, 3))
+    assert "Z and M of WKT were left out" in str(pasted)
+
+
+@pytest.mark.parametrize(
+    ("inner", "outer", "touches"),
+    [
+        ("Circle(3, 0, 2)", "Circle(0, 0, 5)", True),
+        ("Circle(2, 0, 2)", "Circle(0, 0, 5)", False),
+        ("[(0,1),(2,1),(2,2)]", "[(0,0),(4,0),(4,4),(0,4)]", True),
+        ("[(1,1),(2,1),(2,2)]", "[(0,0),(4,0),(4,4),(0,4)]", False),
+        ("[(0,1),(2,1),(2,2)]", "[(0,0),(4,0),(4,4),(3,3),(0,4)]", True),
+        ("Circle((1, 2), 1)", "[(0,0),(4,0),(4,4),(0,4)]", True),
+        ("Circle((1, 2), 0.5)", "[(0,0),(4,0),(4,4),(3,3),(0,4)]", False),
+        ("Circle((1, 1), 1)", "[(0,0),(4,0),(4,4),(3,3),(0,4)]", True),
+        ("[(3,4),(0,0),(1,0)]", "Circle(0, 0, 5)", True),
+        ("[(3,3),(0,0),(1,0)]", "Circle(0, 0, 5)", False),
+    ],
+)
+def test_a_border_that_is_touched_from_inside_is_named(inner, outer, touches):
+    (finding,) = (f for f in sv.paste(f"a = {inner}\nb = {outer}").findings if f.kind == "containment")
+    assert "A lies inside B" in finding.text and ("touches its border from inside" in finding.text) == touches
+
+
+def test_a_ring_that_only_overlaps_the_first_of_its_list_is_no_hole():
+    assert len(sv.paste("[[[0,0],[9,0],[0,9]],[[4,4],[8,4],[8,8]]]").shapes) == 2
+    asked = sv.paste("[[[0,0],[9,0],[9,9],[0,9]],[[4,4],[8,4],[8,8]]]")
+    assert "a hole of the first outline of its list, which is filled without it" in str(asked)
+
+
+def test_corners_that_are_turned_about_a_position_at_the_origin_are_asked_about():
+    text = "{vertices: [[1,0],[3,0],[3,2]], position: [0,0], angle: 90}\n{vertices: [[0,0],[3,0],[3,2]]}"
+    assert "corners" in [question.what for question in sv.paste(text).questions]
+    assert sv.paste(text, "absolute").shapes[0].vertices == ((1, 0), (3, 0), (3, 2))
+
+
+def test_two_points_are_never_taken_for_a_box_without_a_word():
+    assert "a line segment is no shape here" in str(sv.paste("a = [(0,0),(4,4)]\nb = [(2,2),(6,6)]"))
+    for name in ("segment", "line1", "wallEdge", "ray"):
+        assert "two points are a line segment" in str(sv.paste(f"{name} = [(0,0),(4,4)]\n{BOTH}"))
+
+
+def test_corners_have_the_names_of_the_pictures_in_every_finding():
+    pasted = sv.paste("a = [(0,0),(2,0),(4,0),(4,0),(4,4)]\nb = [(0,0),(4,4),(4,0),(0,4)]")
+    said = " ".join(finding.text for finding in pasted.findings)
+    assert "a4 repeats a3, with a1 as the first corner" in said
+    assert "a2 lies straight on between its neighbours, with a1 as the first corner" in said
+    assert "edges b1b2 and b3b4 cross" in said

@@ -1055,5 +1055,5 @@ def test_the_integers_of_a_shape_are_computed_once():
 def test_making_a_shape_warns_where_subnormal_numbers_are_flushed_to_zero(make, monkeypatch):
     make()
     monkeypatch.setattr(predicates, "MIN_FLOAT", 0.0)
-    with pytest.warns(RuntimeWarning, match="answers are exact only where"):
+    with pytest.warns(RuntimeWarning, match="answers are exact only if"):
         make()

@@ -67,7 +67,11 @@ BAD_NUMBERS = [
     ("coords", with_one(TWO.astype(int), (0, 0), 2**53 + 1), "coords: polygon 0: vertex 0.x is 9007199254740993"),
     ("coords", with_one(TWO, [5, 6], TWO[[6, 5]]), "coords: polygon 1: edges "),
     ("offsets", np.array([0, 2, 8]), "coords: polygon 0: 2 distinct vertices"),
-    ("offsets", np.array([0, 4, 9]), "offsets ends with 9: expected to rise from 0 to the number of rows of coords, 8"),
+    (
+        "offsets",
+        np.array([0, 4, 9]),
+        "offsets ends with 9: offsets must rise from 0 to the number of rows of coords, 8",
+    ),
     ("offsets", np.array([0, 5, 4, 8]), "offsets falls from 5 to 4"),
     ("offsets", np.array([1, 4, 8]), "offsets begins with 1"),
     ("offsets", np.array([0, 4, 2**63], np.uint64), "offsets holds 9223372036854775808"),
@@ -75,8 +79,8 @@ BAD_NUMBERS = [
     ("radii", np.array([1, -1, 1]), "radii: circle 1: radius is -1"),
     ("radii", np.array([1, 1, np.nan]), "radii: circle 2: radius is nan"),
     ("radii", np.ones(2), "radii has the shape (2,): expected (3,), one radius for each row of centers"),
-    ("pairs", np.array([(0, 5)]), "pairs[0] is (0, 5): expected numbers below 5 and 5, and none below 0"),
-    ("pairs", np.array([(-1, 0)]), "pairs[0] is (-1, 0): expected numbers below 5 and 5"),
+    ("pairs", np.array([(0, 5)]), "pairs[0] is (0, 5): expected (i, j) with 0 <= i < 5 and 0 <= j < 5"),
+    ("pairs", np.array([(-1, 0)]), "pairs[0] is (-1, 0): expected (i, j) with 0 <= i < 5 and 0 <= j < 5"),
 ]
 
 

@@ -148,7 +148,7 @@ def test_the_command_does_the_other_sections_and_ends_with_1_if_a_cell_failed(tm
     assert main(["study", "--quick", "--out", str(tmp_path)]) == 1
     out, err = capsys.readouterr()
     failed = f"1 cell failed, so charts are missing in {tmp_path}: bad\\x1b (ValueError: no 3)"
-    assert err == f"satviz: {failed}. Run again: what is done is kept\n" and not out
+    assert err == f"satviz: {failed}. Run the command again: finished cells are kept\n" and not out
     assert (tmp_path / "gaps.csv").exists() and "1 cell failed" in (tmp_path / "study.md").read_text()
 
 
@@ -279,7 +279,7 @@ def test_the_guide_is_right_about_who_is_the_fastest():
         (r.work, r.size, r.method): spread_of(r) for r in refresh_charts.bench_rows("frames") if r.section == "frames"
     }
     shared = [refresh_charts.fastest(frames, key[:2]) for key in frames if 30 < key[1] < 10_000]
-    assert any(len(methods) > 1 for methods in shared) and "often the fastest ones cannot be told apart" in GUIDES
+    assert any(len(methods) > 1 for methods in shared) and "the fastest methods cannot be told apart" in GUIDES
 
 
 def test_the_stored_bench_was_measured_on_a_quiet_machine_and_satviz_was_never_wrong():

@@ -103,7 +103,7 @@ class Recommendation:
         if self.given.tests > most:
             raise InvalidScene(
                 f"check() would make {self.given.tests:,} exact tests of an edge against a corner: the limit "
-                f"is {most:,}; call advise with fewer pairs (pairs=), or check(most=...)"
+                f"is {most:,}; call advise with fewer pairs (pairs=), or raise the limit: check(most=...)"
             )
         models = _candidates(self.given)
         if tuple(j.model for j in self.results) != models:

@@ -102,7 +102,7 @@ def _indexed(a: Shapes, b: Shapes, pairs: ArrayLike | None) -> tuple[Indices, In
         return check_pairs(pairs, len(a), len(b))
     if len(a) != len(b):
         raise ValueError(
-            f"{len(a)} and {len(b)} shapes: give two batches of the same length, or name the pairs (pairs=)"
+            f"a has {len(a)} shapes and b has {len(b)}: give two batches of the same length, or name the pairs (pairs=)"
         )
     every = np.arange(len(a))
     return every, every

@@ -56,7 +56,7 @@ def load_shapes(path: Path) -> tuple[batch.Shapes, NDArray[Any] | None]:
     """
     try:
         if not S_ISREG(path.stat().st_mode):  # as scenefile.load
-            raise InvalidScene(f"cannot read {path}: it is not a regular file")
+            raise InvalidScene(f"cannot read {path}: it is not a regular file; give the path of one")
         with zipfile.ZipFile(path) as held:
             members = _members(path, held)
             _check(path, {name: _header(held, member) for name, member in members.items()})
@@ -67,7 +67,7 @@ def load_shapes(path: Path) -> tuple[batch.Shapes, NDArray[Any] | None]:
         raise InvalidScene(f"cannot read {path}: {error.strerror or error}") from None
     except Exception as error:  # damaged arrays raise errors of zlib, of a tokenizer or of an allocation
         reason = str(error).splitlines()[:1] or [type(error).__name__]
-        raise InvalidScene(f"{path} is not an .npz of plain arrays: {reason[0]}") from None
+        raise InvalidScene(f"{path} is not an .npz of plain arrays: {reason[0]}; use numpy.savez") from None
     return _shapes(path, arrays), arrays.get("pairs")
 
 
@@ -78,10 +78,10 @@ def _members(path: Path, held: zipfile.ZipFile) -> dict[str, zipfile.ZipInfo]:
     if twice := next((name for name, count in names.items() if count > 1), None):
         raise InvalidScene(f"{path} has the array {short_repr(twice)} {names[twice]} times: keep one of them")
     if unknown := sorted(names.keys() - KINDS.keys()):
-        raise InvalidScene(f"{path} has the unknown array {short_repr(unknown[0])}; known: {', '.join(sorted(KINDS))}")
+        raise InvalidScene(f"{path} has the unknown array {short_repr(unknown[0])}; use {', '.join(sorted(KINDS))}")
     for one, other in ("coords", "offsets"), ("centers", "radii"):
         if (one in names) != (other in names):
-            raise InvalidScene(f"{path} lacks {other if one in names else one!r}: {one} and {other} go together")
+            raise InvalidScene(f"{path} lacks {other if one in names else one!r}: save both {one} and {other}")
     if not names.keys() & {"coords", "centers"}:
         raise InvalidScene(f"{path} has no shapes: it needs coords and offsets, or centers and radii")
     # others may unpack gigabytes for the first byte
@@ -162,7 +162,7 @@ def _check_concave(path: Path, coords: NDArray[Any], offsets: NDArray[Any]) -> N
     if (many := int(corners[~plain].sum())) > MAX_CONCAVE_CORNERS:
         raise InvalidScene(
             f"{path}: coords holds {many:,} corners of concave polygons: the limit is {MAX_CONCAVE_CORNERS:,}; "
-            "split them yourself, or put fewer into one file"
+            "split them first (satviz.parts), or put fewer into one file"
         )
 
 

@@ -67,7 +67,7 @@ def stream_colliding_pairs(
     progress: Callable[[int, int], None] | None = None,
     strip: int = STRIP_SHAPES,
 ) -> Iterator[Pairs]:
-    """Yield the colliding pairs of an (N, V, 2) array too large for memory, one strip at a time.
+    """Yield the colliding pairs, (K, 2) indices i < j, of an (N, V, 2) array too large for memory, strip by strip.
 
     The scene is cut into upright strips of about `strip` shapes each; every strip
     reads and holds only the shapes that reach into it.  A pair is
@@ -79,8 +79,7 @@ def stream_colliding_pairs(
     """
     if getattr(vertices, "ndim", 0) != 3:
         raise InvalidShape(
-            f"vertices is {_describe_type(vertices)}: expected an (N, V, 2) array; "
-            "colliding_pairs takes shapes of other forms"
+            f"vertices is {_describe_type(vertices)}: expected an (N, V, 2) array; call colliding_pairs for other forms"
         )
     strip = check_options(engine, executor, progress, strip, "strip")
     return _stream_strips(vertices, engine, executor, progress, strip)
@@ -93,7 +92,7 @@ def _stream_strips(
     progress: Callable[[int, int], None] | None,
     strip: int,
 ) -> Iterator[Pairs]:
-    """Yield the colliding pairs of each strip; the arguments are already checked."""
+    """Yield what `stream_colliding_pairs` does; the arguments are already checked."""
     n = len(vertices)
     low, high = np.empty(n), np.empty(n)
     for start in range(0, max(n, 1), strip):

@@ -22,7 +22,7 @@ FLOAT64, INTP = np.dtype(np.float64), np.dtype(np.intp)  # comparing with these 
 
 # what an error line says of a concave polygon, by the argument `concave` of build_shapes
 WAYS_OUT = {
-    None: " with these coordinates: nothing was moved",
+    None: " with these coordinates, so nothing was moved: give coordinates that keep it convex",
     "separately": ": split it with satviz.parts first",
     "refuse": ': split it with satviz.parts first, or pass concave="split", which remembers the polygon of each part',
 }
@@ -309,9 +309,9 @@ def build_shapes(points: Array, start: Indices, name: Callable[[int], str], conc
 
 
 def _convex_rings(points: Array, given: RaggedRings) -> tuple[RaggedRings, Mask]:
-    """Return what `convex_rings` returns for the outlines `given`, made of the (M, 2) `points`, which stay as they are.
+    """Return what `convex_rings` returns for the outlines `given`, whose corners are also the (M, 2) `points`.
 
-    The engine certifies most of them in one pass, where it can.
+    Neither is changed.  The engine certifies most of them in one pass.
     """
     if (certified_rings := engine_for_checks(len(points)).certified_rings) is None:
         return convex_rings(RaggedRings(given.x + 0.0, given.y + 0.0, given.start))  # a copy, where -0.0 is 0.0

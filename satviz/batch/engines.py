@@ -86,7 +86,7 @@ def load_engine(name: str | None) -> Engine:
                 outlines_numba.certified_rings,
                 outlines_numba.certified_padded,
                 few_numba.flatten,
-                indexed_numba.columns,
+                indexed_numba.exact_columns,
                 MAX_LANE_CORNERS,
             )
         except Exception as error:  # an ImportError of its own, or RuntimeError where no folder can be written
@@ -95,7 +95,7 @@ def load_engine(name: str | None) -> Engine:
             elif find_spec("numba") is None:
                 raise ImportError(extra_needed('engine "numba"', "fast")) from error
             else:
-                raise ImportError(f'engine "numba" does not work here: {error}; engine="numpy" does') from error
+                raise ImportError(f'engine "numba" does not work here: {error}; choose engine="numpy"') from error
     from .with_numpy import few, indexed, outlines
     from .with_numpy import filter as filter_numpy
     from .with_numpy import grid as grid_numpy

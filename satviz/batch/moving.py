@@ -25,8 +25,8 @@ class MotionState:
     def __init__(self, shapes: Shapes) -> None:
         if shapes.owner is not None:
             raise InvalidShape(
-                "a batch with split concave polygons cannot be moved, since rounded coordinates may split in another "
-                "way: make a new batch from the moved outlines"
+                "a batch with split concave polygons cannot be moved, since its rounded outlines may be split "
+                "in another way: make a new batch from the moved outlines"
             )
         self.start: Indices = shapes.rings.start
         self.radius: Array = shapes.radius
@@ -73,7 +73,7 @@ def place(shapes: Shapes, offsets: validation.Points, angles: Any = 0.0) -> Shap
     try:
         _set_corners(shapes, state, corners)
     except InvalidShape as error:
-        raise InvalidShape(f"{error} (the coordinates of the new place are rounded to floats)") from None
+        raise InvalidShape(f"{error} (its moved coordinates are rounded to floats; move it elsewhere)") from None
     return shapes
 
 

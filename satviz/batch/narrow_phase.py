@@ -52,7 +52,7 @@ def relate(
     chosen = None if pairs is None else check_pairs(pairs, len(a), len(b))
     if chosen is None and len(a) != len(b) and 1 not in (len(a), len(b)):
         raise ValueError(
-            f"{len(a)} shapes against {len(b)}: pass two batches of the same length, or a single shape against many"
+            f"a has {len(a)} shapes and b has {len(b)}: pass batches of the same length, or one shape against many"
         )
     n = len(chosen[0]) if chosen is not None else 0 if 0 in (len(a), len(b)) else max(len(a), len(b))
 
@@ -92,7 +92,7 @@ def check_options(engine: object, executor: object, progress: object, size: obje
 
 
 def check_pairs(pairs: ArrayLike, na: int, nb: int) -> tuple[Indices, Indices]:
-    """Return columns i and j of (K, 2) `pairs`; ValueError for a wrong form, IndexError unless i < na and j < nb."""
+    """Return columns i and j of (K, 2) `pairs`; ValueError for a wrong form, IndexError if not in [0, na), [0, nb)."""
     refuse_masked(pairs, "pairs")
     pairs = np.asarray(pairs)
     if pairs.shape == (0,):  # an empty list
@@ -103,7 +103,7 @@ def check_pairs(pairs: ArrayLike, na: int, nb: int) -> tuple[Indices, Indices]:
     if pairs.size and (pairs.min() < 0 or pairs[:, 0].max() >= na or pairs[:, 1].max() >= nb):
         k = int(np.argmax((pairs < 0).any(axis=1) | (pairs >= (na, nb)).any(axis=1)))
         i, j = pairs[k].tolist()
-        raise IndexError(f"pairs[{k}] is ({i}, {j}): expected numbers below {na} and {nb}, and none below 0")
+        raise IndexError(f"pairs[{k}] is ({i}, {j}): expected (i, j) with 0 <= i < {na} and 0 <= j < {nb}")
     return pairs[:, 0], pairs[:, 1]
 
 

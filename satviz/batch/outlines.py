@@ -19,10 +19,9 @@ BLOCK_CORNERS = 1 << 15  # corners at a time: they and the scratch arrays stay i
 
 
 def convex_rings(rings: RaggedRings) -> tuple[RaggedRings, Mask]:
-    """Return (the convex outlines, counter-clockwise, without repeated or straight-on corners; the mask of them).
+    """Return (the convex outlines, counter-clockwise, without repeated or straight-on corners; the (N,) mask of them).
 
-    mask: (N,), True for the outlines that are convex.  The others are concave or no valid polygons: satviz.Polygon
-    says which.  The arrays given may be overwritten.
+    The others are concave or no valid polygons: satviz.Polygon says which.  The arrays given may be overwritten.
     """
     found, masks = [], []
     full = np.searchsorted(rings.start, np.arange(BLOCK_CORNERS, rings.start[-1], BLOCK_CORNERS), side="right") - 1

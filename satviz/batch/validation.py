@@ -18,7 +18,7 @@ Points = Any  # an (N, 2) array, or a sequence of what satviz.Circle takes as it
 Numbers = Any  # an (N,) array, a sequence of numbers, or one number
 CONCAVE_OPTIONS = "refuse", "split"  # what to do with concave outlines
 
-OFFSETS_RULE = "expected to rise from 0 to the number of vertices"  # of offsets
+OFFSETS_RULE = "offsets must rise from 0 to the number of vertices"  # of offsets
 
 
 def check_word(name: str, value: object, words: Sequence[str]) -> None:
@@ -113,7 +113,7 @@ def ring(vertices: Any, name: str) -> NDArray[np.float64]:
 
 
 def points(values: Points, name: str, item: Callable[[int], str]) -> NDArray[np.float64]:
-    """Return points as (N, 2) float64; InvalidShape calls the first wrong one item(i), and `values` `name`."""
+    """Return points as (N, 2) float64; InvalidShape calls the first wrong one item(i), and the argument `name`."""
     if not _is_plain(values):
         return np.array(
             [polygon_validation.parse_point(p, item(i)) for i, p in enumerate(_as_list(values, name))]
@@ -166,7 +166,7 @@ def _is_plain(values: Any) -> bool:
 
 
 def floats(array: NDArray[Any], name: str, entry: Callable[..., str]) -> NDArray[np.float64]:
-    """Return `array` in float64; InvalidShape calls the first wrong value entry(*its indices), the array `name`."""
+    """Return `array` in float64; InvalidShape calls the first wrong value entry(*its indices), and the array `name`."""
     warn_if_flushed()
     polygon_validation.refuse_array(array, name)
     if array.dtype == object:

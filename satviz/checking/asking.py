@@ -129,7 +129,7 @@ class CalledInProcess:
             try:
                 self._start()
             except Exception as error:  # where a new process is no copy, the function must be sent to it
-                return Outcome(problem=ENDED, line=f"cannot be sent to a process of its own: {short_repr(str(error))}")
+                return Outcome(problem=ENDED, line=f"cannot run in a process of its own: {short_repr(str(error))}")
             seconds += self.start_seconds
         try:
             self.pipe.send((a, b))

@@ -83,7 +83,7 @@ class Program:
             self.process.stdin.write(line_for(a, b) + "\n")
             self.process.stdin.flush()
         except FileNotFoundError:
-            return Outcome(problem=ENDED, line=f"cannot be started: there is no {short_repr(self.command[0])}")
+            return Outcome(problem=ENDED, line=f"cannot be started: there is no program {short_repr(self.command[0])}")
         except OSError as error:
             if self.process is None:
                 return Outcome(problem=ENDED, line=f"cannot be started: {error.strerror}")

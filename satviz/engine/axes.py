@@ -311,7 +311,7 @@ def _number_skips(
             yield skip._replace(number=first[keys[skip.axis]])
         else:
             raise ValueError(
-                f"axis {skip.axis.source} is skipped for the reason {skip.why!r}, which is false for these shapes"
+                f"axis {skip.axis.source} is skipped for the reason {skip.why!r}, which is false here: test it too"
             )
 
 

@@ -69,8 +69,8 @@ def why_too_many_parts(a: Shape, b: Shape) -> str:
     if corners <= MAX_CORNERS:
         return ""
     return (
-        f"{pairs:,} pairs of convex parts with {corners:,} corners: the MTV is searched for among "
-        f"{MAX_CORNERS:,} at most; simplify the outlines, or ask for the MTV of two parts (trace.colliding.mtv)"
+        f"{pairs:,} pairs of convex parts with {corners:,} corners: the limit for the MTV is "
+        f"{MAX_CORNERS:,} corners; simplify the outlines, or take the MTV of two parts (trace.colliding.mtv)"
     )
 
 

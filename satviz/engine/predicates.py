@@ -34,8 +34,8 @@ def warn_if_flushed() -> None:
     """Warn if this thread rounds numbers below 2.3e-308 to 0, so that small numbers are not exact."""
     if MIN_FLOAT + MIN_FLOAT == 0:
         warnings.warn(
-            "this thread takes numbers below 2.3e-308 for 0 (flush-to-zero, which code compiled with -ffast-math "
-            "sets): answers are exact only where every number given is 0 or beyond 1e-290",
+            "this thread rounds numbers below 2.3e-308 to 0 (flush-to-zero, set by code compiled with -ffast-math): "
+            "answers are exact only if every number is 0 or at least 1e-290 in size; scale smaller shapes up",
             RuntimeWarning,
             stacklevel=2,
         )

@@ -256,9 +256,7 @@ def _validate_labels(labels: Sequence[str] | None, n: int) -> tuple[str, ...] | 
         if not isinstance(label, str):
             raise InvalidShape(f"label {i} is {polygon_validation.short_repr(label)}: a label must be text")
         if any("\ud800" <= c <= "\udfff" for c in label):
-            raise InvalidShape(
-                f"label {i} is {polygon_validation.short_repr(label)}: half a surrogate pair is not text"
-            )
+            raise InvalidShape(f"label {i} is {polygon_validation.short_repr(label)}: remove half a surrogate pair")
     return labels
 
 

@@ -45,7 +45,7 @@ class Shortcut(NamedTuple):
             if not finite:
                 raise InvalidScene(
                     f"{short_repr(self.name)} measures in plain floats, which overflow here: "
-                    "bring the sizes nearer to 1"
+                    "scale the shapes nearer to size 1"
                 )
             yield test
 

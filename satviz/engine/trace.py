@@ -179,7 +179,7 @@ class Trace:
         hit.  InvalidScene if a shortcut measures differently or misses a hit, since that run proves nothing.
         """
         if self.missed_hit or not self.gaps_are_proofs:
-            raise InvalidScene("this run took a shortcut, so it proves nothing: ask trace.truth for a certificate")
+            raise InvalidScene("this run took a shortcut, so it proves nothing: use trace.truth.certificate")
         if self.separating:
             return separating_line(self.a, self.b, self.separating.axis)
         if self.pairs and not self.shortcut:  # the pieces of a shortcut may not cover the shape
@@ -356,6 +356,6 @@ def _count_points(a: Shape, b: Shape) -> int:
 def _too_large_error(what: str) -> InvalidScene:
     """Return the InvalidScene for a trace over MAX_SIZE; `what`: what is too many, in words."""
     return InvalidScene(
-        f"{what}: a trace lists {MAX_SIZE:,} points and axes at most; ask relate for the verdict alone, "
+        f"{what}: a trace lists {MAX_SIZE:,} points and axes at most; call relate for the relation alone, "
         "choose fewer axes (such as satviz.axes.world), or simplify the shapes"
     )

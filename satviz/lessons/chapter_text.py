@@ -68,7 +68,7 @@ def choices_of(comment: str) -> list[tuple[str, str, str]]:
 
 
 def blocks(tokens: list[Any]) -> Iterator[list[Any]]:
-    """Yield those of a Markdown parser's tokens that form one top-level block: a heading, a paragraph, a list, ..."""
+    """Yield, for each top-level block (a heading, a paragraph, a list ...), its tokens from a Markdown parser."""
     begin = depth = 0
     for end, token in enumerate(tokens, 1):
         depth += token.nesting

@@ -97,7 +97,7 @@ def _is_minimal_push(trace: Trace, push: Vec, mtv: Vec) -> bool:
 
 
 def verdict_words(trace: Trace) -> tuple[str, str]:
-    """Return the words above the two panels: claim and relation, or those that the failing case defines."""
+    """Return the verdicts in the left and the right panel: claim and relation, or those of the failing case."""
     case = case_of(trace.shortcut)
     own = case.verdicts if case else None
     return (str(trace.claim), str(trace.relation)) if own is None else own
@@ -113,7 +113,7 @@ def error_in_words(trace: Trace, digits: describe.NumberFormat = describe.digits
     """Return what is wrong with a shortcut's answer and what is right, or "" where the answer is right.
 
     None where the right answer needs shapes that float64 cannot hold, or that have too many convex parts.  `digits`:
-    as in `digits_of_answers`.
+    the function that gives the number format for a test.
     """
     try:
         found, case = answers(trace, digits_of_answers(trace, digits)), case_of(trace.shortcut)
@@ -129,7 +129,7 @@ def error_in_words(trace: Trace, digits: describe.NumberFormat = describe.digits
 def heading(trace: Trace, digits: describe.NumberFormat = describe.digits) -> tuple[str, str]:
     """Return two lines: the claim, and what is wrong with it or that it happens to be right.
 
-    `digits`: as in `digits_of_answers`.
+    `digits`: the function that gives the number format for a test.
     """
     assert trace.shortcut
     right = answers(trace, digits_of_answers(trace, digits)).actual

@@ -198,7 +198,7 @@ def draw_answer(sketch: Sketch, trace: Trace, part: str, word: str, number: str)
 
 
 def strike_wrong_answers(drawn: Picture, trace: Trace) -> Picture:
-    """Return a claimed panel with a line through each label that states a wrong answer."""
+    """Return `drawn`, a picture of the shortcut's run, with a line through each label that states a wrong answer."""
     if not answers(trace).is_wrong:
         return drawn
     claim, verdict = verdict_words(trace)
@@ -231,7 +231,7 @@ def _strike(label: Mark, scale: float) -> Mark:
 
 
 def refused_picture(case: FailureCase, *, title: str = "", width: float = BOTH_PANELS_WIDTH_PT) -> Picture:
-    """Return the outlines of a failing case that the engine refuses, with the reason; `width` in points."""
+    """Return the picture of a failing case's outlines that the engine refuses, with the reason; `width` in points."""
     rings = [[Vec(*map(float, point)) for point in ring] for ring in case.raw_outlines]
     xs, ys = [p.x for ring in rings for p in ring], [p.y for ring in rings for p in ring]
     wide, high = max(xs) - min(xs), max(ys) - min(ys)

@@ -32,8 +32,9 @@ def drag_view(
 ) -> tuple[Picture, AxisPlace | None]:
     """Return the picture of a shortcut's run while dragging, and the place of its axis (None: no axis shown).
 
-    The picture shows what the shortcut measured in the chosen test, its answer, and its error region if `show_region`.
-    The other arguments are those of `drag_picture`.
+    The picture shows what the shortcut measured in the chosen test, its answer, its push if `show_mtv`, and its error
+    region if `show_region`.  `last_out`: the direction from the shapes to the axis in the picture before; `memory`: how
+    the labels stood there.
     """
     sketch, place = Sketch(trace, layout), None
     sketch.digits = drag_digits(layout)

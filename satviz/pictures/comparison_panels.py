@@ -69,7 +69,7 @@ def draw_pieces_panel(trace: Trace, layout: Layout) -> Sketch:
 
 
 def draw_pieces(sketch: Sketch) -> None:
-    """Draw on a sketch what `draw_pieces_panel` draws."""
+    """Draw on a sketch B, the pieces of A that the shortcut tests, and an arrow for each piece's push of B."""
     trace = sketch.trace
     for pair in trace.pairs:
         sketch.shape("A", pair.names.a, pair.a)
@@ -240,7 +240,7 @@ def drawn_tests_of_sat(run: Trace) -> Sequence[AxisTest]:
 
 
 def draw_axes_of_sat(trace: Trace, layout: Layout) -> Sketch:
-    """Draw both shapes, `drawn_tests_of_sat` of the run of SAT, and how many evaluations its tests take."""
+    """Draw both shapes, the tests of SAT (of more than 3 only that of the largest gap), and how often they evaluate."""
     run = record(trace.a, trace.b)
     tests = drawn_tests_of_sat(run)
     sketch = draw_shapes(run, layout)
@@ -475,20 +475,20 @@ def centers_compared(trace: Trace) -> str:
 
 
 def needs_push(trace: Trace) -> PanelContents:
-    """Return both shapes, and B where the shortcut pushes it and where the MTV moves it."""
+    """Return what a panel needs: both shapes, and B where the shortcut pushes it and where the MTV moves it."""
     moves = [move for move in (trace.push, trace.truth.known_mtv) if move and is_near(trace, move)]
     return PanelContents([trace.a, trace.b, *(translated(trace.b, move) for move in moves)])
 
 
 def draw_push_alone(trace: Trace, layout: Layout) -> Sketch:
-    """Draw both shapes, and the shortcut's push as `draw_push` draws it."""
+    """Draw both shapes, the shortcut's push as an arrow, and B at its end."""
     sketch = draw_shapes(trace, layout)
     draw_push(sketch)
     return sketch
 
 
 def draw_push_from_center(trace: Trace, layout: Layout) -> Sketch:
-    """Draw as `draw_push_alone`, and the segment between both vertex means, which gave the push its direction."""
+    """Draw both shapes, the push, B at its end, and the segment between both vertex means, which gave its direction."""
     sketch = draw_push_alone(trace, layout)
     means = vertex_mean(trace.a), vertex_mean(trace.b)
     sketch.add("joined", "segment", "wrong", *means)
@@ -559,7 +559,7 @@ def pushes_on_axes(trace: Trace, *, raw: bool = False) -> list[PushOnAxis]:
 
 
 def pushes_panel(of_overlap: Panel, without: Panel) -> Panel:
-    """Return a panel that is drawn as `of_overlap` where there is a push to compare, and else as `without`."""
+    """Return a panel drawn as `of_overlap` for a hit with a push, to compare with the MTV, and else as `without`."""
 
     def has_any(trace: Trace) -> bool:
         """Check whether there is a push to compare with the MTV."""
@@ -572,7 +572,7 @@ def pushes_panel(of_overlap: Panel, without: Panel) -> Panel:
 
 
 def needs_pushes(trace: Trace) -> PanelContents:
-    """Return both shapes, and B at the end of each push."""
+    """Return what a panel needs: both shapes, and B at the end of each push."""
     moves = [trace.push, *(one.move for one in (*pushes_on_axes(trace, raw=True), *pushes_on_axes(trace)))]
     return PanelContents(
         [trace.a, trace.b, *(translated(trace.b, move) for move in moves if move and is_near(trace, move))]
@@ -621,7 +621,7 @@ def _draw_push_on_axis(
 
 
 def needs_fold(trace: Trace) -> PanelContents:
-    """Return what a frame of `draw_fold` must hold: both shapes, and the exact test of the last axis."""
+    """Return what the panel of folded ranges needs: both shapes, and the exact test of the last axis."""
     return PanelContents(
         [trace.a, trace.b], list(axis_tests(trace.a, trace.b, [test.axis for test in trace.tests[-1:]]))
     )
@@ -658,17 +658,17 @@ def draw_shapes(trace: Trace, layout: Layout) -> Sketch:
 
 
 def _shapes_and(trace: Trace, tests: Sequence[AxisTest] = ()) -> PanelContents:
-    """Return both shapes, and tests whose axes are drawn."""
+    """Return what a panel needs: both shapes, and tests whose axes are drawn."""
     return PanelContents([trace.a, trace.b], tests)
 
 
 def needs_flight(trace: Trace) -> PanelContents:
-    """Return both shapes, A in the next frame, and the test that is shown."""
+    """Return what a panel needs: both shapes, A in the next frame, and the test that is shown."""
     return PanelContents([trace.a, translated(trace.a, MOVE), trace.b], [trace.ended_by or trace.tests[0]])
 
 
 def needs_pieces(trace: Trace) -> PanelContents:
-    """Return both shapes, B where each piece pushes it, and space for words above the shapes."""
+    """Return what a panel needs: both shapes, B where each piece pushes it, and space for words above them."""
     shapes = [trace.a, trace.b, *(translated(trace.b, pair.mtv) for pair in trace.pairs if pair.mtv)]
     x0, y0, x1, y1 = bounding_box(shapes)
     return PanelContents([*shapes, box(x0, y1, x1, y1 + (y1 - y0) / 4.5)])

@@ -109,7 +109,10 @@ def _axis_degree(axis: Axis) -> float:
 
 
 def segments_on_side(points: Sequence[tuple[float, float]], side: int) -> list[tuple[float, float]]:
-    """Return the parts of the curve above (side 1) or below (-1) zero, as a flat list of segment ends."""
+    """Return the parts of the curve `points`, (degree, gap), above (side 1) or below (-1) zero, as a list of ends.
+
+    Two ends, one after the other, are a segment.
+    """
     found = []
     for (d, g), (e, h) in pairwise(points):
         if g * side > 0 or h * side > 0:

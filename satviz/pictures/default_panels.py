@@ -82,7 +82,7 @@ class Panel(NamedTuple):
 
 
 def contents_of_claimed_tests(trace: Trace) -> PanelContents:
-    """Return what the panel of claimed tests needs: both shapes, B where the shortcut pushes it, `claimed_tests`."""
+    """Return both shapes, B where the shortcut pushes it, and the tests its answer comes from (`claimed_tests`)."""
     push = trace.push if is_about_push(trace) else None
     return PanelContents(
         _shapes_with_moved_b(trace, push), [drawable_test(trace, test) for test in claimed_tests(trace)]
@@ -90,7 +90,7 @@ def contents_of_claimed_tests(trace: Trace) -> PanelContents:
 
 
 def draw_claimed_tests(trace: Trace, layout: Layout) -> Sketch:
-    """Draw `claimed_tests`, what the shortcut left out, and its push."""
+    """Draw the tests that the shortcut's answer comes from (`claimed_tests`), what it left out, and its push."""
     sketch = PanelSketch(trace, layout)
     tests = claimed_tests(trace)
     if {test.source for test in trace.tests} == {axis.source for axis in world(trace.a, trace.b).axes} and not (
@@ -151,7 +151,7 @@ def is_measured_correctly(trace: Trace, test: AxisTest) -> bool:
 
 
 def forgotten_normals(trace: Trace) -> list[Axis]:
-    """Return the edge normals that are parallel to no axis of the trace, if its axes are edge normals at all."""
+    """Return the edge normals that are parallel to no axis of the trace; [] unless its axes are edge normals."""
     if not all(test.source.kind == EDGE for test in trace.tests):
         return []
     tested = [test.axis for test in trace.tests]
@@ -239,7 +239,7 @@ def draw_push(sketch: Sketch) -> None:
 
 
 def needs_proof(trace: Trace) -> PanelContents:
-    """Return both shapes, B moved by the MTV, and the exact test that is shown."""
+    """Return what the panel of the proof needs: both shapes, B moved by the MTV, and the exact test that is shown."""
     test = true_test(trace)
     return PanelContents(_shapes_with_moved_b(trace, trace.truth.known_mtv), [test] if test else [])
 

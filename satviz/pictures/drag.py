@@ -171,7 +171,8 @@ def free_axis_picture(
 ) -> tuple[Picture, AxisPlace]:
     """Return the picture of a free axis at an angle in degrees, and the place of the axis.
 
-    `trace` has that one direction as its choice of axes; `last_out` and `memory` are those of `drag_picture`.
+    `trace` has that one direction as its choice of axes.  `last_out`: the direction from the shapes to the axis in the
+    picture before; `memory`: how the labels stood there.
     """
     sketch = FreeSketch(trace, layout)
     sketch.digits = drag_digits(layout)

@@ -76,7 +76,7 @@ class LabelRequest(NamedTuple):
 
     @property
     def key(self) -> LabelKey:
-        """Return part, owner, axis and number, as its label will have them."""
+        """Return (part, owner, axis, number), by which its label is known from picture to picture."""
         return self.part, self.owner, self.axis, self.number
 
 
@@ -125,13 +125,14 @@ class LabelMemory:
 
 
 class LabelPlacer:
-    """Places labels one by one, each on the cheapest spot given the marks and labels noted so far.
-
-    `kept`: labels of other steps, which keep their spots; `memory`: how the labels stood in the last picture of a drag.
-    """
+    """Places labels one by one, each on the cheapest spot given the marks and labels noted so far."""
 
     def __init__(self, layout: Layout, kept: Sequence[Mark] = (), memory: LabelMemory | None = None) -> None:
-        """Make a placer that has noted nothing yet; the class explains `kept` and `memory`."""
+        """Make a placer that has noted nothing yet.
+
+        `kept`: labels of other steps, which keep their spots; `memory`: how the labels stood in the last picture of a
+        drag.
+        """
         self.layout = layout
         self.memory = memory
         self.kept = [mark for mark in kept if mark.kind == "label"]
@@ -298,7 +299,7 @@ class LabelPlacer:
         return any(clip_segment(*line, *box) and not _is_dot(box) for box in self.boxes[:-1])
 
     def _keep(self, request: LabelRequest) -> Vec | None:
-        """Return the spot from `kept_spot`, and reserve it; None if there is none."""
+        """Return where the same label stands in another step (scene units), and reserve it; None if it is not free."""
         at = self.kept_spot(request)
         if at is not None:
             w, h = text_size(request.text, request.weight)
@@ -327,8 +328,9 @@ class LabelPlacer:
         return request, self._take(request, spot, cost)
 
     def _place_freely(self, request: LabelRequest, target: Spot) -> tuple[LabelRequest, Vec | None]:
-        """Return the same as `_place`, without regard to where the label stood before; `target`: in points.
+        """Return the request, perhaps broken into lines, and its label's center in scene units (None: left out).
 
+        The label may stand anywhere, wherever it stood before; `target` is the point (in points) that it will follow.
         A label that must be shown is broken into 2 or 3 lines where it would cover something in one; a title also
         where a line would run through it.
         """

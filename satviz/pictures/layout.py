@@ -140,9 +140,10 @@ def arrange_readable(
     one_frame: bool = True,
     tight: bool = False,
 ) -> list[Layout]:
-    """Return the layouts of `arrange`, or brief ones if `shapes` would be small in these on a narrow canvas.
+    """Return a layout for each panel, as `arrange` does; brief ones if `shapes` would be small on a narrow canvas.
 
-    Brief layouts keep no space for the numbers of the ranges.  The other arguments are those of `arrange`.
+    Brief layouts keep no space for the numbers of the ranges.  `largest`: the canvas in points at most; `one_frame`:
+    all have the same limits; `tight`: an axis lies near the shapes.
     """
     found = arrange(panels, largest=largest, one_frame=one_frame, tight=tight)
     x0, y0, x1, y1 = bounding_box(shapes)

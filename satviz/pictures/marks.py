@@ -94,7 +94,7 @@ class Picture(NamedTuple):
 
     @property
     def labels(self) -> tuple[Mark, ...]:
-        """Return the labels, in drawing order."""
+        """Return the marks that are labels, in drawing order."""
         return tuple(mark for mark in self.marks if mark.kind == "label")
 
     @property

@@ -101,7 +101,7 @@ def _log10(value: float) -> float:
 def _ticks(start: float, scale: float, width: float, digits: Digits) -> Iterator[Mark]:
     """Yield ticks at round numbers, with these numbers below them where they have space.
 
-    `start` and `scale`: those of `_window`; `width`: of the canvas, in points.
+    `start`: the coordinate at the left end; `scale`: points in a unit of the axis; `width`: of the canvas, in points.
     """
     plain = digits._replace(padded=False)
     for step in round_steps(MIN_TICK_DISTANCE_PT / scale):

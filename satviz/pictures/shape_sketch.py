@@ -39,7 +39,7 @@ class ShapeSketch:
         self.requests: list[tuple[int, LabelRequest]] = []
 
     def add(self, part: str, kind: str, role: str, *points: Vec, **more: Unpack[MarkOptions]) -> None:
-        """Add a mark; the arguments are the fields of `Mark`."""
+        """Add a mark: what it shows, its kind, its colour, its points (scene units), and more fields of `Mark`."""
         self.marks.append(Mark(part, kind, role, points, **more))
 
     def label(
@@ -53,7 +53,7 @@ class ShapeSketch:
     ) -> None:
         """Draw a shape's outline, its name if `named` (small if `quiet`), and a dot if it is very small.
 
-        `weight`: as in Mark.
+        `weight`: that of the outline, such as "plain", "faint" or "fill".
         """
         if isinstance(shape, Circle):
             self.add("outline", "disc", role, shape.center, owner=name, radius=shape.radius, weight=weight)
@@ -140,7 +140,7 @@ class ShapeSketch:
     def corners(self, roles: Collection[str | None] = "AB", *, as_role: str = "") -> None:
         """Draw named dots at the corners of the shapes of `roles` that have few corners and no labels of their own.
 
-        Sentences about edges use these names.  `as_role`: as in `vertices`.
+        Sentences about edges use these names.  `as_role` gives the names another colour.
         """
         for role, _, shape in self.roles():
             if role not in roles or not isinstance(shape, Polygon) or shape.labels:
@@ -186,7 +186,11 @@ class ShapeSketch:
         kept: Sequence[Mark] = (),
         memory: LabelMemory | None = None,
     ) -> Picture:
-        """Place the labels and return the picture; `with_labels` explains the options."""
+        """Place the labels and return the picture.
+
+        `steady`: the names of shapes and vertices stand at one spot in all steps; `kept`: labels of other steps, whose
+        spots are kept; `memory`: how the labels stood in the last picture of a drag.
+        """
         requests = [request for _, request in sorted(self.requests, key=lambda r: r[0])]
         marks = with_labels(
             self.marks,

@@ -144,9 +144,9 @@ def _row_marks(
     scale: float,
     zero: float | None,
 ) -> list[Mark]:
-    """Return the marks of row `number` (from 1); `top`: the y of its upper end; `words`: from `_outcome_lines`.
+    """Return the marks of row `number` (from 1); `top`: the y of its upper end; `scale`: points per unit of the axis.
 
-    `scale` and `zero`: those of `_scale_and_zero`.
+    `words`: the lines about its outcome, as (text, role) pairs; `zero`: the x of coordinate 0, None if too far away.
     """
     run, _, test, made = row
     weight, ink = ("plain", "ink") if made else ("faint", "guide")

@@ -112,7 +112,7 @@ class Sketch(ShapeSketch):
         return n if describe.points_outward(self.trace, axis) else Vec(-n.x, -n.y)
 
     def normal(self, test: AxisTest, *, named: bool = False) -> None:
-        """Draw `normal_arrow`, if there is one; `named` labels it as a vector."""
+        """Draw an arrow along the axis on its edge or line, if it has one; `named` labels it as a vector."""
         arrow = self.normal_arrow(test)
         if arrow is None:
             return
@@ -401,7 +401,8 @@ class Sketch(ShapeSketch):
     ) -> None:
         """Draw a finished test: the axis (`named`), `drops` of the extreme points, both ranges, the gap or overlap.
 
-        `numbers`: the labels of ranges and gap give their ends; `interval`, `remark` and `on` are those of `gap`.
+        `numbers`: the labels of the ranges give their ends, and that of the gap too if `interval`; it also has the
+        axis's name `on` and a `remark`, unless these are "".
         """
         self.axis(test, place, named=named)
         for role in "AB":

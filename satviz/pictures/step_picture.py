@@ -85,7 +85,7 @@ def _layout_number(trace: Trace, step: Step) -> int:
 def _labels_to_keep(trace: Trace, step: Step, largest: tuple[float, float], by_itself: bool) -> tuple[Mark, ...]:
     """Return labels of a later stage or of the bare scene; this step puts its own labels at the same spots.
 
-    The other arguments are those of `picture`.
+    `largest`: the canvas in points at most; `by_itself`: the frame is cut to what this step shows.
     """
     if step.stage is Stage.VERDICT or step.stage is Stage.SCENE:
         return ()

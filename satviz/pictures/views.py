@@ -359,7 +359,7 @@ def convex_parts(trace: Trace, *, title: str = "") -> Picture:
 
 
 def strip(pictures: Sequence[tuple[str, Picture]], *, title: str = "") -> Picture:
-    """Return (words, picture) pairs of one frame as small multiples, two in a row, each with its words below it.
+    """Return one picture of small multiples, given as (words, picture): two in a row, each with its words below it.
 
     Each keeps its marks and the names of the shapes; other labels would be too small to read.
     """

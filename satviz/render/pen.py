@@ -45,8 +45,8 @@ class Pen:
     def draw(self, picture: Picture, *, zoom: float = 1.0) -> "dict[str, Artist]":
         """Draw the picture in place of the one before; return the artist of each mark by the mark's id.
 
-        Marks of one kind share a collection, so several ids may give one artist.  `zoom`: how large the
-        Axes show the picture, for what is measured in points.
+        Marks of one kind share a collection, so several ids may give one artist.  `zoom`: the factor by which the
+        Axes show the picture smaller (1.0: not at all), for widths and letters, which are measured in points.
         """
         self._view(picture)
         fills: list[Painted] = []

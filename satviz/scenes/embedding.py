@@ -53,7 +53,7 @@ def query(options: EmbedOptions) -> str:
         words.append(f"show={','.join(options.show)}")
     made = "&".join(words)
     if parse_query(made)._replace(steps=None) != options._replace(steps=None):
-        raise InvalidScene(f"an address would read the options as others: {short_repr(made)}; check their values")
+        raise InvalidScene(f"an address cannot hold these options: {short_repr(made)}; correct their values")
     return made
 
 

@@ -33,7 +33,7 @@ def error_region(a: Shape, b: Shape, shortcut: Shortcut, window: Window) -> Regi
 def error_region_in_view(a: Shape, b: Shape, shortcut: Shortcut, view: Window) -> RegionOrReason:
     """Return the error region, or the reason why there is none, for the moves that bring B's vertex mean into view.
 
-    `view` is (x0, y0, x1, y1) in scene coordinates; the region is in moves of B, as in `error_region`.
+    `view` is (x0, y0, x1, y1) in scene coordinates; the region is in moves of B.
     """
     mean, (x0, y0, x1, y1) = vertex_mean(b), view
     return error_region(a, b, shortcut, (x0 - mean.x, y0 - mean.y, x1 - mean.x, y1 - mean.y))

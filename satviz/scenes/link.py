@@ -98,7 +98,7 @@ def site_folder(site: str, name: str = "site") -> str:
 
 
 def fragment(found: Scene, options: ViewOptions = DEFAULT_VIEW) -> str:
-    """Return the part of a link after the # for a scene (or its name, if it is built in) and view options."""
+    """Return the part of a link after the #: the scene, by its name if it is built in, and the view options."""
     text = json.dumps(json.loads(found.to_json()), separators=(",", ":"), ensure_ascii=False)
     words = [found.name if found in ALL_SCENES else urlsafe_b64encode(text.encode()).decode().rstrip("=")]
     for key, value in options._asdict().items():
@@ -138,14 +138,14 @@ def _is_run_of(trace: Trace, name: str) -> bool:
 def parse_fragment(text: str) -> tuple[Scene, ViewOptions]:
     """Return the scene and the view options of a fragment; InvalidScene says what is wrong with it."""
     if len(text) > 2 * MAX_CHARS:
-        raise InvalidScene(f"the link has {len(text):,} characters: the limit is {2 * MAX_CHARS:,}; send a file")
+        raise InvalidScene(f"the link has {len(text):,} characters: the limit is {2 * MAX_CHARS:,}; use a scene file")
     first, *rest = text.split("&")
     values: dict[str, Any] = {}
     for word in rest:
         key, _, value = word.partition("=")
         if key.replace("-", "_") not in ViewOptions._fields:
             known = ", ".join(ViewOptions._fields).replace("_", "-")
-            raise InvalidScene(f"the link has the unknown option {key[:40]!r}; known: {known}")
+            raise InvalidScene(f"the link has the unknown option {key[:40]!r}: choose one of {known}")
         if key.replace("-", "_") in values:
             raise InvalidScene(f"the link has the option {key[:40]!r} twice: give it once")
         values[key.replace("-", "_")] = _parse_value(key, value)
@@ -156,7 +156,7 @@ def parse_fragment(text: str) -> tuple[Scene, ViewOptions]:
 def _scene_of_name(name: str) -> Scene:
     """Return the built-in scene of this name; InvalidScene, without a list of names, if there is none."""
     if name not in names():
-        raise InvalidScene(f"no scene is called {short_repr(name)}")
+        raise InvalidScene(f"no scene is called {short_repr(name)}: correct the name in the link")
     return scene(name)
 
 
@@ -167,7 +167,7 @@ def _decode_scene(text: str) -> Scene:
         return Scene.from_json(raw.decode())
     except (Error, UnicodeError, InvalidScene) as error:
         readable = isinstance(error, InvalidScene) and not isinstance(error.__context__, json.JSONDecodeError)
-        why = error if readable else "it is cut off, or not a link of satviz"
+        why = error if readable else "it is cut off, or not a link of satviz; copy the whole link again"
         raise InvalidScene(f"the scene in the link cannot be read: {why}") from None
 
 

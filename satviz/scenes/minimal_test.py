@@ -113,7 +113,7 @@ def _expected_refusal(case: FailureCase) -> dict[str, Any]:
 def scenes_json() -> str:
     """Return every built-in scene, the failing ones included, with its exact expected answer, as JSON.
 
-    The harnesses are those for `satviz check --command`.
+    The JSON also has "harnesses": the programs around a collision function for `satviz check --command`.
     """
     scenes = [_expected(scene, None) for scene in SCENES]
     scenes += [

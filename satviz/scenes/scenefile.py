@@ -43,7 +43,7 @@ class Scene:
         """Raise InvalidScene for a name, a title or axes that a scene must not have."""
         if not NAME.fullmatch(self.name) or len(self.name) > MAX_NAME_LETTERS:
             raise InvalidScene(
-                f"the name {short_repr(self.name)} must have words of small letters and digits, joined by hyphens, and "
+                f"the name {short_repr(self.name)} must be lower-case words or digits, joined by hyphens, with "
                 f"at most {MAX_NAME_LETTERS} characters"
             )
         if not self.title.isprintable():
@@ -54,7 +54,7 @@ class Scene:
             )
 
     def record(self) -> Trace:
-        """Run the loop on the scene's shapes and axes; return the Trace."""
+        """Run SAT on the scene's shapes and axes; return the Trace."""
         return record(self.a, self.b, axes=CHOICES[self.axes], every_axis=self.every_axis)
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
@@ -97,7 +97,7 @@ class SceneOfOwnAxes(Scene):
     choice: Chooser | Shortcut = NAMED["needed"]
 
     def record(self) -> Trace:
-        """Run the loop on the scene's shapes and its own axes; return the Trace."""
+        """Run SAT on the scene's shapes and its own axes; return the Trace."""
         return record(self.a, self.b, axes=self.choice, every_axis=self.every_axis)
 
 
@@ -122,7 +122,7 @@ def load(path: str | Path) -> Scene:
     path = Path(path)
     try:
         if not S_ISREG(path.stat().st_mode):  # a pipe would wait for its writer, a device may never end
-            raise InvalidScene(f"cannot read {path}: it is not a regular file")
+            raise InvalidScene(f"cannot read {path}: it is not a regular file; give the path of one")
         with path.open("rb") as file:
             raw = file.read(MAX_CHARS + 1)
         text = raw.decode("utf-8-sig")
@@ -158,7 +158,7 @@ def shape_from(data: Any, where: str) -> Shape:
         require_keys(data, where, {"polygon"}, {"labels"})
         vertices = require_type(data["polygon"], f"{where}.polygon", list)
         if len(vertices) > MAX_VERTICES:
-            raise InvalidScene(f"{where}.polygon has {len(vertices)} vertices: the limit is {MAX_VERTICES}")
+            raise InvalidScene(f"{where}.polygon has {len(vertices)} vertices: give at most {MAX_VERTICES}")
         vertices = [_number_pair(v, f"{where}.polygon[{i}]") for i, v in enumerate(vertices)]
         labels = data.get("labels")
         return Polygon(vertices, labels if labels is None else require_type(labels, f"{where}.labels", list))

@@ -37,7 +37,7 @@ def parse(text: str, max_chars: int) -> Any:
     for bracket in re.finditer(r"[\[\]{}]", STRING.sub("", text)):
         depth += 1 if bracket[0] in "[{" else -1
         if depth > MAX_DEPTH:
-            raise InvalidScene(f"the text has brackets nested deeper than {MAX_DEPTH} levels")
+            raise InvalidScene(f"the text has brackets nested deeper than {MAX_DEPTH} levels: remove some")
         if depth < 0:
             break  # this is not JSON, and the parser will report it
     try:
@@ -49,7 +49,7 @@ def parse(text: str, max_chars: int) -> Any:
             parse_int=_parse_whole,
         )
     except json.JSONDecodeError as error:
-        raise InvalidScene(f"this is not JSON: {error}") from None
+        raise InvalidScene(f"this is not JSON: {error}; correct it there") from None
 
 
 def require_keys(data: Any, where: str, required: Set[str], optional: Set[str] = frozenset()) -> dict[str, Any]:

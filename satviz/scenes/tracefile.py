@@ -34,7 +34,7 @@ def dump(trace: Trace, indent: int | None) -> str:
     """Return a trace as JSON text; InvalidScene for a shortcut not in SHORTCUTS, or a text too large to be read."""
     if trace.shortcut and SHORTCUTS.get(trace.shortcut.name) != trace.shortcut:
         raise InvalidScene(
-            f"the shortcut {short_repr(trace.shortcut.name)} is not one of satviz: its trace cannot be written"
+            f"the shortcut {short_repr(trace.shortcut.name)} is not of satviz, so its trace cannot be saved"
         )
     data = {"satviz": "trace 1", **_trace_data(trace, trace.known_mtv)}
     text = json.dumps(data, indent=indent, ensure_ascii=False, allow_nan=False)
@@ -167,10 +167,10 @@ def _parse_run(data: Any, where: str, a: Shape, b: Shape, names: ShapeNames, sho
         require_keys(skip, f"{where}.skipped[{i}]", {"axis", "reason"})
         reason = require_type(skip["reason"], f"{where}.skipped[{i}].reason", str)
         if reason not in reasons:
-            raise InvalidScene(f"{where}.skipped[{i}].reason is {short_repr(reason)}: satviz gives no such reason")
+            raise InvalidScene(f"{where}.skipped[{i}].reason {short_repr(reason)} is unknown: save a new trace")
         skipped.append(Skip(_parse_axis(skip["axis"], f"{where}.skipped[{i}].axis", known), *reasons[reason]))
     if len(lists["tests"]) > len(found):
-        raise InvalidScene(f"{where}.tests has {len(lists['tests'])} tests for {len(found)} axes")
+        raise InvalidScene(f"{where}.tests has {len(lists['tests'])} tests for {len(found)} axes: save a new trace")
     tests = tuple(_parse_test(test, f"{where}.tests[{i}]", found[i]) for i, test in lists["tests"])
     choice = Choice(found, tuple(skipped), require_type(data["complete"], f"{where}.complete", bool))
     every_axis = require_type(data["every_axis"], f"{where}.every_axis", bool)
@@ -287,7 +287,7 @@ def _require_same_run(trace: Trace, again: Trace, where: str) -> None:
     _require_equal(again.choice.complete, trace.choice.complete, f"{where}.complete")
     _require_equal(again.every_axis, trace.every_axis, f"{where}.every_axis")
     if len(trace.tests) != len(again.tests):
-        raise InvalidScene(f"{where}.tests has {len(trace.tests)} tests where the run has {len(again.tests)}")
+        raise InvalidScene(f"{where}.tests has {len(trace.tests)} tests, not {len(again.tests)}: save a new trace")
     rounding = ROUNDING if trace.gaps_are_proofs else FLOAT_ROUNDING
     # the largest coordinate of a circle that reaches beyond float64 is infinite
     max_a, max_b = (min(shape.max_coordinate, MAX_FLOAT) for shape in (trace.a, trace.b))
@@ -298,12 +298,12 @@ def _require_same_run(trace: Trace, again: Trace, where: str) -> None:
         exact = trace.gaps_are_proofs and max(abs(test.gap), abs(ours.gap)) <= max_coordinate * CLOSE_GAP_FACTOR
         tolerance = abs(ours.gap) * 2.0**-50 if exact else max_coordinate * rounding
         if not same_sign or not _all_near((test.gap,), (ours.gap,), tolerance):
-            raise InvalidScene(f"{where}.tests[{i}].gap is {test.gap}, but the shapes give {ours.gap}")
+            raise InvalidScene(f"{where}.tests[{i}].gap is {test.gap}, but the shapes give {ours.gap}: save a new one")
         for name, own_max, mine, other in ("a", max_a, test.a, ours.a), ("b", max_b, test.b, ours.b):
             tolerance = max((own_max if trace.gaps_are_proofs else max_coordinate) * rounding, MIN_FLOAT)
             flat = [c for p in mine.points for c in p], [c for p in other.points for c in p]
             if not (_all_near(*flat, tolerance) and _all_near(mine.landings, other.landings, tolerance)):
-                raise InvalidScene(f"{where}.tests[{i}].{name} is not the projection of these shapes: record again")
+                raise InvalidScene(f"{where}.tests[{i}].{name} is not the projection of these shapes: save a new trace")
 
 
 def _all_near(mine: Any, ours: Any, tolerance: float) -> bool:

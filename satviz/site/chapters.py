@@ -305,7 +305,7 @@ class _WidgetFinder:
         return drawn
 
     def _last_call(self, i: int) -> tuple[ast.Call | None, str]:
-        """Return the call that is the last line of cell i and its function; (None, "") if that is no call."""
+        """Return the call that is the last line of cell i, and its function's name; (None, "") if that is no call."""
         last = (ast.parse(self.sources[i]).body or [ast.Pass()])[-1]
         call = last.value if isinstance(last, ast.Expr) else None
         return (call, ast.unparse(call.func)) if isinstance(call, ast.Call) else (None, "")

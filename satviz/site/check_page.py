@@ -84,7 +84,8 @@ autocorrect="off" wrap="off" aria-describedby="editor-keys"></textarea></label>
 <label>Touching is <select name="touching">{options(TOUCHING)}</select></label>
 <button class="run" type="button" disabled>Run</button>
 <button class="forget" type="button">Delete my code</button></p>
-<p class="keys">The answer may also be a depth, or a move (x, y) that ends the overlap, or None or null without one.</p>
+<p class="keys">The answer may also be a depth, or a move (x, y) that ends the overlap
+(None or null if there is no overlap).</p>
 <p class="keys">Your code stays in this browser. It is not sent anywhere, and no link contains it.</p>
 </div>
 <div class="answers">

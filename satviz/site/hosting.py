@@ -67,7 +67,7 @@ def social_card(name: str) -> Picture:
 
 
 def social_pictures(chapters: Sequence[Chapter]) -> Iterator[tuple[str, bytes]]:
-    """Yield (path, content) of each picture that stands for a page."""
+    """Yield (path, content) of each picture that stands for a page in a social network."""
     paths = [*(chapter.path for chapter in chapters), *SCENE_OF_PAGE, "index.html"]
     for name in dict.fromkeys(scene_of_page(path, chapters) for path in paths):
         yield card_path(name), encode(social_card(name), "png", stem=name)

@@ -66,7 +66,7 @@ def _open(place: str, content: dict[str, Any]) -> dict[str, Any]:
 
 
 def _player_data(scene: Scene, shown: ViewOptions, options: EmbedOptions) -> dict[str, Any]:
-    """Return a player's steps and its first one; a prediction uses the true run, not that of a shortcut.
+    """Return the reply with a player's steps and the number of the first; a prediction uses the true run.
 
     "range" holds the first and the last step if only these are played.
     """

@@ -49,10 +49,10 @@ HOW_IN_WORDS = {
 # the levels of the challenges: title, and what is said about them
 LEVELS = {
     1: ("First steps", "A few drags are enough."),
-    2: ("For some thought", "Only a few places will do. Think first about where they could be."),
+    2: ("For some thought", "Only a few places are right. First think about where they could be."),
     3: (
         "Hard to find",
-        "Only a very few positions will do, and they need exact steps: switch on “snap”, or use the arrow keys.",
+        "Very few positions are right, and they need exact steps: switch on “snap”, or use the arrow keys.",
     ),
 }
 FAILING_ON_FRONT = "aabb-turned", "no-nearest-vertex", "far-centers", "box-in-u"

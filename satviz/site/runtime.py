@@ -131,7 +131,7 @@ def _core_from_npm() -> dict[str, bytes]:
         data = _fetch_from_npm()
         if not _has_expected_hash(data):
             raise PythonMissing(
-                f"npm's pyodide {VERSION} has not the expected hash and is not used; give a folder with your own copy"
+                f"npm's pyodide {VERSION} does not have the expected hash, so it is not used: give a folder with a copy"
             )
         safe_write.write(kept, data, force=True)
     with tarfile.open(kept) as archive:

@@ -2,7 +2,7 @@
 
 All methods for one work are run once in each round, and the figure is the median over the rounds.  The name of a work
 says where its time begins: with shapes that are made already, or with raw arrays.  Each row also says how its answers
-were checked (`CHECKED_BY`).
+were checked (`CHECKED_BY`).  Each `_bench_...` measures one section and yields its rows.
 """
 
 import subprocess
@@ -72,7 +72,7 @@ CHECKED_BY = {
     "count": "box pairs by their number alone, against shapely's",
 }
 
-Jobs = dict[str, Callable[[], Any]]
+Jobs = dict[str, Callable[[], Any]]  # by method: a function without arguments that does the work and returns answers
 
 
 class TimingRow(NamedTuple):
@@ -142,7 +142,10 @@ def bench(plan: BenchPlan) -> Iterator[TimingRow]:
 def _time_jobs(
     section: str, work: str, size: int, jobs: Jobs, items: int | Mapping[str, int], unit: str, rounds: int
 ) -> Iterator[TimingRow]:
-    """Time the jobs in turn and yield a row for each; `items`: the number of items of each job, or of each by name."""
+    """Time the jobs in turn and yield a row for each, in `unit`: ns, us or ms an item.
+
+    `items`: how many items each job does, one number for all or by the job's name.
+    """
     items_of = dict.fromkeys(jobs, items) if isinstance(items, int) else items
     nanoseconds = {"ns": 1.0, "us": 1e3, "ms": 1e6}[unit]
     for method, times in time_in_turn(jobs, rounds, items_of).items():
@@ -151,7 +154,7 @@ def _time_jobs(
 
 
 def _with_wrong_count(row: TimingRow, answers: Any, right: NDArray[np.int8], by: str) -> TimingRow:
-    """Return the row with its wrong answers counted; `right`: the true relations of the first answers."""
+    """Return the row with its wrong answers counted; `right`: true relations of the first ones; by: see CHECKED_BY."""
     answers = np.asarray(answers)[: len(right)]
     return row._replace(wrong=sum(count_mistakes(answers, right).values()), checked=len(right), by=by)
 
@@ -198,12 +201,12 @@ def _bench_pairs(plan: BenchPlan) -> Iterator[TimingRow]:
 
 
 def _first_shapes(side: Side, n: int) -> Side:
-    """Return the first n shapes of a workload's side."""
+    """Return the first n shapes of a workload's side: (N, V, 2) rings, or (centers, radii)."""
     return (side[0][:n], side[1][:n]) if isinstance(side, tuple) else side[:n]
 
 
 def _numba_peers(a: batch.Shapes, b: batch.Shapes) -> Jobs:
-    """Return jobs in numba for these sides: plain SAT, GJK, and reading alone, each as fast as we could write it.
+    """Return jobs in numba for pairs of these shapes: plain SAT, GJK and reading alone, as fast as we could write them.
 
     All of them read the very arrays that satviz reads: another copy could be nearer to the processor.
     """
@@ -243,7 +246,7 @@ def _bench_corners(plan: BenchPlan) -> Iterator[TimingRow]:
 
 
 def _engine_jobs(function: Callable[..., Any], *arguments: Any) -> Jobs:
-    """Return a job for each installed engine, which calls `function(*arguments, engine=...)`."""
+    """Return for each installed engine, by its name in the table, a job that calls function(*arguments, engine=...)."""
     return {label: partial(function, *arguments, engine=engine) for label, engine in installed_engines()}
 
 
@@ -293,7 +296,7 @@ def _time_collisions(
 
 
 def _with_wrong_pairs(row: TimingRow, pairs: NDArray[np.intp], right: NDArray[np.intp] | None) -> TimingRow:
-    """Return the row with its wrong pairs counted against shapely's; unchanged without those."""
+    """Return the row with its wrong pairs counted: those in only one of `pairs` and shapely's `right`, if any."""
     if right is None:
         return row
     wrong = len(set(map(tuple, right.tolist())) ^ set(map(tuple, pairs.tolist())))

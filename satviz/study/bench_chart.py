@@ -153,7 +153,10 @@ def _range_in_words(times: Sequence[float]) -> str:
 
 
 def _draw_ratios(fig: Figure, theme: Theme, ratios: Sequence[SpeedRatio], height: float) -> None:
-    """Draw the first chart below the headline: a row for each work, a mark for each method, bars for quartiles."""
+    """Draw the first chart below the headline: a row for each work, a mark for each method, bars for quartiles.
+
+    height: of the whole figure, in points.
+    """
     works = list(dict.fromkeys(r.work for r in ratios))
     tall = ROW * len(works)
     ax = add_axes(fig, (12, height - 60 - tall, WIDTH - 24, tall), theme)

@@ -202,7 +202,7 @@ def _notes_of_arrays(rows: Sequence[TimingRow]) -> Iterator[str]:
 
 
 def _draw_times(ax: Axes, theme: Theme, times: Times, limits: tuple[float, float]) -> None:
-    """Draw the lines of one work, satviz's on top, each with its name at its end."""
+    """Draw the lines of one work, satviz's on top, each with its name at its end; limits: least and largest ns."""
     last = max(size for own in times.values() for size in own)
     ends, inner = list[EndLabel](), list[EndLabel]()
     points = list[tuple[float, float]]()
@@ -228,6 +228,6 @@ def _draw_times(ax: Axes, theme: Theme, times: Times, limits: tuple[float, float
 
 
 def _write_lines(fig: Figure, theme: Theme, up: float, lines: Sequence[str], **style: Any) -> None:
-    """Write lines of text below each other, from this height in points."""
+    """Write lines of text below each other; up: the top of the first, in points above the figure's lower edge."""
     for k, line in enumerate(lines):
         add_text(fig, 6, up - k * TEXT_LINE, line, color=theme.roles["ink"], va="top", **style)

@@ -80,7 +80,7 @@ def study(
     if failed:
         raise CellsFailed(
             f"{_failed_count(failed)}, so charts are missing in {out}: {_failed_names(failed)}. "
-            "Run again: what is done is kept"
+            "Run the command again: finished cells are kept"
         )
     return [*written, out / "study.md"]
 

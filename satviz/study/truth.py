@@ -55,7 +55,7 @@ def circles(a: Circle, b: Circle) -> Relation:
 
 
 def agreed(a: Shape, b: Shape) -> Relation:
-    """Return the exact relation of two convex shapes, on which two oracles must agree."""
+    """Return the exact relation of two convex shapes; AssertionError if two oracles do not agree on it."""
     if isinstance(a, Polygon) and isinstance(b, Polygon):
         return relation_moved(a, b, (0.0, 0.0))
     found = relation(a, b)
@@ -65,7 +65,7 @@ def agreed(a: Shape, b: Shape) -> Relation:
 
 
 def relation_moved(a: Polygon, b: Polygon, move: tuple[float, float]) -> Relation:
-    """Return the relation of two convex polygons after b has moved by exactly `move`; both oracles must agree on it."""
+    """Return what `agreed` returns for two convex polygons after b has moved by exactly `move`."""
     _, rings = _rings(a, b, move)
     found = _relation_by_clipping(*rings)
     if _relation_by_difference(*rings) != found:
@@ -80,7 +80,7 @@ def relation_by_difference(a: Polygon, b: Polygon) -> Relation:
 
 
 def relation_by_axes(a: Shape, b: Shape) -> Relation:
-    """Return the relation of a circle and a convex shape, by the largest gap on an axis less the radii."""
+    """Return the relation of a convex shape and a circle (a or b), by the largest gap on an axis less the radii."""
     a, b = (a, b) if isinstance(a, Circle) else (b, a)
     assert isinstance(a, Circle), "two polygons have no radius"
     points, other_radius = ((b.center,), b.radius) if isinstance(b, Circle) else (b.vertices, 0.0)
@@ -114,14 +114,14 @@ def squared_gap(a: Polygon, b: Polygon) -> Fraction:
 
 
 def mtv_directions(a: Polygon, b: Polygon) -> list[Ints]:
-    """Return the directions in which the shortest push of b ends the overlap of two convex polygons, of any length."""
+    """Return vectors, of any length, in the directions of the shortest push of b that ends the overlap of a and b."""
     _, sides = _sides_of_difference(a, b)
     least = _least_squared_distance(sides)
     return [(nx, ny) for side, (nx, ny) in sides if Fraction(side * side, nx * nx + ny * ny) == least]
 
 
 def _least_squared_distance(sides: Iterable[tuple[int, Ints]]) -> Fraction:
-    """Return the squared distance of the origin from the nearest side; `sides`: as `_sides_of_difference` returns."""
+    """Return the squared distance of the origin from the nearest line of the sides of `_sides_of_difference`."""
     return min(Fraction(side * side, nx * nx + ny * ny) for side, (nx, ny) in sides)
 
 
@@ -232,7 +232,7 @@ def _edges(ring: Sequence[Point]) -> Iterable[tuple[Point, Point]]:
 
 
 def _clipped(ring: Sequence[Ints], window: Sequence[Ints]) -> list[Homogeneous]:
-    """Return the corners of the intersection of two convex rings (Sutherland and Hodgman); may be flat or empty."""
+    """Return the corners of the intersection of two convex rings; may be flat or empty (Sutherland and Hodgman)."""
     left: list[Homogeneous] = [(x, y, 1) for x, y in ring]
     for (px, py), (qx, qy) in _edges(window):
         ex, ey = qx - px, qy - py

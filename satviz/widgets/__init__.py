@@ -21,7 +21,7 @@ _MODULE_OF = {"Explorer": "explorer", "Player": "player", "explore": "explorer",
 def __getattr__(name: str) -> object:
     """Return a public name, loading its module; ImportError says how to install what a widget needs."""
     if name not in _MODULE_OF:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}: dir({__name__}) lists its names")
     try:
         import anywidget  # noqa: F401
     except ImportError as error:

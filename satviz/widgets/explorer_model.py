@@ -199,7 +199,7 @@ class ExplorerModel(PlayerModel):
         self._memory = LabelMemory()  # how the labels stood, so that they do not jump
 
     def _pose(self, content: dict[str, Any]) -> None:
-        """Apply a drag's message: both shapes, the view and the challenge; InvalidScene before anything is changed."""
+        """Apply a drag's message: both shapes, the view and the challenge; ValueError before anything is changed."""
         a, b = shape_from(content.get("a"), "A"), shape_from(content.get("b"), "B")
         degree, pinned = _number(content.get("degree"), "the angle"), content.get("pinned")
         largest = canvas_size(_number(content.get("width"), "the width"))
@@ -235,7 +235,9 @@ class ExplorerModel(PlayerModel):
         self._set_run(changed, trace, view, met)
 
     def _snapped(self, a: Shape, b: Shape, key: object, *, by_key: bool = False) -> tuple[Shape, Shape, str]:
-        """Return both shapes, and words; the one that `key` names ("a" or "b") is moved to touch the other if near.
+        """Return both shapes, the one named by `key` ("a" or "b") moved to touch the other if near, and what was done.
+
+        What was done is a sentence, "" if nothing was tried.
 
         After an arrow key (`by_key`) a shape snaps only on its way to a touch; otherwise it could never leave it.
         """
@@ -266,7 +268,7 @@ class ExplorerModel(PlayerModel):
         return Scene.from_json(require_type(text, "the scene", str))
 
     def _set_run(self, scene: Scene, run: Trace, view: str | None, met: ChallengeResult | None) -> None:
-        """Store the scene, its run, the view with the trace it shows, and the challenge's result."""
+        """Store the scene, its run, the view with the trace it shows, and the challenge's result (`met`)."""
         self.scene, self._run, self._view, self._challenge_result = scene, run, view, met
         self._won = met is not None and (met.met or self._won)
         self.trace = run.truth if view == TRUTH else run

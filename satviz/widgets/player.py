@@ -34,7 +34,10 @@ class Player(TraceWidget):
     def __init__(
         self, trace: Trace, *, predict: bool = False, sweep: bool = False, difference: bool = False, speed: float = 1.0
     ) -> None:
-        """Make the player of a trace; the other arguments are those of `play`."""
+        """Make the player of a trace, of an axis that turns (`sweep`), or of how B - A comes about (`difference`).
+
+        `predict` asks the reader for each answer first; `speed` 2 plays twice as fast.
+        """
         model = PlayerModel(trace, turns=sweep, difference=difference)
         super().__init__(
             model,

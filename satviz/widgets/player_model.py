@@ -13,7 +13,7 @@ from ..pictures.turning_axis import sweep
 class PlayerModel:
     """A trace that is shown, and the answers to its front end.
 
-    The trace is shown as its steps, as an axis that turns (`turns`), or as pictures of how B - A comes about
+    The trace is shown as its steps, as an axis that turns (`turns`), or as pictures of how B - A is made
     (`difference`).
     """
 

@@ -2,8 +2,8 @@
 
 For outlines of many corners a few steps of GJK search for an axis or a shared point.  Then both outlines are
 evaluated edge by edge; the exact sign is computed for every corner within the error bound of zero.
-Names in the kernels: x, y are the coordinates of one outline (corners i0 to i1) and p, q those of the other
-(corners j0 to j1); e and f are the ends of an edge, n its normal; `terms` is scratch for exact sums;
+Names in the kernels: x, y are the coordinates of one outline (corners i0 to i1 - 1) and p, q those of the other
+(corners j0 to j1 - 1); e and f are the ends of an edge, n its normal; `terms` is scratch for exact sums;
 `max_coordinate` is the sum of the largest absolute coordinates of both shapes.
 """
 
@@ -24,9 +24,10 @@ MAX_TERMS = 12  # floats whose sum is an orientation
 def relate_few_corners(
     x: Array, y: Array, i0: int, i1: int, p: Array, q: Array, j0: int, j1: int, max_coordinate: float, terms: Array
 ) -> int:
-    """Return the exact relation of (x, y) corners i0 to i1 with (p, q) corners j0 to j1; UNDECIDED out of range.
+    """Return the exact relation of corners i0 to i1 - 1 of x, y with corners j0 to j1 - 1 of p, q.
 
-    `max_coordinate`: both largest coordinates together; `terms`: scratch.
+    UNDECIDED where floats go out of range.  `max_coordinate`: the sum of the largest absolute coordinates of both;
+    `terms`: scratch.
     """
     side = _classify_edges(x, y, i0, i1, i0, i1, p, q, j0, j1, max_coordinate, terms)
     return _classify_edges(p, q, j0, j1, j0, j1, x, y, i0, i1, max_coordinate, terms) if side == OVERLAPPING else side
@@ -38,8 +39,7 @@ def relate_many_corners(
 ) -> int:
     """Return the exact relation as `relate_few_corners` does, for many corners: by GJK, then edge by edge.
 
-    A has the corners x, y from i0 on up to i1, and B has p, q from j0 on up to j1.  max_coordinate: of both.
-    terms: scratch.
+    The arguments are the same; A has the corners x, y, and B has p, q.
     """
     found, i, j = _gjk(x, y, i0, i1, p, q, j0, j1, max_coordinate)
     if found != UNDECIDED:
@@ -70,7 +70,8 @@ def _classify_edges(
 
     APART where all corners of (p, q) lie beyond an edge.  Where some lie on the edge's line and none before it, the
     shapes can meet only on that line: TOUCHING if their ranges on the line meet, else APART.  OVERLAPPING if no edge
-    clears, which is no proof while other edges remain; UNDECIDED where floats go out of range.
+    clears, which is no proof while other edges remain; UNDECIDED where floats go out of range.  Other arguments as in
+    `relate_few_corners`.
     """
     start = first - 1 if first > i0 else i1 - 1
     ex, ey = x[start], y[start]
@@ -109,8 +110,9 @@ def _classify_edge(
 ) -> tuple[int, int]:  # fmt: skip
     """Return (relation proven by the edge that ends in corner `end`, a corner of (p, q) low along its normal).
 
-    A walk down the outline from corner k soon finds a corner that lies before the edge, which refutes it.  The walk
-    proves nothing else, since rounding can stop it: if it finds no such corner, all corners are evaluated.
+    A walk down (p, q) from its corner k soon finds a corner that lies before the edge, which refutes it.  The walk
+    proves nothing else, since rounding can stop it: if it finds no such corner, all corners are evaluated.  Relations
+    and other arguments as in `_classify_edges`.
     """
     start = end - 1 if end > i0 else i1 - 1
     nx, ny = y[end] - y[start], x[start] - x[end]
@@ -127,14 +129,14 @@ def _classify_edge(
 
 @compiled
 def _edge_meets_range(ex: float, ey: float, fx: float, fy: float, low: float, high: float) -> bool:
-    """Return whether edge e-f meets the range low to high on its line, by x (by y if it is vertical)."""
+    """Return whether edge e-f meets the range low to high on its line; low, high: x (y if the edge is vertical)."""
     e, f = (ey, fy) if ex == fx else (ex, fx)
     return low <= max(e, f) and high >= min(e, f)
 
 
 @inlined
 def _walk_down_onward(x: Array, y: Array, i0: int, i1: int, k: int, dx: float, dy: float) -> int:
-    """Return the corner reached from k by walking forward while dx*x + dy*y falls."""
+    """Return the index of the corner reached from corner k by walking forward while dx*x + dy*y falls."""
     for _ in range(i0, i1):
         i = k + 1 if k + 1 < i1 else i0
         if dx * (x[i] - x[k]) + dy * (y[i] - y[k]) >= 0:
@@ -145,7 +147,7 @@ def _walk_down_onward(x: Array, y: Array, i0: int, i1: int, k: int, dx: float, d
 
 @inlined
 def _walk_down(x: Array, y: Array, i0: int, i1: int, k: int, dx: float, dy: float) -> int:
-    """Return the corner reached from k by walking forward, else backward, while dx*x + dy*y falls."""
+    """Return the index of the corner reached from corner k, forward or else backward, while dx*x + dy*y falls."""
     end = _walk_down_onward(x, y, i0, i1, k, dx, dy)
     if end == k:
         for _ in range(i0, i1):
@@ -221,7 +223,10 @@ def _gjk(
 
 @inlined
 def is_certainly_inside(x: Array, y: Array, i0: int, i1: int, px: float, py: float, max_coordinate: float) -> bool:
-    """Return whether a point is certainly inside an outline; False out of the range of the error bound."""
+    """Return whether point p is certainly inside the outline; False out of the range of the error bound.
+
+    `max_coordinate`: at least the sum of the largest absolute coordinates of the outline and of p.
+    """
     error_bound, left = max_coordinate * ERROR_FACTOR_F64, 0
     for n in range(i1 - i0 - 1):
         i = np.uintp(i0 + n)
@@ -236,7 +241,10 @@ def is_certainly_inside(x: Array, y: Array, i0: int, i1: int, px: float, py: flo
 
 @inlined
 def _is_certainly_left(ex: float, ey: float, fx: float, fy: float, px: float, py: float, error_bound: float) -> bool:
-    """Return whether p is certainly left of the line from e to f; same error bound as in `relate`."""
+    """Return whether p is certainly left of the line from e to f.
+
+    error_bound: that of the orientation determinant in `relate`, divided by |fx - ex| + |fy - ey|.
+    """
     dx, dy = fx - ex, fy - ey
     return dx * (py - ey) - dy * (px - ex) > (abs(dx) + abs(dy)) * error_bound + MIN_SAFE_PRODUCT
 
@@ -309,7 +317,7 @@ def two_product(a: float, b: float) -> tuple[float, float]:
 
 @compiled
 def _split(a: float) -> tuple[float, float]:
-    """Return a as the sum of two floats with half the bits each (Veltkamp)."""
+    """Return (high, low), floats with half the bits of a each, whose sum is a exactly (Veltkamp)."""
     high = a * SPLITTER
     high -= high - a
     return high, a - high
@@ -317,7 +325,7 @@ def _split(a: float) -> tuple[float, float]:
 
 @compiled
 def sign_of_sum(terms: Array, count: int) -> int:
-    """Return the exact sign of the sum of the first `count` terms, else UNKNOWN; the terms are overwritten."""
+    """Return the exact sign of the sum of the first `count` terms, UNKNOWN after too many passes; overwrites them."""
     last = count - 1
     for _ in range(MAX_PASSES):
         rest = 0.0

@@ -32,7 +32,7 @@ MIN_CELL = 2.0**-48  # least cell size as a factor of the farthest coordinate: n
 
 
 def colliding_pairs(shapes: Shapes) -> Pairs | None:
-    """Return the pairs i < j, in order, of the shapes that share a point; None for too many or an undecided pair."""
+    """Return the pairs i < j, in order, of the shapes that share a point; None for too many, or if one is undecided."""
     runs = vars(shapes).get("runs")  # read once, since another thread may join them
     if runs is not None and len(runs) == 1:
         pairs, decided = _collide_block(runs[0].block)
@@ -66,7 +66,7 @@ def _collide_block(block: Array) -> tuple[Pairs, bool]:
 
 @compiled
 def _collide_blocks(a: Array, b: Array, c: Array, d: Array) -> tuple[Pairs, bool]:
-    """Return what `_collide` returns, for the blocks of four CornerColumns, numbered through in this order."""
+    """Return what `_collide` returns, for the blocks of four CornerColumns, their shapes numbered from a's to d's."""
     n = a.shape[2] + b.shape[2] + c.shape[2] + d.shape[2]
     if n > MAX_SHAPES:
         return np.empty((0, 2), np.intp), False
@@ -87,7 +87,10 @@ def _collide_blocks(a: Array, b: Array, c: Array, d: Array) -> tuple[Pairs, bool
 
 @compiled
 def _collide(x: Array, y: Array, start: Indices, radius: Array) -> tuple[Pairs, bool]:
-    """Return (pairs i < j of the shapes that share a point, in order; whether all pairs are decided)."""
+    """Return (pairs i < j of the shapes that share a point, in order; whether all pairs are decided).
+
+    If not, the pairs mean nothing.
+    """
     n = radius.size
     if n > MAX_SHAPES:
         return np.empty((0, 2), np.intp), False
@@ -106,7 +109,8 @@ def _collide(x: Array, y: Array, start: Indices, radius: Array) -> tuple[Pairs, 
 def _hits_in_order(first: Indices, second: Indices, found: Signs, n: int) -> tuple[Pairs, bool]:
     """Return ((K, 2) pairs that are not apart, sorted by i, then by j; whether all pairs are decided).
 
-    Pair k is (first[k], second[k]) with the relation found[k]; n is the number of shapes.
+    Pair k is (first[k], second[k]) with the relation found[k]; n is the number of shapes.  If one is UNDECIDED, no pair
+    is returned.
     """
     start = np.zeros(n + 1, np.intp)
     for k in range(found.size):
@@ -128,7 +132,7 @@ def _hits_in_order(first: Indices, second: Indices, found: Signs, n: int) -> tup
 
 
 def flatten(shapes: Shapes) -> Flat:
-    """Return all convex parts of a batch one after another, with their boxes."""
+    """Return all convex parts of a batch as a Flat: one after another, with their bounding boxes."""
     x, y, start = shapes.rings
     bounds, upright = np.empty((len(start) - 1, 4)), np.empty(len(start) - 1, bool)
     fill_boxes(x, y, start, shapes.radius, bounds, upright)
@@ -137,7 +141,10 @@ def flatten(shapes: Shapes) -> Flat:
 
 @compiled
 def fill_boxes(x: Array, y: Array, start: Indices, radius: Array, bounds: Array, upright: Mask) -> None:
-    """Fill `bounds` with rows x0, y0, x1, y1, circles' rounded outwards; `upright`: whether a shape is its box."""
+    """Fill `bounds` with rows x0, y0, x1, y1, circles' rounded outwards, and `upright` with whether a shape is its box.
+
+    Shape i has the corners start[i] to start[i + 1] - 1 of x, y, and the radius radius[i]: 0 for polygons.
+    """
     for i in range(radius.size):
         x0 = y0 = np.inf
         x1 = y1 = -np.inf
@@ -158,7 +165,8 @@ def fill_boxes(x: Array, y: Array, start: Indices, radius: Array, bounds: Array,
 def candidate_pairs(bounds: Array) -> tuple[Pairs | None, int, int]:
     """Return (pairs i < j of boxes that share a point, unsorted, code of the broad phase, its comparisons or -1).
 
-    None for the pairs where grids for several sizes must find them.
+    bounds: (N, 4).  The pairs are None where grids for several sizes must find them; comparisons are -1 where they were
+    not counted.
     """
     if len(bounds) > MAX_SHAPES:
         return None, GRID, -1
@@ -168,10 +176,10 @@ def candidate_pairs(bounds: Array) -> tuple[Pairs | None, int, int]:
 
 @compiled
 def _candidate_pairs(bounds: Array) -> tuple[Pairs, int, int, bool]:
-    """Return (pairs i < j of boxes that share a point, code of the broad phase, comparisons or -1, complete).
+    """Return (pairs i < j of boxes that share a point, code of the broad phase, comparisons or -1, is it completed).
 
-    The broad phase is chosen by the rule of `broad_rule`.  It is not completed where one grid and a sweep would both
-    compare too many boxes.
+    The broad phase is chosen by the rule of `broad_rule`.  It is not completed, and there are no pairs, where
+    one grid and a sweep would both compare too many boxes.
     """
     n = len(bounds)
     if n <= MAX_ALL_PAIRS:
@@ -199,7 +207,7 @@ def _candidate_pairs(bounds: Array) -> tuple[Pairs, int, int, bool]:
 
 @compiled
 def _pairs_of_one_grid(bounds: Array) -> tuple[Pairs, bool]:
-    """Return (pairs i < j of boxes that share a point, True); False where one grid would compare too many boxes."""
+    """Return (pairs i < j of boxes that share a point, True); (no pairs, False) if one grid would compare too many."""
     n = len(bounds)
     width = height = farthest = 0.0
     for i in range(n):
@@ -255,7 +263,7 @@ def _all_pairs(bounds: Array) -> Pairs:
 
 @compiled
 def _longer(pairs: Pairs, found: SupportsIndex) -> Pairs:
-    """Return an array of twice the length that begins with the first `found` pairs."""
+    """Return an array of twice the length of `pairs` that begins with the first `found` of them."""
     more = np.empty((2 * len(pairs), 2), np.intp)
     for k in range(found):  # numba takes seconds to compile an assignment of a slice
         more[k, 0], more[k, 1] = pairs[k, 0], pairs[k, 1]
@@ -264,12 +272,12 @@ def _longer(pairs: Pairs, found: SupportsIndex) -> Pairs:
 
 @compiled
 def _sweep(bounds: Array, axis: int) -> tuple[Pairs, int]:
-    """Return (pairs i < j of boxes that share a point, how many were compared), by sorting and sweeping along an axis.
+    """Return (pairs i < j of boxes that share a point, how many were compared), by sort and sweep along x (0) or y (1).
 
     The boxes that follow a box are marked first, some at a time, without a branch, which the compiler vectorises.
     """
     n = len(bounds)
-    order = _sorted(bounds[:, axis].copy())
+    order = _argsort(bounds[:, axis].copy())
     low, high = np.full(n + WORD_BYTES, np.nan), np.empty(n)  # nan beyond the last box: even one without end ends there
     side_low, side_high = np.empty(n + WORD_BYTES), np.empty(n + WORD_BYTES)
     for k in range(n):
@@ -301,8 +309,8 @@ def _sweep(bounds: Array, axis: int) -> tuple[Pairs, int]:
 
 
 @compiled
-def _sorted(values: Array) -> Indices:
-    """Return the order of some finite values: spread over as many buckets, then sorted by insertion.
+def _argsort(values: Array) -> Indices:
+    """Return the indices that sort some finite values: spread over as many buckets, then sorted by insertion.
 
     Values that lie evenly are sorted in one pass; where nearly all share few buckets, as after one giant value,
     comparing takes over.
@@ -313,13 +321,13 @@ def _sorted(values: Array) -> Indices:
         least, most = min(least, value), max(most, value)
     per_unit = (n - 1) / (most - least)
     if not 0 < per_unit < np.inf:
-        return _merge_sorted(values)
+        return _merge_argsort(values)
     start, bucket = np.zeros(n + 2, np.int32), np.empty(n, np.int32)
     for i in range(n):
         bucket[i] = int((values[i] - least) * per_unit)  # at most n - 1: rounding adds less than 1 to it
         start[bucket[i] + 2] += 1
         if start[bucket[i] + 2] > MAX_BUCKET:
-            return _merge_sorted(values)
+            return _merge_argsort(values)
     for b in range(n):
         start[b + 2] += start[b + 1]
     order = np.empty(n, np.intp)
@@ -336,8 +344,8 @@ def _sorted(values: Array) -> Indices:
 
 
 @compiled
-def _merge_sorted(values: Array) -> Indices:
-    """Return the order of some values by merging ever longer sorted runs; numba takes seconds to compile `argsort`."""
+def _merge_argsort(values: Array) -> Indices:
+    """Return the indices that sort some values, by merge sort; numba takes seconds to compile NumPy's `argsort`."""
     n, width = values.size, 1
     order, merged = np.arange(n), np.empty(n, np.intp)
     by_rank, merged_values = values.copy(), np.empty(n)
@@ -358,9 +366,9 @@ def _merge_sorted(values: Array) -> Indices:
 
 @compiled
 def _count_comparisons(bounds: Array, axis: int) -> int:
-    """Return how many pairs of boxes a sweep along an axis compares."""
+    """Return how many pairs of (N, 4) boxes a sweep along an axis (0: x, 1: y) compares."""
     n = len(bounds)
-    order, low, count = _sorted(bounds[:, axis].copy()), np.empty(n), 0
+    order, low, count = _argsort(bounds[:, axis].copy()), np.empty(n), 0
     for k in range(n):
         low[k] = bounds[order[k], axis]
     for k in range(n):

@@ -1,7 +1,8 @@
 """The float filter for arrays of pairs, compiled with numba: vectorised over pairs, the GIL released, cached on disk.
 
-Every kernel takes one column per pair, from column `first` on, and fills `out` with relations; what it
-cannot decide stays UNDECIDED.  Arrays come whole: the compiler cannot know that the rows of a slice
+Every kernel takes one column per pair and fills out[k] with the relation of column first + k, or UNDECIDED.  The
+clearance of an edge is its distance from the other shape times its length: positive if it clears it.  A tile is
+TILE_SHAPES columns.  Arrays come whole: the compiler cannot know that the rows of a slice
 have no gaps, and then it does not vectorise.
 Names in the kernels: ax, ay and bx, by are the coordinates of the corners of A and B, a row per corner and a
 column per pair; x, y are those of the shape whose edges are evaluated and p, q those of the other shape's corners.
@@ -25,12 +26,12 @@ BLOCK_PAIRS = 1 << 17  # pairs a call: enough that the time spent in Python does
 
 
 def polygons(a: CornerColumns, b: CornerColumns, first: int, out: Signs) -> None:
-    """Fill `out` with the relations of columns from `first` on; UNDECIDED within the float64 error bound."""
+    """Fill out[k] with the relation of column first + k of A and B; UNDECIDED within the float64 error bound."""
     clearance_kernel(len(a.x), len(b.x))(a.x, a.y, b.x, b.y, first, error_bounds(a, b), out)
 
 
 def error_bounds(a: CornerColumns, b: CornerColumns) -> Array:
-    """Return the float64 error bound of the clearances in each tile of columns; infinite where no bound is known."""
+    """Return the float64 error bound of the clearances in each tile of columns, infinite out of its range."""
     with np.errstate(over="ignore"):
         found: Array = (a.tile_maxima.edge + b.tile_maxima.edge) * ERROR_FACTOR_F64
         found *= a.tile_maxima.coordinate + b.tile_maxima.coordinate
@@ -39,13 +40,13 @@ def error_bounds(a: CornerColumns, b: CornerColumns) -> Array:
 
 
 def clearance_kernel(va: int, vb: int) -> Callable[..., None]:
-    """Return the compiled filter for polygons of va corners with polygons of vb corners."""
+    """Return the compiled filter (ax, ay, bx, by, first, error_bounds, out) for polygons of va and of vb corners."""
     return _unrolled_kernel(va, vb) if va <= 4 and vb <= 4 else _tile_kernel
 
 
 @compiled
 def classify(gap: float, error_bound: float) -> int:
-    """Return the relation that a gap proves: APART, OVERLAPPING, or UNDECIDED within its error bound."""
+    """Return the relation that a rounded gap proves: APART, OVERLAPPING, or UNDECIDED within its error bound."""
     return APART if gap > error_bound else OVERLAPPING if gap < -error_bound else UNDECIDED
 
 
@@ -55,7 +56,7 @@ def _unrolled_kernel(va: int, vb: int) -> Callable[..., None]:
 
     @compiled
     def kernel(ax: Array, ay: Array, bx: Array, by: Array, first: int, error_bounds: Array, out: Signs) -> None:
-        """Fill `out` with the relations of columns from `first` on, by the largest clearance of each pair."""
+        """Fill out[k] with the relation of column first + k, by its largest clearance; error_bounds: one for a tile."""
         for tile in range(first // TILE_SHAPES, (first + out.size - 1) // TILE_SHAPES + 1):
             error_bound = error_bounds[tile]
             for k in range(max(0, tile * TILE_SHAPES - first), min(out.size, (tile + 1) * TILE_SHAPES - first)):
@@ -84,7 +85,7 @@ def _unrolled_kernel(va: int, vb: int) -> Callable[..., None]:
 
 @compiled
 def _tile_kernel(ax: Array, ay: Array, bx: Array, by: Array, first: int, error_bounds: Array, out: Signs) -> None:
-    """Fill `out` with the relations of columns from `first` on, a tile of pairs at a time."""
+    """Fill `out` as the kernel of `_unrolled_kernel` does, for any numbers of corners, a tile of pairs at a time."""
     best, least, nx, ny = np.empty(TILE_SHAPES), np.empty(TILE_SHAPES), np.empty(TILE_SHAPES), np.empty(TILE_SHAPES)
     lanes = np.empty(
         (4, 8, TILE_SHAPES + 8)
@@ -113,11 +114,11 @@ def _tile_kernel(ax: Array, ay: Array, bx: Array, by: Array, first: int, error_b
 
 
 def _raise_clearance_kernel(corners: int) -> Callable[..., None]:
-    """Return a kernel that raises clearances as `_raise_clearance` does, for a fixed number of corners of both."""
+    """Return a kernel that does what `_raise_clearance` does, for shapes that both have this number of corners."""
 
     @compiled
     def raise_clearance(x: Array, y: Array, p: Array, q: Array, start: int, n: int, best: Array) -> None:
-        """Raise `best` to the clearances of n columns from `start` on; a row after the last repeats the first."""
+        """Do what `_raise_clearance` does; x, y may have one row more, which repeats the first corner."""
         for e in range(corners):
             f = (e + 1) % x.shape[0]
             for k in range(n):
@@ -140,7 +141,10 @@ raise_clearance_8 = _raise_clearance_kernel(8)
 def _raise_clearance(
     x: Array, y: Array, p: Array, q: Array, start: int, n: int, best: Array, least: Array, nx: Array, ny: Array
 ) -> None:
-    """Raise `best` to the clearances of n columns from `start` on, four corners at a time; the rest is scratch."""
+    """Raise best[k] to the largest clearance of an edge of x, y over the corners p, q, in column start + k, for k < n.
+
+    x, y: (V, N); p, q: (W, N); least, nx and ny are scratch.  Four corners of p, q are evaluated at a time.
+    """
     stop = start + n
     for e in range(x.shape[0]):
         f = (e + 1) % x.shape[0]
@@ -166,13 +170,13 @@ def _raise_clearance(
 
 
 def boxes(a: CornerColumns, b: CornerColumns, first: int, out: Signs) -> None:
-    """Fill `out` with the exact relations of upright boxes, in columns from `first` on."""
+    """Fill out[k] with the exact relation of the upright boxes in column first + k of A and B."""
     _boxes(a.x, a.y, b.x, b.y, first, out)
 
 
 @compiled
 def _boxes(ax: Array, ay: Array, bx: Array, by: Array, first: int, out: Signs) -> None:
-    """Fill `out` with the exact relations of upright boxes, in columns from `first` on, by comparing sides."""
+    """Fill out[k] with the exact relation of the upright boxes in column first + k, by comparing sides."""
     for k in range(out.size):
         i = np.uintp(first + k)
         gap_x = range_gap(
@@ -192,13 +196,13 @@ def range_gap(a_low: float, a_high: float, b_low: float, b_high: float) -> float
 
 @compiled
 def relation_of_gap(gap: float) -> int:
-    """Return the relation that an exact gap means."""
+    """Return the relation that an exact gap means: APART above 0, TOUCHING at 0, else OVERLAPPING."""
     return APART if gap > 0 else OVERLAPPING if gap < 0 else TOUCHING
 
 
 @compiled
 def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array, first: int, out: Signs) -> None:
-    """Fill `out` with the relations of circles from `first` on, by squared distance and radii, or UNDECIDED."""
+    """Fill out[k] with the relation of the circles first + k of A and B as `relate_circles` returns it."""
     for k in range(out.size):
         i = np.uintp(first + k)
         out[k] = relate_circles(ax[i], ay[i], ar[i], bx[i], by[i], br[i])
@@ -215,7 +219,10 @@ def relate_circles(ax: float, ay: float, ar: float, bx: float, by: float, br: fl
 
 
 def circle_polygons(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first: int, out: Signs) -> None:
-    """Fill `out` with relations by the squared distance from center to boundary; UNDECIDED within its error bound."""
+    """Fill out[k] with the relation of circle first + k and polygon column first + k, by squared distance to boundary.
+
+    UNDECIDED within its error bound.
+    """
     (_circle_unrolled(len(px)) if len(px) <= 8 else _circle_general)(cx, cy, cr, px, py, first, out)
 
 
@@ -236,11 +243,11 @@ def _distance_from_edge(
 
 
 def _circle_kernel(corners: int | None) -> Callable[..., None]:
-    """Return the filter of circles with polygons compiled for `corners` corners, or for any number (None)."""
+    """Return the kernel of `circle_polygons` compiled for `corners` corners, or for any number (None)."""
 
     @compiled
     def kernel(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first: int, out: Signs) -> None:
-        """Fill `out` with the relations of circles (cx, cy, cr) and polygon columns (px, py) from `first` on."""
+        """Fill `out` as `circle_polygons` says."""
         count = px.shape[0] if corners is None else corners
         for k in range(out.size):
             i = np.uintp(first + k)  # unsigned: numba need not ask whether it counts from the end
@@ -271,7 +278,10 @@ def _circle_kernel(corners: int | None) -> Callable[..., None]:
 
 @compiled
 def relate_circle_polygon(x0: float, y0: float, r: float, px: Array, py: Array, start: int, stop: int) -> int:
-    """Return the relation of a circle and the polygon of corners start to stop, as `_circle_kernel` does."""
+    """Return the relation of a circle and the polygon of corners start to stop - 1, or UNDECIDED within error bounds.
+
+    x0, y0, r: center and radius.  Decides as `circle_polygons` does.
+    """
     far = r
     for v in range(start, stop):
         far = max(far, max(abs(px[v] - x0), abs(py[v] - y0)))

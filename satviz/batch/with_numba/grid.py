@@ -24,7 +24,7 @@ ROUNDING_MARGIN = 2.0**-50  # relative: above the 3 * 2**-53 by which `_first_ce
 def meeting_pairs(
     bounds: Array, one: Indices, other: Indices | None, cell: CellSize, most: float
 ) -> Iterator[Pairs] | None:
-    """Return blocks of the pairs (i < j) of boxes that meet, of two sets or within one.
+    """Return (K, 2) blocks of the pairs (i < j) of boxes that share a point, one box of each set or both of one.
 
     bounds: (N, 4) boxes; one, other: indices of boxes, None for the pairs within `one`; cell: width and height of a
     cell.  Return None where there are more than about `most` candidates, which are the pairs of boxes to compare.
@@ -40,9 +40,9 @@ def meeting_pairs(
 
 
 def _pair_blocks(queries: Ids, boxes: Array, same_set: bool, table: Table, block: int) -> Iterator[Pairs]:
-    """Yield arrays of the pairs (i < j) of queries and stored boxes that meet, of about `block` pairs each.
+    """Yield arrays of the pairs (i < j) of queries and stored boxes that share a point, of about `block` pairs each.
 
-    queries: (n,) numbers of boxes; boxes: (n, 4) their bounds; `same_set`: the queries are the stored boxes.
+    queries: (n,) indices of boxes; boxes: (n, 4) their bounds; `same_set`: the queries are the stored boxes.
     """
     first = 0
     while first < len(queries):
@@ -61,8 +61,8 @@ def _cell_number(c: float, cells_per_unit: float) -> int:
 def build_table(bounds: Array, stored: Indices, cell_width: float, cell_height: float, size: int) -> Table:
     """Return a hash table with `size` entries of the boxes `stored`, ordered by the cell of their lower left corner.
 
-    A Table is (where each entry begins, numbers of the boxes, their bounds, largest width and height, cells per unit
-    along x and y, columns of cells in a row, first column, first row).
+    bounds: (N, 4) boxes; stored: indices of some.  A Table is (where each entry begins, indices of the boxes, their
+    bounds, largest width, largest height, cells per unit along x, along y, cells in a row, first column, first row).
 
     Cells are computed where they are needed: keeping them would take more time and memory.
     """
@@ -98,7 +98,10 @@ def build_table(bounds: Array, stored: Indices, cell_width: float, cell_height: 
 
 @inlined
 def _entry(x: float, y: float, per_x: float, per_y: float, stride: int, size: int) -> int:
-    """Return the table entry of the cell of a point; `size` is a power of two."""
+    """Return the table entry of the cell of a point.
+
+    per_x, per_y: cells per unit; stride: cells in a row; size: entries of the table, a power of two.
+    """
     return (_cell_number(x, per_x) + _cell_number(y, per_y) * stride) & (size - 1)
 
 
@@ -113,7 +116,7 @@ def _first_cell(low: float, max_length: float, cells_per_unit: float, least: int
 
 @compiled
 def _stored_range(start: Starts, c0: int, c1: int, row: int, stride: int, part: int) -> tuple[int, int]:
-    """Return (first, last): the boxes of cells c0 to c1 of a row stand from `first` up to, without, `last`.
+    """Return (first, last): the boxes of cells c0 to c1, both included, of a row are table boxes first to last - 1.
 
     Cells wrap around at the table's end: part 0 stops there, and part 1 continues at the table's start.
     """
@@ -126,9 +129,10 @@ def _stored_range(start: Starts, c0: int, c1: int, row: int, stride: int, part: 
 
 @compiled
 def count_candidates(boxes: Array, same_set: bool, table: Table) -> float:
-    """Return about how many candidates all queries have, estimated from a sample.
+    """Return about how many candidates (boxes to compare with) all queries have, estimated from a sample.
 
-    same_set: the queries are the stored boxes, so only rows from the query's own row on are counted.
+    boxes: (n, 4) bounds of the queries.  same_set: the queries are the stored boxes, so only rows from the query's own
+    row on are counted.
     """
     start, _, _, max_width, max_height, per_x, per_y, stride, left, bottom = table
     step = 1 if len(boxes) < 1000 else SAMPLE_STEP
@@ -147,7 +151,10 @@ def count_candidates(boxes: Array, same_set: bool, table: Table) -> float:
 def fill_pairs(
     queries: Ids, query_boxes: Array, begin: int, same_set: bool, table: Table, out: Pairs
 ) -> tuple[int, int]:
-    """Fill `out` with the pairs of the queries from `begin` on while it has space; return (next query, pairs found)."""
+    """Fill `out` with pairs of queries from query `begin` on, while it has space; return (next query, number of pairs).
+
+    A pair (i < j) is a query and a stored box that share a point.  Arguments as in `_pair_blocks`.
+    """
     start, ids, boxes, max_width, max_height, per_x, per_y, stride, left, bottom = table
     found = 0
     for k in range(begin, queries.size):

@@ -28,7 +28,7 @@ LANE_STRIDE = LANES + 8  # a power of two would put all corners of a pair into t
 
 
 def relations(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Signs) -> None:
-    """Fill `out` with the relations of a[ia[k]] and b[ib[k]].
+    """Fill out[k] with the relation of a[ia[k]] and b[ib[k]].
 
     Polygons are decided exactly, but UNDECIDED where floats go out of range; pairs with a circle are UNDECIDED within
     the error bound.
@@ -40,14 +40,14 @@ def relations(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Signs) -> None:
     )
 
 
-def columns(a: CornerColumns, b: CornerColumns, first: int, out: Signs) -> None:
-    """Replace UNDECIDED in `out` by exact relations, in columns from `first` on; some stay UNDECIDED."""
-    _columns(a.x, a.y, b.x, b.y, first, a.tile_maxima.coordinate + b.tile_maxima.coordinate, out)
+def exact_columns(a: CornerColumns, b: CornerColumns, first: int, out: Signs) -> None:
+    """Replace each UNDECIDED out[k] by the exact relation of column first + k, unless floats go out of range."""
+    _exact_columns(a.x, a.y, b.x, b.y, first, a.tile_maxima.coordinate + b.tile_maxima.coordinate, out)
 
 
 @compiled
-def _columns(ax: Array, ay: Array, bx: Array, by: Array, first: int, max_coordinates: Array, out: Signs) -> None:
-    """Replace UNDECIDED in `out` by the exact relations, in columns from `first` on.
+def _exact_columns(ax: Array, ay: Array, bx: Array, by: Array, first: int, max_coordinates: Array, out: Signs) -> None:
+    """Replace each UNDECIDED out[k] by the exact relation of column first + k, unless floats go out of range.
 
     `max_coordinates`: for each tile of columns, the sum of the largest absolute coordinates of A and of B.
     """
@@ -69,10 +69,11 @@ def fill_relations(
     bx: Array, by: Array, sb: Indices, rb: Array, box_b: Array, upright_b: Mask,
     ia: Indices, ib: Indices, out: Signs,
 ) -> None:  # fmt: skip
-    """Fill `out` with the relations of pairs (ia, ib): by boxes, then the float filter in lanes, then exactly.
+    """Fill out[k] with the relation of shape ia[k] of A and ib[k] of B: by boxes, then the float filter, then exactly.
 
     For A (and B): ax, ay: (M,) corners of all shapes, one shape after another; sa: (N + 1,) the first corner of each
-    shape; ra: (N,) radii, 0 for polygons; box_a: (N, 4) bounding boxes; upright_a: (N,) mask of upright boxes.
+    shape; ra: (N,) radii, 0 for polygons; box_a: (N, 4) bounding boxes; upright_a: (N,) mask of upright boxes.  Pairs
+    stay UNDECIDED as `relations` says.
     """
     terms = np.empty(MAX_TERMS)
     waiting, many = np.empty(LANES, np.intp), 0  # pairs of up to eight corners
@@ -134,14 +135,14 @@ def _max_coordinate(boxes: Array, i: int) -> float:
 
 @compiled
 def _max_width(box: Array, i: int) -> float:
-    """Return an upper bound of the x and y components of a shape's edges, from its box."""
+    """Return an upper bound of the x and y components of the edges of the shape in box i: the box's longer side."""
     width: float = max(box[i, 2] - box[i, 0], box[i, 3] - box[i, 1])
     return width
 
 
 @inlined
 def _error_bound(box_a: Array, i: int, box_b: Array, j: int) -> float:
-    """Return the float64 error bound of the clearances of two shapes, from their boxes; or infinity."""
+    """Return the float64 error bound of the clearances of two shapes, from boxes i and j; infinity out of its range."""
     width = _max_width(box_a, i) + _max_width(box_b, j)
     error_bound = width * (_max_coordinate(box_a, i) + _max_coordinate(box_b, j)) * ERROR_FACTOR_F64
     return error_bound if error_bound > MIN_ERROR_BOUND and error_bound < MAX_ERROR_BOUND else np.inf
@@ -149,7 +150,7 @@ def _error_bound(box_a: Array, i: int, box_b: Array, j: int) -> float:
 
 @inlined
 def _clearance_of_few(x: Array, y: Array, i0: int, i1: int, p: Array, q: Array, j0: int, j1: int) -> float:
-    """Return the largest clearance of any edge of corners i0 to i1 over corners j0 to j1; both are 3 or 4 corners.
+    """Return the largest clearance of any edge of x, y (corners i0 to i1 - 1) over p, q (j0 to j1 - 1), 3 or 4 corners.
 
     A triangle starts again: its first edge and its first corner are evaluated twice.
     """
@@ -172,9 +173,10 @@ def _evaluate_lanes(
     ax: Array, ay: Array, sa: Indices, box_a: Array, bx: Array, by: Array, sb: Indices, box_b: Array,
     ia: Indices, ib: Indices, which: Indices, out: Signs,
 ) -> None:  # fmt: skip
-    """Fill `out` at the pairs `which` (up to LANES) by the float filter, one pair in each lane.
+    """Fill out[k] by the float filter for each k in `which` (up to LANES), one pair in each lane.
 
-    An outline with fewer than MAX_LANE_CORNERS corners is repeated from its first corner.
+    Other arguments as in `fill_relations`.  An outline with fewer than MAX_LANE_CORNERS corners is repeated from its
+    first corner.
     """
     n, error_bounds, best = which.size, np.empty(LANES), np.empty(LANES)
     lanes = np.empty((4, MAX_LANE_CORNERS + 1, LANE_STRIDE))
@@ -192,7 +194,7 @@ def _evaluate_lanes(
 
 @compiled
 def copy_to_lane(x: Array, y: Array, start: int, stop: int, width: int, to_x: Array, to_y: Array, k: int) -> None:
-    """Copy an outline into lane k, repeated from its first corner until it has `width` edges."""
+    """Copy corners start to stop - 1 of x, y into column k of to_x, to_y, repeated until these hold `width` edges."""
     i = start
     for v in range(width + 1):
         to_x[v, k], to_y[v, k] = x[np.uintp(i)], y[np.uintp(i)]

@@ -18,7 +18,7 @@ SOURCES = [
 
 
 def _file_stamp(path: Path) -> tuple[int, int]:
-    """Return the time and size of a file, which change when it is edited."""
+    """Return (modification time in ns, size in bytes) of a file, which change when it is edited."""
     return path.stat().st_mtime_ns, path.stat().st_size
 
 
@@ -26,12 +26,12 @@ STAMP = tuple(map(_file_stamp, SOURCES))
 
 
 def inlined(kernel: Kernel) -> Kernel:
-    """Return a function that is copied into the kernels that call it; a call would count references to arrays."""
+    """Decorate a function that numba copies into the kernels that call it; a call would count references to arrays."""
     return cast(Kernel, njit(inline="always", error_model="numpy")(kernel))
 
 
 def compiled(kernel: Kernel) -> Kernel:
-    """Return the kernel, compiled at its first call; to type checkers it is the function itself."""
+    """Decorate a function: numba compiles it at its first call and keeps the code in a file until a source changes."""
     made: Any = njit(nogil=True, cache=True, error_model="numpy")(kernel)
     if made is kernel:  # NUMBA_DISABLE_JIT: to step through it, or to sow faults
         return kernel

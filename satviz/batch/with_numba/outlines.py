@@ -37,7 +37,7 @@ def certified_circles(centers: Array, radii: Array) -> CornerColumns | None:
 
 @compiled
 def _fill_circles(centers: Array, radii: Array, block: Array) -> bool:
-    """Fill the block with the x, y and radii of circles; return False at a number that is not finite or positive."""
+    """Fill the (3, 1, n) block with x, y and radii of circles; return whether all are finite and radii positive."""
     for i in range(radii.size):
         x, y, r = centers[i, 0], centers[i, 1], radii[i]
         if not (abs(x) < np.inf and abs(y) < np.inf and 0 < r < np.inf):
@@ -51,7 +51,7 @@ def _columns_kernel(fixed: int | None) -> Callable[[Array, Array, Array], bool]:
 
     @compiled
     def fill_columns(vertices: Array, columns: Array, maxima: Array) -> bool:
-        """Fill the columns of x and of y, and the maxima of tiles; return False at an outline not certified convex."""
+        """Fill (2, V, n) columns and (2, tiles) maxima for CornerColumns; return whether all are certified convex."""
         corners = vertices.shape[1] if fixed is None else fixed
         for tile in range(maxima.shape[1]):
             max_edge = max_coordinate = 0.0
@@ -85,7 +85,7 @@ _fill_columns_3, _fill_columns_4, _fill_columns = map(_columns_kernel, (3, 4, No
 
 
 def certified_rings(points: Array, start: Indices, accept_centers: bool = False) -> tuple[RaggedRings, Indices]:
-    """Return (outlines without repeats, counter-clockwise, as RaggedRings; the indices of those not certified convex).
+    """Return (all outlines, without repeats and counter-clockwise; the indices of those not certified convex).
 
     points: (M, 2) corners, those of outline i from start[i] to start[i + 1].  `accept_centers`: a single finite
     corner is the center of a circle and certified too.  What is not certified may be clockwise or no polygon.
@@ -97,9 +97,9 @@ def certified_rings(points: Array, start: Indices, accept_centers: bool = False)
 
 
 def _rings_of(x: Array, y: Array, kept: Indices) -> RaggedRings:
-    """Return RaggedRings of x and y, cut off after the last corner kept; long arrays are shrunk in place.
+    """Return RaggedRings of x and y, cut off after the last corner; long arrays are shrunk in place.
 
-    kept: the place where each outline starts, and the end.
+    kept: (N + 1,) the place where each outline starts, and the end of the last one.
     """
     end = int(kept[-1])
     if len(x) <= MAX_FEW_CORNERS:
@@ -120,7 +120,7 @@ def certified_padded(corners: Array, counts: Indices, radii: Array) -> Shapes | 
 
 @compiled
 def _fill_padded(corners: Array, counts: Indices, radii: Array, x: Array, y: Array, kept: Indices) -> bool:
-    """Fill x, y and `kept` with padded shapes, as `_fill_rings` does; return False if one is not certified."""
+    """Fill x, y and `kept` as `_fill_rings` does, with padded shapes; return whether all are certified."""
     n, most, _ = corners.shape
     first, end = np.empty(n, np.intp), np.empty(n, np.intp)
     for i in range(n):
@@ -136,10 +136,11 @@ def _fill_rings(
     points: Array, start: Indices, end: Indices, accept_centers: bool,
     x: Array, y: Array, kept: Indices, doubtful: Indices,
 ) -> int:  # fmt: skip
-    """Copy the outlines into x and y without repeated corners, counter-clockwise; return how many are `doubtful`.
+    """Copy the outlines into x and y without repeated corners, counter-clockwise; return how many are doubtful.
 
-    start, end: outline i has the points start[i] to end[i].  kept: where each outline starts in x and y.
-    doubtful: the outlines that are not certified convex.  accept_centers: a single finite corner is a circle's center.
+    start, end: outline i has the points start[i] to end[i] - 1.  kept: filled with where each outline starts in x and
+    y, and the end.  doubtful: filled with the indices of the outlines that are not certified convex.  accept_centers:
+    a single finite corner is a circle's center, and certified.
     """
     kept[0] = found = to = 0
     for i in range(start.size):

@@ -38,13 +38,13 @@ def gap_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array) -> Signs:
 
 
 def _integer_sign(cx: float, cy: float, cr: float, px: Array, py: Array) -> int:
-    """Return the exact sign of (distance minus radius) for one circle and polygon, with integers."""
+    """Return what `gap_signs` does for one circle and polygon, with integers; px, py: (V,)."""
     _, (x, y, r, *flat) = to_integers([float(cx), float(cy), float(cr), *px.tolist(), *py.tolist()])
     return 1 - relate_integers([(x, y)], list(zip(flat[: len(px)], flat[len(px) :], strict=True)), r)
 
 
 def _float_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array) -> Signs:
-    """Return the exact signs of (distance minus radius), by floats with their errors; UNKNOWN if that fails."""
+    """Return what `gap_signs` does, by floats with their errors; UNKNOWN where these do not decide."""
     n, v = len(cx), len(px)
     px, py = _close_rings(px), _close_rings(py)
     corners, upright, slanted, inside, error_bound = _features_within_radius(cx, cy, cr, px, py)
@@ -76,7 +76,7 @@ def _float_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array) -> Signs
 
 
 def _close_rings(c: Array) -> Array:
-    """Return the columns of corner coordinates with the first corner repeated at the end."""
+    """Return (V, n) corner coordinates as (V + 1, n), with the first corner repeated at the end."""
     closed = np.empty((len(c) + 1, c.shape[1]))
     closed[:-1], closed[-1] = c, c[0]
     return closed
@@ -124,7 +124,7 @@ def _features_within_radius(
 
 
 def _corner_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array) -> Signs:
-    """Return the exact signs of (distance from corner p to the center minus radius), or UNKNOWN.
+    """Return the exact signs of (distance from corner p to the center minus radius), or UNKNOWN; all arrays are (n,).
 
     At exactly the radius no difference is rounded: let the radius be odd in units of a power of
     two, and both differences whole in units of that over 2**m, one of them odd.  One odd square,
@@ -136,10 +136,11 @@ def _corner_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array) -> Sign
 
 
 def _upright_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array, qx: Array, qy: Array) -> Signs:
-    """Return the signs of (distance from the foot on an axis-parallel edge minus radius); 1 if there is no foot.
+    """Return the signs of (distance from center to edge line minus radius); 1 if the foot is not between p and q.
 
-    Rounding is monotonic: the rounded distance is on the right side of the radius, or equal to it.  If it is equal, the
-    rounding error (from two_sum) decides.
+    Edges lead from p to q, along x or y; the foot is the point of the line next to the center.  Rounding is monotonic:
+    the rounded distance is on the right side of the radius, or equal to it.  If it is equal, the rounding error (from
+    two_sum) decides.
     """
     flat = py == qy
     c, p, q = np.where(flat, cx, cy), np.where(flat, px, py), np.where(flat, qx, qy)
@@ -152,7 +153,9 @@ def _upright_signs(cx: Array, cy: Array, cr: Array, px: Array, py: Array, qx: Ar
 def _foot_signs(
     cx: Array, cy: Array, cr: Array, px: Array, py: Array, qx: Array, qy: Array, *, error_bound: Array
 ) -> tuple[Signs, NDArray[np.bool_]]:
-    """Return (signs of distance from each edge's line minus radius, mask of feet that may lie beyond the edge's ends).
+    """Return (signs of (distance from center to edge line minus radius), mask of feet that may not be between p and q).
+
+    error_bound: as `_features_within_radius` returns it.  UNKNOWN stands for signs that floats do not decide.
 
     The exact length of an edge is the float `length` plus `missing`: the difference of their squares over twice the
     float (the square of `missing` is negligible).  Errors in the units of exact_signs.sum_with_error: `missing` is off
@@ -182,7 +185,7 @@ def _foot_signs(
 def _keep_inner_feet(
     least: Signs, cx: Array, cy: Array, cr: Array, px: Array, py: Array, qx: Array, qy: Array
 ) -> Signs:
-    """Return the signs `least` of edges on which the center's foot lies strictly between the ends; else 1 or UNKNOWN.
+    """Return the signs `least` of the edges p-q that have the center's foot strictly between their ends; 1 or UNKNOWN.
 
     The foot is the point of the edge's line next to the center.  Sign 1 stands for an edge that decides nothing,
     because one of its ends is nearer; UNKNOWN where rounding hides whether the foot is between the ends.
@@ -213,7 +216,7 @@ def _signs_of_sums(pairs: Products, remainder: Array, no_remainder: NDArray[np.b
 
 
 def _contains_center(cx: Array, cy: Array, px: Array, py: Array) -> NDArray[np.bool_]:
-    """Return the mask of the centers strictly left of every edge of their polygon, that is, inside it."""
+    """Return the (n,) mask of the centers strictly inside their polygon; px, py: (V + 1, n), closed."""
     ends = [np.ravel(c) for c in (px[:-1], py[:-1], px[1:], py[1:])]
     centers = [np.tile(c, len(px) - 1) for c in (cx, cy)]
     left = (exact_signs.orient(*ends, *centers) > 0).reshape(len(px) - 1, -1)

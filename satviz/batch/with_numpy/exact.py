@@ -34,7 +34,7 @@ def relations(a: CornerColumns, ia: Indices, b: CornerColumns, ib: Indices) -> S
 
 
 def _relate_circles(a: CornerColumns, b: CornerColumns) -> Signs:
-    """Return the exact relations of columns where one side or both are circles."""
+    """Return the exact relation of each column of a with that of b, where a or b or both are circles."""
     if a.r is not None and b.r is not None:
         return RELATION_OF_SIGN[exact_signs.circle_gap_signs(a.x[0], a.y[0], a.r, b.x[0], b.y[0], b.r)]
     (circle, polygon), radii = ((a, b), a.r) if a.r is not None else ((b, a), b.r)
@@ -43,7 +43,7 @@ def _relate_circles(a: CornerColumns, b: CornerColumns) -> Signs:
 
 
 def _relate_polygons(a: CornerColumns, b: CornerColumns) -> Signs:
-    """Return the exact relations of polygons: of upright boxes by their sides, of others by their edges."""
+    """Return the exact relation of each column of a with that of b: upright boxes by sides, other polygons by edges."""
     upright = np.zeros(a.x.shape[1], bool)
     if len(a.x) == len(b.x) == 4:
         upright = upright_box_mask(a.x, a.y) & upright_box_mask(b.x, b.y)
@@ -56,7 +56,7 @@ def _relate_polygons(a: CornerColumns, b: CornerColumns) -> Signs:
 
 
 def _relate_boxes(a: CornerColumns, b: CornerColumns) -> Signs:
-    """Return the exact relations of upright boxes."""
+    """Return the exact relation of each column of a with that of b, all of them upright boxes."""
     found = np.empty(a.x.shape[1], np.int8)
     boxes(a, b, 0, found)
     return found
@@ -101,7 +101,7 @@ def relate_edges(a: Edges, b: Edges) -> Signs:
 
 
 def _facing_corner(own: Edges, other: Edges) -> Indices:
-    """Return for each column the corner of `own` furthest towards `other`, by floats; any would be correct."""
+    """Return for each column the row of a corner of `own` furthest towards `other`, by floats; any would be correct."""
     dx, dy = (s[0] + s[len(s) // 2] - o[0] - o[len(o) // 2] for s, o in ((other.x, own.x), (other.y, own.y)))
     value = dx * own.x
     value += dy * own.y
@@ -109,20 +109,20 @@ def _facing_corner(own: Edges, other: Edges) -> Indices:
     return found
 
 
-def _classify_edges(own: Edges, other: Edges, start: Indices, left: Indices, factor: Array) -> Signs:
-    """Return the relation that one edge proves for each column in `left`; `start`: the number of the edge there.
+def _classify_edges(own: Edges, other: Edges, edges: Indices, columns: Indices, factor: Array) -> Signs:
+    """Return the (k,) relations that one edge of `own` proves in each column: edges[i] in columns[i].
 
     APART where all corners of `other` lie beyond the edge.  Where some lie on its line and none before, the shapes can
     meet only on that line: TOUCHING if their ranges on the line meet, else APART.  OVERLAPPING where a corner lies
-    before it, which is no proof while other edges remain.  `factor`: for each of these columns the sum of both largest
-    absolute coordinates, times ERROR_FACTOR_F64.
+    before it, which is no proof while other edges remain.  `factor`: (k,) the sum of the largest absolute coordinates
+    of both shapes, times ERROR_FACTOR_F64.
     """
-    end = (start + 1) % len(own.x)
-    ex, ey, fx, fy = own.x[start, left], own.y[start, left], own.x[end, left], own.y[end, left]
+    end = (edges + 1) % len(own.x)
+    ex, ey, fx, fy = own.x[edges, columns], own.y[edges, columns], own.x[end, columns], own.y[end, columns]
     nx, ny = fy - ey, ex - fx
     error_bound = np.maximum(np.abs(nx), np.abs(ny)) * factor
     error_bound[~((error_bound > MIN_ERROR_BOUND) & (error_bound < MAX_ERROR_BOUND))] = np.inf
-    px, py = take_columns(other.x, left), take_columns(other.y, left)
+    px, py = take_columns(other.x, columns), take_columns(other.y, columns)
     values = nx * px
     values += ny * py
     values -= nx * ex + ny * ey
@@ -137,7 +137,7 @@ def _classify_edges(own: Edges, other: Edges, start: Indices, left: Indices, fac
 
 
 def _classify_on_line(ex: Array, ey: Array, fx: Array, fy: Array, px: Array, py: Array, which: Indices) -> Signs:
-    """Return the relation that each edge e-f proves, by the exact orientation of some corners of the other polygon.
+    """Return the (n,) relations that edges e-f prove, by the exact orientation of some corners of the other polygon.
 
     ex, ey, fx, fy: (n,) ends of the edges; px, py: (k,) all corners that are not certainly beyond the edge's line;
     which: (k,) the edge of each of these corners.

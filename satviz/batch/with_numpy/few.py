@@ -47,7 +47,8 @@ class Sweep(NamedTuple):
 def candidate_pairs(bounds: Array) -> tuple[Pairs | None, int, int]:
     """Return (pairs i < j of boxes that share a point, code of the broad phase, its comparisons or -1).
 
-    The broad phase is chosen by the rule of `broad_rule`; None for the pairs where it is a grid.
+    bounds: (N, 4).  The broad phase is chosen by the rule of `broad_rule`; the pairs are None where it is a grid, and
+    comparisons are -1 where they were not counted.
     """
     n = len(bounds)
     if n <= MAX_ALL_PAIRS:
@@ -58,16 +59,16 @@ def candidate_pairs(bounds: Array) -> tuple[Pairs | None, int, int]:
     with np.errstate(all="ignore"):
         (spread_x, spread_y), (width, height) = low.max(axis=1) - low.min(axis=1), (high - low).max(axis=1)
         axis = 0 if spread_x * height >= spread_y * width else 1
-    sweep = _sorted(bounds, axis)
+    sweep = _sort_along(bounds, axis)
     if sweep.comparisons > MAX_SWEEP_COMPARISONS * n:
-        sweep = min(sweep, _sorted(bounds, 1 - axis), key=lambda one: one.comparisons)
+        sweep = min(sweep, _sort_along(bounds, 1 - axis), key=lambda one: one.comparisons)
     if sweep.comparisons > MAX_SWEEP_COMPARISONS * n:
         return None, GRID, sweep.comparisons
     return _swept_pairs(bounds, sweep), SWEEP, sweep.comparisons
 
 
-def _sorted(bounds: Array, axis: int) -> Sweep:
-    """Return the boxes sorted along an axis."""
+def _sort_along(bounds: Array, axis: int) -> Sweep:
+    """Return the Sweep of the (N, 4) boxes along an axis (0: x, 1: y)."""
     n = len(bounds)
     order = np.argsort(bounds[:, axis])
     ends = np.searchsorted(bounds[order, axis], bounds[order, axis + 2], side="right")
@@ -75,7 +76,7 @@ def _sorted(bounds: Array, axis: int) -> Sweep:
 
 
 def _swept_pairs(bounds: Array, sweep: Sweep) -> Pairs:
-    """Return the pairs i < j of sorted boxes that share a point."""
+    """Return the pairs i < j of (N, 4) boxes that share a point, by their Sweep."""
     first = np.arange(1, len(bounds) + 1)
     many = sweep.ends - first
     later = np.arange(many.sum()) + np.repeat(first - (np.cumsum(many) - many), many)
@@ -96,7 +97,7 @@ class AllPairs(NamedTuple):
 
 @lru_cache(maxsize=MAX_KEPT)
 def _all_pairs(n: int) -> AllPairs:
-    """Return the pairs of n shapes."""
+    """Return the AllPairs of n shapes; those of MAX_KEPT numbers are kept."""
     i, j = np.triu_indices(n, 1)
     return AllPairs(np.stack([i, j], axis=1), i, j, i * n + j)
 
@@ -111,10 +112,11 @@ def _meeting_of_all(low: Array, high: Array) -> Pairs:
 
 
 def colliding_pairs(shapes: Shapes) -> Pairs | None:
-    """Return the pairs i < j, in order, of few shapes that share a point; None where others must decide.
+    """Return the pairs i < j, in order, of few shapes that share a point.
 
-    All pairs are evaluated in float64 by a few expressions, since calls take longer than the work: a corner is a
-    complex number x + iy.
+    None for many shapes or boxes to compare, or where circles nearly touch: floats do not decide these.  All pairs are
+    evaluated in float64 by a few expressions, since calls take longer than the work: a corner is a complex number
+    x + iy.
     """
     with np.errstate(all="ignore"):
         columns = _columns_of(shapes)
@@ -153,7 +155,7 @@ def colliding_pairs(shapes: Shapes) -> Pairs | None:
 def _decided(clear: Array, bound: float) -> tuple[Mask, Indices]:
     """Return (mask of the pairs that certainly overlap, indices of the pairs that are undecided).
 
-    clear: the gaps of the pairs.  A pair is certainly apart above `bound`, and certainly overlaps below -`bound`; all
+    clear: (K,) gaps of the pairs.  A pair is certainly apart above `bound`, and certainly overlaps below -`bound`; all
     others, and NaN, are undecided.
     """
     hit, apart = clear < -bound, clear > bound
@@ -174,7 +176,9 @@ def _are_upright(closed: Complexes) -> bool:
 
 
 def _boxes(closed: Complexes, radius: Array | None) -> tuple[Array, Array]:
-    """Return the lower and the upper sides of the bounding boxes, (2, n) each, those of circles rounded.
+    """Return (lower sides, upper sides) of the bounding boxes, (2, n) each: x, y; those of circles are rounded.
+
+    closed, radius: as in ComplexColumns.
 
     Boxes that meet still meet when rounded: of two numbers the smaller one is never rounded to a larger float.
     """
@@ -191,7 +195,7 @@ def _planes(z: Complexes) -> Array:
 
 
 def _clearances_of_all(columns: ComplexColumns, every: AllPairs) -> tuple[Array, float]:
-    """Return (the gaps of all pairs, their error bound): each normal with each corner in one product."""
+    """Return (the gaps of the pairs `every`, one error bound for all): each normal with each corner in one product."""
     closed, edges, radius = columns
     v, n = edges.shape
     if radius is not None and len(closed) == 1:
@@ -237,12 +241,12 @@ def _distances(away: Complexes, edges: Complexes) -> Array:
 
 
 def _coin_clearances(distance: Array, radius_sum: Array) -> Array:
-    """Return the gaps between circles in units of their error bounds; distance: between the centers."""
+    """Return the gaps between circles in units of their error bounds; distance: (k,), between the centers."""
     return np.asarray((distance - radius_sum) / ((distance + radius_sum) * DISTANCE_ERROR + MIN_DISTANCE_ERROR))
 
 
 def _clearances(columns: ComplexColumns, i: Indices, j: Indices) -> Array:
-    """Return the gap between shapes i[k] and j[k] in units of its error bound: certain above 1 and below -1."""
+    """Return the (K,) gaps between shapes i[k] and j[k] in units of their error bounds: certain above 1, below -1."""
     closed, _, radius = columns
     if radius is None:
         return _polygon_clearances(columns, i, j)
@@ -284,7 +288,7 @@ def _round_clearances(columns: ComplexColumns, a: Indices, b: Indices, radius_su
 
 
 def _polygon_clearances(columns: ComplexColumns, i: Indices, j: Indices) -> Array:
-    """Return what `_clearances` does for polygons."""
+    """Return what `_clearances` does, where all are polygons."""
     corners, edges = _planes(columns.closed[:-1]), _planes(columns.edges)
     edge, reach = (np.abs(c).max(axis=(0, 1)) for c in (edges, corners))
     size = (edge[i] + edge[j]) * (reach[i] + reach[j])
@@ -293,7 +297,10 @@ def _polygon_clearances(columns: ComplexColumns, i: Indices, j: Indices) -> Arra
 
 
 def _gaps(corners: Array, edges: Array, i: Indices, j: Indices) -> Array:
-    """Return for polygons i[k] and j[k] the largest clearance of an edge of one over the corners of the other."""
+    """Return for polygons i[k] and j[k] the largest clearance of an edge of one over the corners of the other.
+
+    The clearance is the distance times the edge's length.  corners, edges: (2, V, n) x and y.
+    """
     normals = edges[::-1] * OUTWARD
     own, other = np.concatenate([i, j]), np.concatenate([j, i])
     at = normals * corners
@@ -311,7 +318,7 @@ def _gaps(corners: Array, edges: Array, i: Indices, j: Indices) -> Array:
 
 
 def _columns_of(shapes: Shapes) -> ComplexColumns | None:
-    """Return the shapes as columns, or None for many shapes or corners."""
+    """Return the shapes as ComplexColumns; None for many shapes or corners, or a single shape."""
     runs = vars(shapes).get("runs")  # read once, since another thread may join them
     if runs is not None:
         return _columns_of_runs(runs)
@@ -331,7 +338,7 @@ def _columns_of(shapes: Shapes) -> ComplexColumns | None:
 
 
 def _columns_of_runs(runs: Sequence[CornerColumns]) -> ComplexColumns | None:
-    """Return the shapes of groups as columns, group after group; None for many shapes or corners."""
+    """Return what `_columns_of` does for the shapes of some groups, group after group."""
     if len(runs) == 1 and (columns := runs[0].as_complex) is not None:
         return columns  # one circle, too: it has no pairs
     most, n = max([run.corners for run in runs]), sum([len(run) for run in runs])  # lists are quicker for few
@@ -361,5 +368,5 @@ def _are_many_corners(most: int, n: int) -> bool:
 
 
 def _rows(most: int) -> int:
-    """Return how many rows closed columns of shapes with at most `most` corners have."""
+    """Return how many rows `ComplexColumns.closed` has for shapes with at most `most` corners."""
     return most + 1 if most > 1 else 1

@@ -2,7 +2,8 @@
 
 Polygons are evaluated in float32 first, which moves half the bytes.  The error bounds of float64
 are those of the scalar engine (satviz.engine.relate); all hold for any order of operations.
-Every kernel takes one column per pair, from column `first` on, and fills `out` with relations.
+Every kernel takes one column per pair and fills out[k] with the relation of column first + k.
+The clearance of an edge is its distance from the other shape times its length: positive if it clears it.
 """
 
 from collections.abc import Sequence
@@ -32,7 +33,7 @@ MAX_F32_CORNERS = 16  # corners; above it float32 decides few pairs, and evaluat
 
 
 def polygons(a: CornerColumns, b: CornerColumns, first: int, out: Signs) -> None:
-    """Fill `out` for columns from `first` on: by float32 clearances, or GJK above MAX_F32_CORNERS corners."""
+    """Fill out[k] with the relation of column first + k or UNDECIDED: by float32, or by GJK for many corners."""
     if max(len(a.x), len(b.x)) > MAX_F32_CORNERS:
         gjk.polygons(a, b, first, out)
         return
@@ -55,9 +56,10 @@ def _max_widths(group: CornerColumns, first: int, n: int) -> Array:
 def evaluate_f32(
     ax: Array, ay: Array, bx: Array, by: Array, width: float | Array, again: int = 0
 ) -> tuple[Array32, Array32]:
-    """Return (float32 clearance, error bound) of each pair, from its own coordinates; width: of both shapes.
+    """Return (largest float32 clearance, its error bound) of each pair, with A's first corner as the origin.
 
-    `again`: how many rows at the end repeat corners, so that no edge leads from the last row to the first.
+    width: (n,) upper bound of the sum of both shapes' widths, and of their heights.  `again`: how many rows at the end
+    repeat corners, so that no edge leads from the last row to the first.
     """
     x, y, px, py = (_to_f32(c, origin) for c, origin in zip((ax, ay, bx, by), (ax[0], ay[0]) * 2, strict=True))
     size = np.maximum(np.abs(px[0]), np.abs(py[0]))
@@ -69,12 +71,12 @@ def evaluate_f32(
 
 
 def _to_f32(c: Array, origin: Array) -> Array32:
-    """Return coordinates relative to an origin, in float32."""
+    """Return the (V, n) coordinates relative to each column's origin, (n,), in float32."""
     return np.subtract(c, origin).astype(np.float32)
 
 
 def clearance(ax: Array32, ay: Array32, bx: Array32, by: Array32, known: int, again: int = 0) -> Array32:
-    """Return the largest clearance of any edge of each pair: its distance from the other shape, times its length.
+    """Return the (n,) largest clearances of an edge of each pair: its distance from the other shape, times its length.
 
     `known`: 1 where A's first corner is the origin, which saves its products.  `again`: as in `evaluate_f32`.
     """
@@ -90,7 +92,7 @@ def _raise_clearance(
     x: Array32, y: Array32, p: Array32, q: Array32, edges: int, own_zeros: int, other_zeros: int, best: Array32,
     nx: Array32, ny: Array32, least: Array32, value: Array32, part: Array32,
 ) -> None:  # fmt: skip
-    """Raise `best` to the largest clearance of the first `edges` edges of x, y.
+    """Raise `best` in place, column by column, to the largest clearance of the first `edges` edges of x, y.
 
     The clearance of an edge is the least value of n . (v - its start) over the corners v of p, q; n is its outward
     normal, not normalised.  nx, ny, least, value and part are scratch.
@@ -123,7 +125,7 @@ def classify_clearances(gap: Array32 | Array, error_bound: Array32 | Array, out:
 
 
 def boxes(a: CornerColumns, b: CornerColumns, first: int, out: Signs) -> None:
-    """Classify upright boxes exactly by four comparisons of sides."""
+    """Fill out[k] with the exact relation of the upright boxes in column first + k of A and B, by comparing sides."""
     corners = ([c[k, first : first + out.size] for k in (0, 2) for c in (s.x, s.y)] for s in (a, b))
     gap = box_gap(*([*map(np.minimum, c[:2], c[2:]), *map(np.maximum, c[:2], c[2:])] for c in corners))
     np.subtract((gap < 0).view(np.int8), (gap > 0).view(np.int8), out=out)
@@ -131,7 +133,7 @@ def boxes(a: CornerColumns, b: CornerColumns, first: int, out: Signs) -> None:
 
 
 def box_gap(a: Array | Sequence[Array], b: Array | Sequence[Array]) -> Array:
-    """Return the larger of the gaps along x and y between boxes, each given as (x min, y min, x max, y max)."""
+    """Return for each pair of boxes the larger of the gaps along x and y; a, b: rows x min, y min, x max, y max."""
     gap: Array = a[0] - b[2]
     for low, high in ((b[0], a[2]), (a[1], b[3]), (b[1], a[3])):
         np.maximum(gap, low - high, out=gap)
@@ -139,7 +141,7 @@ def box_gap(a: Array | Sequence[Array], b: Array | Sequence[Array]) -> Array:
 
 
 def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array, first: int, out: Signs) -> None:
-    """Fill `out` with the relations of circles from `first` on, by squared distance and radii, or UNDECIDED."""
+    """Fill out[k] with the relation of circles first + k of A and B, by squared distance and radii, or UNDECIDED."""
     ax, ay, ar, bx, by, br = (c[first : first + out.size] for c in (ax, ay, ar, bx, by, br))
     dx, dy, radius_sum = ax - bx, ay - by, ar + br
     distance = dx * dx + dy * dy
@@ -152,7 +154,10 @@ def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array, fi
 
 
 def circle_polygons(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first: int, out: Signs) -> None:
-    """Fill `out` with relations by the squared distance from center to boundary; UNDECIDED within its error bound."""
+    """Fill out[k] with the relation of circle first + k and polygon column first + k, by squared distance to boundary.
+
+    UNDECIDED within its error bound.
+    """
     cx, cy, cr, px, py = (c[..., first : first + out.size] for c in (cx, cy, cr, px, py))
     closed = np.empty((2, len(px) + 1, out.size))
     closed[0, :-1], closed[1, :-1], closed[:, -1] = px, py, (px[0], py[0])

@@ -14,7 +14,7 @@ BLOCK_CORNERS = 1 << 16  # corners: they and the scratch arrays stay in the seco
 
 
 def polygons(a: CornerColumns, b: CornerColumns, first: int, out: Signs) -> None:
-    """Fill `out`: APART or OVERLAPPING where a few steps of GJK prove it, else UNDECIDED; columns from `first` on.
+    """Fill out[k] for column first + k: APART or OVERLAPPING where a few steps of GJK prove it, else UNDECIDED.
 
     The differences of B's corners and A's span a polygon about the origin if the shapes overlap: its lowest
     corner along an axis above zero proves a gap, a triangle of its corners about the origin a shared
@@ -68,12 +68,12 @@ def gjk(x: Array, y: Array, p: Array, q: Array, factor: Array, out: Signs) -> No
 
 
 def _mid_point(x: Array, y: Array) -> Array:
-    """Return the midpoint of the first and the middle corner of each outline."""
+    """Return the (2, n) midpoints of the first corner and the one at half the number of each outline."""
     return np.stack([c[0] / 2 + c[len(c) // 2] / 2 for c in (x, y)])
 
 
 def _lowest_corner(x: Array, y: Array, d: Array) -> Array:
-    """Return the coordinates of each column's corner with the least d[0]*x + d[1]*y, by floats."""
+    """Return (2, n) coordinates of each column's corner with the least d[0]*x + d[1]*y, by floats."""
     value = d[0] * x
     value += d[1] * y
     corner, column = value.argmin(axis=0), np.arange(x.shape[1])
@@ -81,7 +81,7 @@ def _lowest_corner(x: Array, y: Array, d: Array) -> Array:
 
 
 def _certified_cross(u: Array, v: Array) -> Array:
-    """Return the cross products of u and v, or 0 where rounding may hide the sign."""
+    """Return the (n,) cross products of (2, n) vectors u and v, or 0 where rounding may hide the sign."""
     left, right = u[0] * v[1], u[1] * v[0]
     size = np.abs(left) + np.abs(right)
     cross: Array = left - right

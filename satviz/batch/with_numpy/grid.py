@@ -16,7 +16,7 @@ MAX_TABLE_CELLS_PER_BOX = 8  # up to so many a table of where each cell begins i
 def meeting_pairs(
     bounds: Array, one: Indices, other: Indices | None, cell: CellSize, most: float
 ) -> Iterator[Pairs] | None:
-    """Return blocks of the pairs (i < j) of boxes that meet, of two sets or within one.
+    """Return (K, 2) blocks of the pairs (i < j) of boxes that share a point, one box of each set or both of one.
 
     bounds: (N, 4) boxes; one, other: indices of boxes, None for the pairs within `one`; cell: width and height of a
     cell.  Return None where there are more than `most` candidates, which are the pairs of boxes to compare.
@@ -53,11 +53,11 @@ def meeting_pairs(
 def _cell_ranges(
     bounds: Array, queries: Indices, stored: Indices, d: int, cell: float
 ) -> tuple[Indices, Indices, Indices]:
-    """Return for axis d (first cell and last cell that each query must search, cell of each stored box).
+    """Return (first cell that each query must search, last one, cell of each stored box) along axis d, 0: x, 1: y.
 
-    A box that meets a query begins before the query ends, and not more than its own width before the
-    query begins.  Numbers that would not fit, or lie so far out that those next to one another are many cells
-    apart, become their ranks, which keeps their order.
+    queries, stored: indices of boxes; cell: its length.  A box that meets a query begins before the query ends, and not
+    more than its own width before the query begins.  Numbers that would not fit, or lie so far out that those next to
+    one another are many cells apart, become their ranks, which keeps their order.
     """
     low, high = bounds[queries, d], bounds[queries, d + 2]
     with np.errstate(all="ignore"):
@@ -76,9 +76,10 @@ def _cell_ranges(
 
 
 def _pair_blocks(bounds: Array, queries: Indices, stored: Indices, ranges: Ranges) -> Iterator[Pairs]:
-    """Yield arrays of the pairs (i < j) of queries and stored boxes that meet, among those in the given ranges.
+    """Yield arrays of the pairs (i < j) of queries and stored boxes that share a point, among those in `ranges`.
 
-    ranges: for each row of cells (numbers of queries, first stored box to compare, how many of them).
+    queries, stored: indices of boxes.  ranges: for each row of cells, arrays (places of some queries, place of the
+    first stored box to compare with each, how many).
     """
     # in the order of the cells: the comparisons then run through memory nearly straight on
     theirs = bounds[stored].T.copy()

@@ -15,7 +15,7 @@ BLOCK_CORNERS = 1 << 17  # corners of one shape of each pair at a time: what bou
 
 
 def relations(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Signs) -> None:
-    """Fill `out` with the exact relations of a[ia[k]] and b[ib[k]]; UNDECIDED where one is a circle."""
+    """Fill out[k] with the exact relation of a[ia[k]] and b[ib[k]]; UNDECIDED where one is a circle."""
     circles = (a.radius[ia] > 0) | (b.radius[ib] > 0)
     if not circles.any():
         _relate_polygons(a, ia, b, ib, out)
@@ -28,7 +28,7 @@ def relations(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Signs) -> None:
 
 
 def _relate_polygons(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Signs) -> None:
-    """Fill `out` with the exact relations of polygons a[ia[k]] and b[ib[k]]: by their boxes, then in columns."""
+    """Fill out[k] with the exact relation of polygons a[ia[k]] and b[ib[k]]: by their boxes, then in columns."""
     boxes_a, boxes_b = a.bounds[ia], b.bounds[ib]
     with np.errstate(over="ignore"):
         gap = box_gap(boxes_a.T, boxes_b.T)
@@ -49,7 +49,10 @@ def _relate_polygons(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Signs) -> 
 
 
 def _relate_columns(a: Flat, ia: Indices, boxes_a: Array, b: Flat, ib: Indices, boxes_b: Array) -> Signs:
-    """Return the exact relations of the pairs (ia, ib), copied into columns: by the filter, then by edges."""
+    """Return the exact relations of polygons a[ia[k]] and b[ib[k]], copied into columns: by the filter, then by edges.
+
+    boxes_a, boxes_b: (K, 4) their bounding boxes.
+    """
     (x, y), (p, q) = _corners_in_columns(a, ia), _corners_in_columns(b, ib)
     found = np.empty(len(ia), np.int8)
     if max(len(x), len(p)) - 1 > MAX_F32_CORNERS:
@@ -64,13 +67,16 @@ def _relate_columns(a: Flat, ia: Indices, boxes_a: Array, b: Flat, ib: Indices, 
 
 
 def _max_widths(boxes: Array) -> Array:
-    """Return an upper bound of each shape's edge components, from its box."""
+    """Return (n,) upper bounds of the shapes' edge components: the longer sides of their boxes, (n, 4)."""
     wide: Array = np.maximum(boxes[:, 2] - boxes[:, 0], boxes[:, 3] - boxes[:, 1])
     return wide
 
 
 def _corners_in_columns(shapes: Flat, which: Indices) -> tuple[Array, Array]:
-    """Return (x, y) of the shapes `which`, a column each; shorter ones repeat, until the longest is closed."""
+    """Return (x, y), each (V + 1, n), of the shapes `which`, a column each; V: the most corners of one.
+
+    Each outline goes on with its own first corners until its column is full.
+    """
     start = shapes.start[which]
     many, of = np.unique(shapes.start[which + 1] - start, return_inverse=True)
     # one modulo for each corner count; one for each corner would be slow

@@ -55,7 +55,7 @@ def _certified_columns(vertices: Array) -> ComplexColumns | None:
 
 
 def _certified_left(closed: Complexes) -> tuple[Complexes, Mask]:
-    """Return (edges, mask of the edges after which the outline certainly turns left).
+    """Return ((V + 1, n) edges, (V, n) mask of the edges after which the outline certainly turns left).
 
     closed: (V + 2, n) corners, the first two again at the end.
     """
@@ -67,9 +67,10 @@ def _certified_left(closed: Complexes) -> tuple[Complexes, Mask]:
 
 
 def _changes_along_x(edges: Complexes) -> Mask:
-    """Return whether only one of each edge and the next one leads to smaller x.
+    """Return a mask: does exactly one of this edge and the next one lead to smaller x?
 
-    An outline that is counter-clockwise at all corners goes round once for every two of these.
+    edges: (V + 1, n), the first one again at the end.  An outline that is counter-clockwise at all corners goes round
+    once for every two of these.
     """
     rises = edges.real >= 0
     return np.asarray(rises[1:] != rises[:-1])
@@ -77,7 +78,7 @@ def _changes_along_x(edges: Complexes) -> Mask:
 
 @lru_cache(maxsize=MAX_FEW * MAX_LANE_CORNERS)
 def _closing_places(n: int, corners: int) -> Indices:
-    """Return the places of corners one after another, (V + 2, n): those of one outline below each other, and again."""
+    """Return (V + 2, n) indices that put n outlines of V corners into columns, with their first two corners again."""
     return np.asarray(np.arange(corners + 2)[:, None] % corners + np.arange(0, n * corners, corners))
 
 
@@ -125,9 +126,9 @@ def certified_padded(corners: Array, counts: Indices, radii: Array) -> Shapes | 
 
 
 def _turns_one_way(xy: Array) -> tuple[Mask, Mask] | None:
-    """Return two masks of outlines (2, V, n): certified to turn left at each corner and go round once; or right.
+    """Return two (n,) masks of the outlines that certainly turn left at each corner and go round once; or right.
 
-    Return None if all turn left: for few outlines the masks would take as long as the rest.
+    xy: (2, V, n) corners.  Return None if all turn left: for few outlines the masks would take as long as the rest.
     """
     _, corners, n = xy.shape
     edges = np.empty((2, corners + 1, n))  # the last is the first one again

@@ -35,7 +35,7 @@ const ANNOUNCE_MS = 400; // a sentence is said aloud when the scene has rested s
 const FULL_WIDTH = 540; // points; a picture in a narrower place is laid out for it
 const HINT = "Drag a shape, a corner or the turn handle.";
 const HINT_OF_KEYS = " Keys: Tab to a shape; arrows move it, [ and ] turn it, Page Down goes to its corners.";
-const KEYS_HELP = "Arrow keys move the shape, with Shift by less. The keys [ and ] turn it. Page Down and Page Up go to its other handles.";
+const KEYS_HELP = "Arrow keys move the shape; with Shift they move it less. The keys [ and ] turn it. Page Down and Page Up go to its other handles.";
 /** @type {Record<string, Point>} */
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 /** @type {Record<string, number>} */

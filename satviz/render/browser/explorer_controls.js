@@ -28,7 +28,7 @@ export class ExplorerControls {
     this.mtv = toolToggle("way", "way out", (on) => explorer.change({ mtv: on }));
     this.difference = toolToggle("difference", "B − A", (on) => explorer.change({ difference: on }));
     this.snap = toolToggle("snap", "snap", () => {});
-    this.snap.toggle.title = "If you let a shape go near the other one, it moves until both touch exactly.";
+    this.snap.toggle.title = "When you release a shape near the other one, it moves until both touch exactly.";
     /** @type {import("./save_menu.js").Kernel | null} */
     const kernel = model.get("alone") ? null : { formats: model.get("formats"), request: (form) => model.send({ kind: "save", form }) };
     const copies = { "copy JSON": () => explorer.state.json, "copy link": () => sceneLink(model.get("site"), explorer.state.link) };

@@ -109,7 +109,7 @@ export class PasteBox {
     const status = element("span", { class: "sv-done", role: "status" });
     /** @param {string} text */
     const copy = async (text) => {
-      status.textContent = (await copyText(text)) ? "Copied." : "This browser does not let a page copy.";
+      status.textContent = (await copyText(text)) ? "Copied." : "This browser does not allow it: copy by hand.";
     };
     /** @type {Record<string, () => string>} */
     const texts = { link: () => sceneLink(this.explorer.model.get("site"), link), "scene file": () => scene, WKT: () => wkt, JSON: () => json };

@@ -52,7 +52,7 @@ export function saveMenu(pens, kernel, texts) {
   const { formats, request } = kernel ?? { formats: PAGE_FORMATS, request: savePage };
   /** @param {() => string} text */
   const copy = async (text) => {
-    status.textContent = (await copyText(text())) ? "Copied." : "This browser does not let a page copy.";
+    status.textContent = (await copyText(text())) ? "Copied." : "This browser does not allow it: copy by hand.";
   };
   const copies = Object.entries(texts).map(([name, text]) => button(name, () => copy(text)));
   const saves = formats.map((form) => button(`save ${form.toUpperCase()}`, () => request(form), { content: form.toUpperCase() }));

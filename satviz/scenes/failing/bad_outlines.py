@@ -53,7 +53,7 @@ def edge_vectors(points: RawOutline) -> list[Vec]:
 
 
 def largest_gap_unchecked(a: RawOutline, b: RawOutline) -> float:
-    """Return the largest gap on all edge normals of two outlines that nobody has checked."""
+    """Return the largest gap on all edge normals of two outlines, which may be invalid."""
 
     def interval(points: RawOutline, dx: float, dy: float) -> Interval:
         """Return the range of the points on the normal of the edge (dx, dy)."""

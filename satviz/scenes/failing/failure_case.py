@@ -126,7 +126,7 @@ class FailureCase(NamedTuple):
             return str(error)
 
     def in_words(self, answer: Answer, digits: Digits = USUAL_DIGITS) -> str:
-        """Return an answer in words: "gap +0.424", "overlap 1.5", "depth 2"; `digits` are those of a length."""
+        """Return an answer in words: "gap +0.424", "overlap 1.5", "depth 2"; `digits`: the number format of lengths."""
         if isinstance(answer, str):
             return f"refused ({answer})"
         if isinstance(answer, tuple):

@@ -82,7 +82,7 @@ def overlaps(a: Shape, b: Shape, axis: Axis) -> Iterator[tuple[Linear, Vec]]:
 
 
 def overlaps_in_raw_units(a: Shape, b: Shape, axis: Axis) -> list[Linear]:
-    """Return both overlaps on an axis in units of its normal's length, as functions of B's move."""
+    """Return both overlaps on an axis times its normal's length, as functions of B's move."""
     k = axis.length
     return [Linear(constant * k, Vec(n.x * k, n.y * k)) for (constant, n), _ in overlaps(a, b, axis)]
 

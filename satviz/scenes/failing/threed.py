@@ -62,7 +62,7 @@ def gap_on_axis(a: SolidBox, b: SolidBox, name: str, n: Vec3) -> AxisGap:
 
 
 def interval_on(box: SolidBox, n: Vec3) -> Interval:
-    """Return a box's range along n, in units of n's length: its center's landing, and half its extent to each side."""
+    """Return the range of a box's dot products with n: that of its center, and half its extent to each side."""
     at, half_extent = dot(box.center, n), sum(h * abs(dot(u, n)) for u, h in zip(box.axes, box.half, strict=True))
     return Interval(at - half_extent, at + half_extent)
 

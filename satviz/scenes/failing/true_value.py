@@ -73,7 +73,7 @@ def separating_angles(a: Shape, b: Shape) -> tuple[float, float]:
 
 
 def contact_times(a: Shape, b: Shape) -> tuple[swept.ExactNumber, swept.ExactNumber]:
-    """Return the (first, last) time at which A, moving by FLIGHT in time 0 to 1, meets B.
+    """Return the (first, last) time at which A, moving by FLIGHT = (4, 0) in time 0 to 1, meets B.
 
     The times are exact for the decimals in which the scene is written.  Both are NaN if the shapes never meet, or if
     one is a circle.

@@ -46,7 +46,7 @@ from .wrong_steps import only_x
 
 
 def push_from_center(a: Shape, b: Shape, tests: Sequence[AxisTest]) -> Vec:
-    """Return a push of B along the axis of the least overlap, by it, but directed from A's vertex mean to B's."""
+    """Return a push of B as long as the least overlap, along its axis, but directed from A's vertex mean to B's."""
     if not tests:
         return Vec(0.0, 0.0)
     test = max(tests, key=lambda test: test.gap)
@@ -56,7 +56,7 @@ def push_from_center(a: Shape, b: Shape, tests: Sequence[AxisTest]) -> Vec:
 
 
 def push_along_axis(a: Shape, b: Shape, tests: Sequence[AxisTest]) -> Vec:
-    """Return a push of B along the axis of the least overlap, by it, in the direction in which the axis points."""
+    """Return a push of B as long as the least overlap, in the direction in which the axis of this overlap points."""
     if not tests:
         return Vec(0.0, 0.0)
     test = max(tests, key=lambda test: test.gap)
@@ -147,7 +147,7 @@ def region_not_beside(a: Shape, b: Shape, window: Window) -> ErrorRegion:
 
 
 def gap_in_both_frames(trace: Trace) -> float:
-    """Return the largest gap before A is moved by FLIGHT or the largest gap after, whichever is smaller."""
+    """Return the largest gap before A is moved by FLIGHT = (4, 0) or the largest gap after, whichever is smaller."""
     after = translated(trace.a, Vec(*map(float, true_value.FLIGHT)))
     run = record(after, trace.b, axes=trace.shortcut or needed)
     return min(max(test.gap for test in one.tests) for one in (trace, run))

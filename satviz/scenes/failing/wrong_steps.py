@@ -50,7 +50,7 @@ def vertex_count(axis: Axis, a: Shape, b: Shape) -> int:
 
 
 def _project_in_floats(shape: Shape, n: Vec) -> Projection:
-    """Return the projection of a shape on n in plain floats, in units of n's length."""
+    """Return the projection of a shape on n in plain floats, as dot products with n of any length."""
     if shape.core_is_point:
         ((x, y),), length = shape.core, hypot(*n)
         ends = project(shape, Axis(n, length or 1.0, Source(""))).points  # on (0, 0) both are the center

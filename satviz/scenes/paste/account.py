@@ -83,7 +83,10 @@ class BracketFrame(NamedTuple):
 
 
 class Account:
-    """Goes through the tokens of a text; `parts` are those that are not understood."""
+    """Goes through the tokens of a text and collects the `parts` that are not understood.
+
+    A token `i`, also the place of a token, is an index into `tokens`.  `start` and `end` are offsets in the text.
+    """
 
     def __init__(
         self,
@@ -194,7 +197,7 @@ class Account:
         return not (changes or self.holds(start, end) or sets)
 
     def _top(self, line: range) -> Iterator[int]:
-        """Yield the places of the brackets of a line that stand in no other one, and are no call."""
+        """Yield the places of the opening brackets of a line that stand in no other bracket and are not of a call."""
         i = line.start
         while i < line.stop - 1:
             if self.tokens[i].kind == OPEN and not self.callee(i):
@@ -202,12 +205,12 @@ class Account:
             i = self.close.get(i, i) + 1
 
     def holds(self, start: int, end: int) -> bool:
-        """Return whether a number of a shape ends within these places of the text."""
+        """Return whether a number of a shape ends within these offsets, in (start, end]."""
         at = bisect_left(self.places, start + 1)
         return at < len(self.places) and self.places[at] <= end
 
     def _match(self) -> None:
-        """Find the bracket that closes each bracket."""
+        """Fill `close` and `open` with the place of the other bracket of each pair, and list those never closed."""
         stack: list[int] = []
         for i, token in enumerate(self.tokens):
             if token.kind == OPEN:
@@ -228,7 +231,7 @@ class Account:
         return next((k for k in range(i - 1, -1, -1) if self.tokens[k].kind != LINE), -1)
 
     def span(self, i: int) -> tuple[int, int]:
-        """Return (start, end), as places in the text, of the bracket that a token opens or closes."""
+        """Return (start, end), as offsets, of the bracket that token i opens or closes."""
         begin, end = (i, self.close.get(i, i)) if self.at(i).kind == OPEN else (self.open.get(i, i), i)
         return self.at(begin).start, self.at(end).end or len(self.text)
 
@@ -255,7 +258,7 @@ class Account:
         return token.kind == NAME and root(token.text) in self.variables
 
     def callee(self, i: int) -> Token | None:
-        """Return the word before a bracket that makes it a call or a typed list."""
+        """Return the word before the bracket at token i that makes it a call or a typed list; None for no such word."""
         before, token = self.at(i - 1), self.at(i)
         touches = before.end == token.start or token.text == "{"
         return before if touches and before.kind in (NAME, FIELD) else None
@@ -378,7 +381,7 @@ class Account:
         return len(parts) in (3, 4) and all(t.kind == NUMBER and t.text.isdigit() and int(t.text) < 256 for t in parts)
 
     def miss(self, first: int, last: int) -> None:
-        """Note that the tokens from one place to another are not understood."""
+        """Add the tokens `first` to `last`, both included, to the parts that are not understood."""
         begin, end = self.at(first), self.at(last)
         start = begin.start if begin is not NOTHING else self.at(first + 1).start
         end_at = self.span(last)[1] if end.kind == OPEN else end.end if end is not NOTHING else self.at(last - 1).end
@@ -499,7 +502,7 @@ class Account:
         return bool(last.lower() in INSIDE or words(last) & INSIDE or words(self.aliases.get(name, "")) & INSIDE)
 
     def line(self, token: Token) -> tuple[int, int]:
-        """Return (start, end), as places in the text, of the line of a token."""
+        """Return (start, end), as offsets, of the line of a token."""
         end = self.text.find("\n", token.end)
         return self.text.rfind("\n", 0, token.start) + 1, end if end >= 0 else len(self.text)
 
@@ -568,7 +571,7 @@ class Account:
         return assigns and self.holds(self.at(i).start, self.statement_end(i))
 
     def statement_end(self, i: int) -> int:
-        """Return the place in the text where the statement around token i ends."""
+        """Return the offset at which the statement around token i ends."""
         while i + 1 < len(self.tokens) and self.at(i + 1).text != ";" and self.at(i + 1).kind != LINE:
             i += 1
         return self.at(i).end
@@ -719,7 +722,7 @@ class Account:
 
 
 def within(spans: Sequence[tuple[int, int]], values: Sequence[Any]) -> set[Any]:
-    """Return those of the values that begin within a span."""
+    """Return those of the values (with a `start`, such as tokens) that begin within one of these (start, end)."""
     spans = sorted((start, end) for start, end in spans)
     reach = list(accumulate((end for _, end in spans), max, initial=0))  # how far the first k spans reach
     return {v for v in values if v.start < reach[bisect_right(spans, v.start, key=itemgetter(0))]}

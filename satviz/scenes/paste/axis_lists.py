@@ -58,7 +58,7 @@ def lengths(x: Group, y: Group, count: int | None = None) -> str:
     """Return why two lists are not those of the corners of one shape."""
     sizes = f"{len(numbers_of(x))} and {len(numbers_of(y))} numbers"
     corners = "" if count is None else f", and the call says {count} corners"
-    return f"the lists of x and y have {sizes}{corners}: each corner needs one of both"
+    return f"the lists of x and y have {sizes}{corners}: write one x and one y for each corner"
 
 
 def are_axes(given: Sequence[Any], values: Sequence[Any], name: str) -> bool:

@@ -126,7 +126,10 @@ class Boxes(Points):
     def _made_box(
         self, four: Sequence[Fraction], form: str, at: Value, label: str, angle: Any = None, unit: str = ""
     ) -> Read:
-        """Return a box of four numbers in a form, turned if an angle is given."""
+        """Return a box of four numbers in a form, at a part of the text, turned if an angle is given.
+
+        `angle`: a Num, or a Name that stands for one; `unit`: degrees, radians, or "" where it is asked.
+        """
         if form in ORDERS:
             other, order = ORDERS[form]
             made = self._made_box([four[i] for i in order], other, at, label, angle, unit)
@@ -213,7 +216,10 @@ class Boxes(Points):
     def _box_of_keys(
         self, obj: Obj, place: Pt | None, center: Any, row: Notation | None
     ) -> tuple[list[Fraction], str] | None:
-        """Return (four numbers, form) of an object whose keys describe a box, or None."""
+        """Return (four numbers, form) of an object whose keys describe a box; None for another object.
+
+        `place`: the position that its keys give; `center`: the value of that key; `row`: of the call around the keys.
+        """
         get = obj.get
         least, most = get("min"), get("max")
         if least is not None and most is not None:
@@ -308,7 +314,7 @@ def transformed(shape: Read, matrix: Affine, *, exact: bool) -> Read:
     radius, square = shape.radius, a * a + b * b
     if radius is not None:
         if max(abs(square - c * c - d * d), abs(a * c + b * d)) > (0 if exact else square / 10**12):
-            raise Unreadable("a transform makes an ellipse of a circle: give it as a polygon with many corners")
+            raise Unreadable("a transform turns a circle into an ellipse: write it as a polygon with many corners")
         root = Fraction(isqrt(square.numerator), isqrt(square.denominator))
         exact = exact and root * root == square
         radius *= root if exact else Fraction(sqrt(square))
@@ -319,7 +325,7 @@ def transformed(shape: Read, matrix: Affine, *, exact: bool) -> Read:
 
 
 def cosine_and_sine(angle: Fraction, unit: str) -> tuple[Fraction, Fraction, bool]:
-    """Return the cosine and the sine of an angle, and whether they are exact."""
+    """Return (cosine, sine, whether both are exact) of an angle in a unit, Form.DEGREES or Form.RADIANS."""
     if unit == Form.DEGREES and angle % 90 == 0:
         c, s = ((1, 0), (0, 1), (-1, 0), (0, -1))[int(angle / 90) % 4]
         return Fraction(c), Fraction(s), True
@@ -334,7 +340,7 @@ def origin_of(obj: Obj, name: str, usual: str) -> str:
 
 
 def unit_of(obj: Obj) -> str:
-    """Return the unit that a key names, or ""."""
+    """Return the unit that a key of an object names, Form.DEGREES or Form.RADIANS, or ""."""
     named = {key(name) for name in obj.fields}
     return Form.DEGREES if "degrees" in named else Form.RADIANS if "radians" in named else ""
 

@@ -119,11 +119,11 @@ class Calls(Keyed):
                 others = [self.resolve(a) for a in arguments[1:]]
                 if any(isinstance(a, Group) and self.ring(a) for a in others):
                     if notation(group.name) and group.name.lower().split("::")[0].split(".")[-1] in ("polygon",):
-                        raise Unreadable("a polygon with holes: satviz takes outlines without holes")
+                        raise Unreadable("a polygon with holes: satviz takes no holes, so write the outer ring alone")
                     outline = None
         rings = (outline, *(self.ring(v) for v in arguments if isinstance(self.resolve(v), Group)))
         if SHAPE_WORDS.search(group.name) and any(ring and len(ring) == 2 for ring in rings):
-            raise Unreadable("two corners are a segment and no polygon: satviz takes outlines with an area")
+            raise Unreadable("two corners are a segment and no polygon: write three corners or more")
         if outline is None or len(outline) < 3:
             return self._plain(group, label)
         if place is not None and group.name.lower().endswith("fromvertices"):
@@ -146,7 +146,7 @@ class Calls(Keyed):
         if word == "arc" and len(group.items) > 4:  # on a canvas, an arc from 0 to a full turn is a circle
             turn = re.sub(r"\s|Math\.|\.0*(?!\d)", "", self.text[group.items[4].start : group.items[4].end]).lower()
             if self.number(group.items[3]) != 0 or turn not in FULL_TURNS:
-                raise Unreadable("an arc that is not a full circle: satviz takes polygons and circles")
+                raise Unreadable("an arc that is not a full circle: write it as a polygon")
             self.parts.append((group.items[3].start, group.items[4].end))
             group = replace(group, items=group.items[:3])
         arguments, named = self._arguments(group)
@@ -214,7 +214,7 @@ class Calls(Keyed):
             raise Unreadable("ellipseMode is not CENTER, and only CENTER is read: write the center and the diameter")
         flat = self.numbers(group.items) or []
         if len(flat) not in (3, 4) or flat[2] != flat[-1]:
-            raise Unreadable("an ellipse: give it as a polygon with many corners")
+            raise Unreadable("an ellipse: write it as a polygon with many corners")
         said, radius = BY_DIAMETER, flat[2] / 2
         sure = Form.DIAMETER if self.sketch or row.form else ""
         if len(flat) == 4 and self._choose(Ask.ROUND, (Form.DIAMETER, Form.RADIUS), sure=sure) == Form.RADIUS:
@@ -226,6 +226,12 @@ class Calls(Keyed):
         """Return the box of a call, in the form that `row` gives to its numbers, or that the user chose."""
         arguments, named = self._arguments(group)
         arguments, place, angle = self._body(arguments)
+        if row.ask == CORNER_OR_CENTER and (centered := self._centered(arguments, named)):  # square(4, center=true)
+            form = Form.CENTER_SIZE if centered == "true" else Form.CORNER_SIZE
+            arguments, row = (
+                [a for a in arguments if not isinstance(a, Name)],
+                row._replace(form=form, ask=(), alone=True),
+            )
         if angle is None:
             angle = named.get("angle", "degrees", "radians")
         if only := self._options(arguments):
@@ -293,6 +299,11 @@ class Calls(Keyed):
         )
         made = replace(made, keyed=bool(row.form))
         return [moved(made, place) if place else made]
+
+    def _centered(self, arguments: Sequence[Any], named: Obj) -> str:
+        """Drop the argument that says if the center of a box is at the origin, and return "true", "false" or ""."""
+        said = [v.text for v in (*arguments[-1:], named.fields.pop("center", None)) if isinstance(v, Name)]
+        return next((text for text in said if text in ("true", "false")), "")
 
     def _centers_and_radii(self, items: Sequence[Any], label: str) -> list[Read]:
         """Return the shapes of a call such as CheckCollisionCircleRec(center, radius, box)."""

@@ -10,7 +10,7 @@ from .tokens import MAX_CHARS
 
 _N = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 # what a Python or IPython session writes before each line
-_PROMPT = r"^[ \t]*(?:>>>|\.\.\.:?(?!\s*\n\s*[\[({\d-]|[ ](?:and )?\d+ more\b)|In \[\d+\]:|Out\[\d+\]:)(?=\s)"
+_PROMPT = r"^[ \t]*(?:>>>|\.\.\.:?(?!\s*\n\s*[\[({\d-]|[ ](?:and )?\d+ more\b)|In ?\[\d+\]:=?|Out\[\d+\][:=])(?=\s)"
 # what a log or a list writes before a shape: a date and a time, a level, a source, a number
 _TIME = r"\d\d:\d\d:\d\d(?:[.,]\d+)?"
 _STAMP = (
@@ -22,7 +22,7 @@ _SYSLOG = rf"(?:<\d+>\d?[ ]?)?(?:[A-Z][a-z]{{2}}[ ]+\d{{1,2}}[ ]{_TIME}|{_STAMP}
 # patterns that describe a whole shape: three keys with numbers (not x, y and z), or two keys with points
 _KEYED = r"[A-Za-z_][\w-]*[ \t]?=[ \t]?"
 _SCALAR, _POINT, _GAP = rf"{_KEYED}[-+]?[\d.]+", rf"{_KEYED}\([^()\n]*\)", r"[ \t,;]+"
-_KEYS = rf"{_SCALAR}{_GAP}{_SCALAR}{_GAP}(?![zZ]\b){_SCALAR}|{_POINT}{_GAP}{_POINT}"
+_KEYS = rf"{_SCALAR}{_GAP}{_SCALAR}{_GAP}(?![zZ]\b){_SCALAR}|{_POINT}(?:{_GAP}{_POINT}|,[ ]?{_SCALAR})"
 _PREFIX = rf"""(?x)^[ \t]*(?:{_SYSLOG}(?:[\w./-]+(?:\[\d+\])?:|[\w.-]+[ ][\w-]+[ ][\w-]+[ ]-)[ ]+
        |[IWEF]\d{{4}}[ ]{_TIME}[ ]+\d+[ ][\w./-]+:\d+\][ ]
        |[\[(<]?(?:{_STAMP})(?!\d)[\])>]?[ \t:|,-]*)?
@@ -45,7 +45,7 @@ _CHANGE = re.compile(rf"^(?:{_REMOVED})++(?P<added>(?:{_ADDED})++)?", re.MULTILI
 
 
 def blank(match: re.Match[str], part: str | int = 0) -> str:
-    """Return a match with spaces in the place of a group at its end; its lines stay lines."""
+    """Return a match with spaces in place of the text of a group that ends it; 0 is all of it.  Lines stay lines."""
     return match[0].removesuffix(match[part]) + re.sub(r"[^\n]", " ", match[part])
 
 
@@ -78,7 +78,16 @@ _ROWS = [
         (r"(?<=\bat )(?:the )?origin\b|(?<=\bon )the origin\b", lambda m: "(0, 0)".rjust(len(m[0]))),
         (r"\.map\((?:(\w+)[ ]?=>[ ]?\[\1\.x,[ ]?\1\.y\]|\(\{[ ]?x,[ ]?y[ ]?\}\)[ ]?=>[ ]?\[x,[ ]?y\])\)", blank),
         (r"\b(\w+)\.begin\(\),[ ]*\1\.end\(\)", lambda m: m[1].ljust(len(m[0]))),
+        (r"\bSRID=\d+;|(?<=[A-Za-z])#\d+(?= [A-Za-z])", blank),  # entity#17 circle ...
+        (rf"(?<=ST_MakeEnvelope\()((?:{_N}, ?){{3}}{_N}), ?\d+(?=\))", lambda m: m[1].ljust(len(m[0]))),
+        (r"^[ \t]*[.#][a-z][\w-]*(?=[ \t]*\{)", lambda m: m[0].replace("-", "_")),  # a rule of CSS: .box-a {
+        (r"^(?:TEST(?:_F|_CASE)?|SECTION|BOOST_AUTO_TEST_CASE)\([^()\n]*\)(?=\s{0,9}\{)", blank),
+        (r"(?<=[\d)\]])[.,](?= \w{1,40}: [a-z]\w{0,40} ?= ?[-.\d(\[])", lambda _: ";"),  # a: x=0 y=0, b: x=9 y=0
+        (r"(?<=[\d)\]]) ?\|(?= ?[A-Za-z]\w{0,40}[:=])", lambda m: ",".rjust(len(m[0]))),  # x: 0 | y: 0 | w: 4 | h: 4
+        (r"(?:(?<==)|(?<=: ))0x[0-9a-f]{8,16}\b", lambda m: "null".ljust(len(m[0]), "_")),
         (r"(?<=\w) ->(?= \([-+.\d])", lambda _: " : "),
+        (r"(?<=\[)@?pixi[\w./-]*:", blank),
+        (r"\bsrsDimension=\"2\"", lambda m: 'srsDimension=""'.rjust(len(m[0]))),  # GML
         (_NUMBERED, lambda m: m[1].ljust(len(m[0]))),
         (r"\(/(?=\s*[-+.\d])|(?<=[\s.\d])/\)", lambda m: {"(/": "[ ", "/)": " ]"}[m[0]]),  # Fortran
         (r"^[ \t]*(?:real|integer)\b[^:\n]*::|(?<=\w)\([\d, ]+\)(?=[ ]*=[ ]*(?:\[ |reshape))", blank),
@@ -106,6 +115,8 @@ _WATCH = re.compile(
     r"|std::\w+ of length \d+, capacity \d+ = (?=\{)",
     re.MULTILINE,
 )
+_WITH_Z = re.compile(r"(?P<head>\b(?:MULTI)?POLYGON ?)(?P<z>ZM?|M)(?P<data> ?\([-+.\de,()\s]*)", re.IGNORECASE)  # WKT
+_ROW_WITH_Z = re.compile(r"(?<![^\s(,])[-+.\de]++\s++[-+.\de]++((?:\s++[-+.\de]++){1,2})(?=\s*[,)])", re.IGNORECASE)
 _QUOTE = re.compile(r"^>+ .*(?:\n>+(?: .*|$))*", re.MULTILINE)  # or the prompts of R and MATLAB
 _HEADS = re.compile(r"^(?:-.*|\+\+\+ .*|@@.*|diff --git.*|index [0-9a-f]{6,}\.\..*|\+)", re.MULTILINE)
 
@@ -125,6 +136,11 @@ def cleaned(text: str) -> tuple[str, list[str]]:
         text = _WATCH.sub(blank, text)
         kept = _CHANGE.sub(lambda m: re.sub(r"(?m)^[ \t]*(?:-.*|\+)", blank, m[0]) if m["added"] else m[0], text)
     remarks = ["the lines that a change removes (-) were left out"] if kept != text else []
+    if _WITH_Z.search(kept):
+        kept = _WITH_Z.sub(
+            lambda m: m["head"] + " " * len(m["z"]) + _ROW_WITH_Z.sub(lambda row: blank(row, 1), m["data"]), kept
+        )
+        remarks += ["the coordinates Z and M of WKT were left out, so the answer is about x and y alone"]
     for pattern, write in _ROWS:
         kept = pattern.sub(write, kept)
     return TYPE.sub(lambda m: blank(m, m.lastgroup or 0) if _is_used(m, kept) else m[0], kept, MAX_TYPES), remarks

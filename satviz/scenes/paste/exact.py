@@ -36,11 +36,15 @@ class _Ints(NamedTuple):
 
 
 class Where(NamedTuple):
-    """How two shapes lie: their relation, and whether one contains the other (None where it would take too long)."""
+    """How two shapes lie: their relation, and whether one contains the other (None where it would take too long).
+
+    `at_border`: one contains the other, and their borders share a point.
+    """
 
     relation: Relation
     a_in_b: bool | None
     b_in_a: bool | None
+    at_border: bool = False
 
 
 def where(a: Exact, b: Exact) -> Where | None:
@@ -51,7 +55,8 @@ def where(a: Exact, b: Exact) -> Where | None:
     relation = _relation(p, q)
     if relation is not OVERLAPPING:
         return Where(relation, False, False)
-    return Where(relation, _contains(q, p), _contains(p, q))
+    a_in_b, b_in_a = _inside(q, p), _inside(p, q)
+    return Where(relation, a_in_b >= 0, b_in_a >= 0, 0 in (a_in_b, b_in_a))
 
 
 def twice_area(ring: Sequence[tuple[Fraction, Fraction]]) -> Fraction:
@@ -198,25 +203,33 @@ def _square_distance(c: IntPt, p: IntPt, q: IntPt) -> Fraction:
     return (p[0] + t * dx - c[0]) ** 2 + (p[1] + t * dy - c[1]) ** 2
 
 
-def _contains(outer: _Ints, inner: _Ints) -> bool:
-    """Return whether a shape contains another one, of which it shares some inside."""
+def _inside(outer: _Ints, inner: _Ints) -> int:
+    """Return 1 where `inner` lies inside `outer`, 0 where it also touches the border, -1 where it lies not inside.
+
+    The shapes share some inside.
+    """
     if outer.radius is not None:
         (center,) = outer.ring
         reach = outer.radius - (inner.radius or 0)
-        return reach >= 0 and all((x - center[0]) ** 2 + (y - center[1]) ** 2 <= reach**2 for x, y in inner.ring)
+        room = [reach * reach - (x - center[0]) ** 2 - (y - center[1]) ** 2 for x, y in inner.ring]
+        return _sign(min(room)) if reach >= 0 else -1
     if inner.radius is not None:
         (center,), square = inner.ring, inner.radius**2
         if outer.convex:  # no square root: the signed distance of the center from each edge
             sides = [
                 (orient_det(p, q, center), (q[0] - p[0]) ** 2 + (q[1] - p[1]) ** 2) for p, q in cyclic_pairs(outer.ring)
             ]
-            return all(turn >= 0 and turn * turn >= square * length for turn, length in sides)
-        return _place(center, outer.ring) > 0 and all(
-            _square_distance(center, *edge) >= square for edge in cyclic_pairs(outer.ring)
-        )
+            return min(_sign(turn * turn - square * length) if turn >= 0 else -1 for turn, length in sides)
+        near = min(_square_distance(center, *edge) for edge in cyclic_pairs(outer.ring))
+        return _sign(near - square) if _place(center, outer.ring) > 0 else -1
     if outer.convex:
-        return all(orient_det(p, q, v) >= 0 for p, q in cyclic_pairs(outer.ring) for v in inner.ring)
-    return min(_places_along(inner.ring, outer.ring)) >= 0
+        return min(_sign(orient_det(p, q, v)) for p, q in cyclic_pairs(outer.ring) for v in inner.ring)
+    return min(_places_along(inner.ring, outer.ring))
+
+
+def _sign(value: int | Fraction) -> int:
+    """Return 1, 0 or -1."""
+    return (value > 0) - (value < 0)
 
 
 def centroid(ring: Sequence[Pt]) -> Pt:

@@ -1,5 +1,6 @@
 """What usually lies behind a report: the kinds, and what is said of one shape, each with what helps."""
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -144,14 +145,14 @@ def findings_of_shape(each: PastedShape) -> Iterator[Finding]:
         yield Finding(
             "repeated-corner",
             (each.name,),
-            f"{name} has a corner twice: {repeated[0].split(':')[0]} (counted from 0).",
+            f"{name} has a corner twice: {_by_corner_names(repeated[0].split(':')[0], each)}.",
             "Its edge has no length and no normal: a test without a check divides by 0 or finds a gap of 0. Remove it.",
         )
     if straight:
         yield Finding(
             "collinear-corner",
             (each.name,),
-            f"{name} has a corner that does not turn: {straight[0]} (counted from 0).",
+            f"{name} has a corner that does not turn: {_by_corner_names(straight[0], each)}.",
             "It changes nothing here; builders of hulls and convex tests can refuse or drop it. Remove it.",
         )
     if twice_area(read.points) < 0:
@@ -168,6 +169,13 @@ def findings_of_shape(each: PastedShape) -> Iterator[Finding]:
             f"{name} ends with its first corner again.",
             "WKT and GeoJSON want that; libraries that close outlines themselves get an edge without length.",
         )
+
+
+def _by_corner_names(note: str, each: PastedShape) -> str:
+    """Return a note on vertices, which counts from 0, with the names of corners in pictures: a3 for vertex 2 of A."""
+    letter = each.name.lower()
+    named = re.sub(r"vertex (\d+)", lambda m: f"{letter}{int(m[1]) + 1}", note)
+    return f"{named}, with {letter}1 as the first corner"
 
 
 def _of_refused(each: PastedShape) -> Finding:

@@ -4,7 +4,7 @@ import re
 
 
 def listed(text: str) -> frozenset[str]:
-    """Return the words of a list."""
+    """Return the words of a text that has spaces or line ends between them."""
     return frozenset(text.split())
 
 
@@ -105,10 +105,10 @@ OTHER_NUMBERS = listed(
     velocity vel speed axes force torque gravity mass inertia density friction restitution color colour fill stroke
     alpha opacity window canvas screen viewport viewbox svg area count length index id label layer category mask group
     time timestamp step size_t sleep stiffness damping damp slop constraint render print printf println log assert
-    prev previous impulse motion tolerance epsilon eps expected distance camera image version line error warn info
+    prev previous impulse motion tolerance epsilon eps expected distance dist camera image version line error warn info
     background strokeweight fps framerate type srid iscrowd score ts bbox rows capacity make satviz contact vx vy vz
     fixture moment linewidth zindex elasticity bounce text font style figsize dpi xlim ylim mtv normal depth penetration
-    overlap wkid
+    overlap wkid fn
     """
 )
 # A line with one of these words can describe a shape relative to another shape.

@@ -110,13 +110,17 @@ class Keyed(Boxes):
         shift, used = place or ZERO, places(*(place or ()))
         angle = obj.get("angle", "degrees", "radians")
         turns = angle is not None and self._turns(angle)
-        if shift != ZERO:
+        if shift != ZERO or (place and turns):
             names = {str(name).lower() for name in obj.fields if key(name) in ("center", "corner", "x")}
             middle, size = centroid(outline), max(abs(c - outline[0][k]) for p in outline for k, c in enumerate(p))
-            there = all(abs(c - p) * 1000 < size for c, p in zip(middle, shift, strict=True))  # as Matter prints them
+            there = shift != ZERO and all(
+                abs(c - p) * 1000 < size for c, p in zip(middle, shift, strict=True)
+            )  # as Matter prints them
             sure = Form.ABSOLUTE if there or names == {"centroid"} else ""
             sure = Form.RELATIVE if row and row.kind == Kind.RING else sure
-            corners = self._choose(Ask.CORNERS, CHOICES[Ask.CORNERS] if turns else CHOICES[Ask.CORNERS][:2], sure=sure)
+            corners = self._choose(
+                Ask.CORNERS, CHOICES[Ask.CORNERS] if turns and shift != ZERO else CHOICES[Ask.CORNERS][:2], sure=sure
+            )
             turns = turns and corners != Form.ABSOLUTE
             shift = shift if corners == Form.RELATIVE else ZERO
         made = self._outline(outline, obj, label, shift, " and a position" if shift != ZERO else "")
@@ -167,14 +171,14 @@ class Keyed(Boxes):
                     "a circle by its left and top sides and a position",
                 )
             elif origins != ("center", "center"):
-                raise Unreadable("the origin of the circle is neither its corner nor its center: write the center")
+                raise Unreadable("the circle's origin is neither its center nor its box's corner: write the center")
         if given is None:
             said = said.replace("radius", "diameter")
         return circle(place or ZERO, radius, obj, label, said, *given_numbers)
 
 
 def _placed(shape: Read, obj: Obj, place: Pt) -> Read:
-    """Move a shape to the place in its fields: a box or circle by its center or corner, as in rect.center = (1, 2)."""
+    """Return a shape moved to the place in its fields, a box or circle by center or corner: rect.center = (1, 2)."""
     names = {str(name).lower() for name in obj.fields}
     has_place = (shape.box or shape.is_circle) and not shape.said.endswith(AT_ORIGIN)
     if "translation" in names or not has_place:

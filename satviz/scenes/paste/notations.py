@@ -103,8 +103,8 @@ NOTATIONS = (
     Notation(
         "shapely.box geometry.box st_makeenvelope makeenvelope bbox boundingbox ltrb pixel.r image.rect rect64 "
         "rectd rect.fromltrb rect.frompoints rect::from_corners create_rectangle RECT RECTL lnglatbounds "
-        "latlngbounds cpbbnew rectf bb box2.new three.box2 fbox2d bboxpolygon setfrompoints boundingrect "
-        "minmaxrect from_two_pos from_min_max crect makeltrb",
+        "latlngbounds cpbbnew rectf BOX iso_rectangle_2 bb box2.new three.box2 fbox2d bboxpolygon setfrompoints "
+        "boundingrect minmaxrect from_two_pos from_min_max crect makeltrb",
         Kind.BOX,
         Form.CORNER_CORNER,
     ),
@@ -132,7 +132,7 @@ NOTATIONS = (
         "roundedbox b2makeroundedbox makeroundedbox stadium matrix roundrectangle2d.double roundrectangle2d.float "
         "roundrect rrect drawrectanglepro drawpoly box3 box3d aabb3d cube sphere bodies.polygon bodies.trapezoid "
         "create_oval oval rhombus star wedge ring arcshape regularpolygon capsulecollider2d compositecollider2d "
-        "segmentshape2d worldboundaryshape2d separationrayshape2d",
+        "segmentshape2d worldboundaryshape2d separationrayshape2d pentagon hexagon heptagon octagon ngon diamond pill",
         Kind.OTHER_SHAPE,
     ),
     Notation("setbounds drawrect", Kind.BOX, ask=(Form.CORNER_SIZE, Form.CORNER_CORNER)),
@@ -154,6 +154,11 @@ MAX_WORDS = max(len(re.split(r"\.|::|->", name)) for name in NAMES)
 
 # Texts whose shapes cannot be told from their lines: what they are, and what helps.
 UNREAD = (
+    (
+        re.compile(r"<(?:\w+:)?innerBoundaryIs>|<gml:(?:interior|pos|lowerCorner)>|\bsrsDimension=.3"),
+        "GML or KML with holes, with a third coordinate or with an element for each corner is not read: "
+        "paste each outer ring as POLYGON((x y, ...))",
+    ),
     (re.compile(r"^<{7} ", re.MULTILINE), "two versions of a text (<<<<<<<, =======): keep the lines of one of them"),
     (
         re.compile(r"^[ \t]*canvas(?:\.\w+)?:", re.MULTILINE),
@@ -190,10 +195,10 @@ KEYS = {
     for meaning, names in {
         "points": "vertices verts points corners polygon coords path hull outline pts vertexlist ring exterior poly "
         "pointlist vertex coordinates vertices2d polyline",
-        "center": "center centre pos position translation location circle middle mid c p centroid",
+        "center": "center centre pos position translation location circle middle mid c p centroid centro mittelpunkt",
         "corner": "corner xy topleft bottomleft upperleft lowerleft start origin",
         "opposite": "bottomright topright lowerright upperright",
-        "radius": "radius r",
+        "radius": "radius r radio rayon raggio raio",
         "x": "x posx px cx xc xcenter centerx lon lng longitude",
         "y": "y posy py cy yc ycenter centery lat latitude",
         "width": "width w sx dx",
@@ -239,7 +244,7 @@ RESETS = frozenset(["set", "setto", "setbounds", "setrect", "setframe", "update"
 
 # Words in the name of a call that makes a shape, and of one that takes a list of numbers as corners.
 SHAPE_WORDS = re.compile(
-    r"polygon|circle|ellipse|rect|box|ball|triangle|quad|capsule|\barc|cuboid|hull|aabb|cylinder|disc|disk",
+    r"polygon|circle|ellipse|rect|square(?!d)|box|ball|triangle|quad|capsule|\barc|cuboid|hull|aabb|cylinder|disc|disk",
     re.IGNORECASE,
 )
 LIST_WORDS = re.compile(

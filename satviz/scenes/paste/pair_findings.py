@@ -89,7 +89,8 @@ def findings_of_pair(pair: AnsweredPair, *, decimals: bool) -> Iterator[Finding]
     if pair.lies.a_in_b or pair.lies.b_in_a:
         inner, outer = (a, b) if pair.lies.a_in_b else (b, a)
         equal = pair.lies.a_in_b and pair.lies.b_in_a
-        text = f"{a.name} and {b.name} are equal" if equal else f"{inner.name} lies inside {outer.name}"
+        border = " and touches its border from inside" if pair.lies.at_border else ""
+        text = f"{a.name} and {b.name} are equal" if equal else f"{inner.name} lies inside {outer.name}{border}"
         yield Finding(
             "containment",
             both,

@@ -37,6 +37,7 @@ from .tree import Bad, Group, Name, Num, Pair, parts_of
 MAX_ANGLE = 50  # characters of an angle in terms of pi
 MAX_DEPTH = 24
 MAX_WORDS_BETWEEN = 60  # tokens between a shape and the word that separates it from the next one
+BEFORE_SHAPES = frozenset(["translate", "rotate"])  # of OpenSCAD: translate([1, 2]) square(4)
 LEAST = 3  # corners of an outline
 SIZES = frozenset(["center", "corner", "size", "half", "offset"])  # what a word before two numbers of a shape means
 PAIRS = {"(": ")", "[": "]", "{": "}"}
@@ -127,7 +128,7 @@ class _Parser:
                     break
                 if not bracket:
                     continue  # one too many, as "A)" in prose
-                self.remark(f"a bracket {bracket} is closed by {token.text}")
+                self.remark(f"a bracket {bracket} is closed by {token.text}: close it with {PAIRS[bracket]}")
                 if depth > 1:
                     self.at -= 1  # it may close the bracket outside
                 break
@@ -257,9 +258,12 @@ class _Parser:
         if mark is not None and not any(is_mark(a, ("==", "<=", ">=", "!=")) for a in atoms[:mark]):
             sign = mark
             if is_mark(atoms[mark], (":",)):  # `let a: Type = value`: the value comes after the =
-                sign = next((i for i, a in enumerate(atoms) if i > mark and is_mark(a, ("=",))), mark)
+                signs = [i for i, a in enumerate(atoms) if i > mark and is_mark(a, ("=",))]
+                sign = signs[0] if len(signs) == 1 else mark  # a: pos=(0, 0) mass=3 r=10 has no type
                 if any(isinstance(a, Token) and a.kind == NUMBER for a in atoms[mark:sign]):
                     sign = mark
+                elif sign > mark and self.is_heading(atoms[mark], atoms[mark + 1]):
+                    return self.value(atoms[mark + 1 :], bracket, keys + 1)
             path = self.path(atoms[:mark])
             if bracket == "{" and mark > 1 and any(isinstance(a, Token) and a.kind == NUMBER for a in atoms[:mark]):
                 return Bad(start_of(atoms[0]), end_of(atoms[-1]), "a number beside a key")
@@ -288,6 +292,11 @@ class _Parser:
             before = [a for a in found if isinstance(a, Group) and a.bracket in "({" and not _are_words(a)]
             return Group(pair.start, pair.end, [*before, pair], "+") if before else pair  # {x: 1, y: 2} radius: 5
         return self.plain(atoms, is_line=not bracket and not keys)
+
+    def is_heading(self, colon: Token, name: Any) -> bool:
+        """Return whether a colon ends words before a name and its value (Input: A = 1), not a name before its type."""
+        single = isinstance(name, Token) and len(name.text) == 1 and name.text.isupper()
+        return single or "\n" in self.text[colon.end : start_of(name)]
 
     def run_of_pairs(self, atoms: list[Any], bracket: str) -> Group | None:
         """Return the pairs of `x: 0 y: 0 width: 4`, where no comma stands between them; None for anything else."""
@@ -353,6 +362,10 @@ class _Parser:
             if any(o in OPERATORS for o in operators) or (hides and "@" in operators):  # a matrix product of Python
                 return Bad(start, end, "an expression, which is not evaluated", hides=hides)
             return Bad(start, end, "not a number", [v for v in values if isinstance(v, Group)])
+        while len(values) > 1 and _is_call(values[-1]) and _is_call(values[-2]) and values[-2].name in BEFORE_SHAPES:
+            move = values.pop(-2)
+            self.understood.append((move.start, move.start + len(move.name)))
+            values[-1] = replace(values[-1], start=move.start, methods=[*values[-1].methods, (move.name, move)])
         if len(values) == 1:
             return values[0]
         if all(isinstance(v, Num) for v in values):
@@ -459,6 +472,11 @@ class _Parser:
                 elif isinstance(index, Name) and self.text[index.start] in "'\"":  # b["x"] = 20
                     parts.append(index.text)
         return tuple(parts)
+
+
+def _is_call(value: Any) -> bool:
+    """Return whether a value is a bracket with a name before it."""
+    return isinstance(value, Group) and bool(value.name)
 
 
 def _is_negative(value: Any) -> bool:

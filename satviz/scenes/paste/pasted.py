@@ -19,29 +19,34 @@ from . import findings, others
 from .boxes import ALL_CHOICES, CHOICES, ONLY_IF_IT_MATTERS, Read
 from .cleaned import cleaned
 from .findings import KINDS, Finding, PastedShape, listed
-from .notations import Ask, Form, key
+from .notations import SHAPE_WORDS, Ask, Form, key
 from .objects import as_text
 from .pair_findings import AnsweredPair, clear, findings_of_pair
 from .parser import parse
 from .reading import Reader
 from .tree import Group
-from .unused import rest
+from .unused import numbers_by_key, rest
 
 MAX_SHAPES = 40
 MAX_TRACES = 60
 MAX_PART_PAIRS = 4_000  # pairs of convex parts in all traces together; a second of work
+MAX_LABEL = 80  # characters before a shape in which its name is looked for
+# words before a shape that do not name it, unless with a number or another word: Test 1
+GENERAL_WORDS = frozenset(["code", "data", "input", "inputs", "test", "case", "style", "this", "here", "following"])
+ARTICLES = r"(?!(?:an?|the|my|this|that|of|is)\b)"  # words that are no name
 MAX_NAMED = 5  # parts that are not understood, in one line
 # Points with decimal commas: (0,5; 1,5), POLYGON((0,5 1,5, 2,5 0,5, ...)), three of (0,5, 1,5), x;y;r over 0,5;1,5;2,
-# name;0,5;1,5
+# name;0,5;1,5, rows of 0,5;1,5 and of 0,5<tab>1,5, six or more as 0,5; 1,5
 _N = r"[-+]?\d+,\d+"
 DECIMAL = re.compile(
     rf"\([ ]?{_N}[ ]?;[ ]?{_N}[ ]?\)|\(\s*{_N} +{_N}\s*,|[\[(]\s*(?:\({_N}, +{_N}\)\s*,\s*){{2}}\({_N}, +{_N}\)"
-    rf"|^[A-Za-z]\w*(?:;[A-Za-z]\w*)+\s*\n[-+]?\d*;?{_N};|^\w+;[ ]?{_N};[ ]?{_N}\b",
+    rf"|^[A-Za-z]\w*(?:[;\t][A-Za-z]\w*)+[ \r]*\n(?:[^\n,]+\n){{0,9}}+[^\n,]*(?<=\d),\d+[;\t\r\n]"
+    rf"|^\w+;[ ]?{_N};[ ]?{_N}\b|^{_N}[;\t]{_N}[ \r]*\n{_N}[;\t]{_N}[ \r]*$|(?<!\d){_N}(?:;[ ]?{_N}){{5,}}+",
     re.MULTILINE,
 )
 COMMA = re.compile(r"(?<=\d),(?=\d)")
 NOTHING = (
-    "no shape was found: paste two shapes or more, as WKT, GeoJSON, JSON or lines of code, "
+    "no shape was found{}: paste two shapes or more, as WKT, GeoJSON, JSON or lines of code, "
     "for example POLYGON((0 0, 4 0, 0 3)) and circle((5, 1), 2)"
 )
 ASKS = {
@@ -321,7 +326,7 @@ def paste(what: Any, as_: str | Sequence[str] = ()) -> Pasted:
         bare = Reader(text, [choice for choice in chosen if choice not in forms])
         bare.read(tree.root)
         reader.keeps = Ask.BOX_FORM in bare.asked
-    reads = _checked(reader.read(tree.root), reader)
+    reads = _checked(reader.read(tree.root), reader, numbers_by_key(tree, text))
     shapes = _named(reads, written)
     questions = list(_questions(reader, tree.root, text, chosen))
     about_rest: list[PasteQuestion] = []
@@ -384,10 +389,17 @@ def _sentence(text: str, chosen: tuple[str, ...]) -> str:
         return str(error).partition(":")[0]
 
 
-def _checked(reads: list[Read], reader: Reader) -> list[Read]:
-    """Return the shapes that were read; InvalidScene for none, or for more than MAX_SHAPES or MAX_VERTICES."""
+def _checked(reads: list[Read], reader: Reader, numbers: str) -> list[Read]:
+    """Return the shapes that were read; InvalidScene for none, or for more than MAX_SHAPES or MAX_VERTICES.
+
+    `numbers`: the numbers of the text in words, which are named where there is no shape.
+    """
     if not reads:
-        raise InvalidScene(reader.problems[0] if reader.problems else NOTHING)
+        raise InvalidScene(
+            reader.problems[0]
+            if reader.problems
+            else NOTHING.format(f", only the numbers {numbers}" if numbers else "")
+        )
     if len(reads) > MAX_SHAPES:
         raise InvalidScene(f"{len(reads)} shapes: the limit is {MAX_SHAPES}, so paste those that matter")
     for read in reads:
@@ -411,8 +423,22 @@ def _named(reads: Sequence[Read], text: str) -> list[PastedShape]:
         except InvalidShape as error:
             refused = str(error)
         meant = findings.meant_order(read) if refused and not read.is_circle else None
-        found.append(PastedShape(name, read.label[:60], read.said, excerpt, read, shape, refused, meant))
+        found.append(PastedShape(name, _label(read, text)[:60], read.said, excerpt, read, shape, refused, meant))
     return found
+
+
+def _label(read: Read, text: str) -> str:
+    """Return what a text calls a shape: player rect for rect, Triangle 1 for Triangle; "" for a word that says nothing.
+
+    Those are the words `rect` of player rect: (0, 0, 4, 4), and `Triangle` of Triangle 1: (0, 0), (4, 0), (0, 3).
+    """
+    general = read.label.lower() in GENERAL_WORDS
+    if not (general or SHAPE_WORDS.fullmatch(read.label)):
+        return read.label
+    line = text[max(0, read.start - MAX_LABEL) : read.start].rpartition("\n")[2]
+    found = re.search(rf"(?:\b{ARTICLES}([\w-]+)[ ])?\b{read.label}(?:[ ]#?(\w+))?[ ]*:[ ]*\Z", line)
+    owner, number = (None if general else found[1], found[2]) if found else (None, None)
+    return " ".join(filter(None, (owner, "" if general and not number else read.label, number)))
 
 
 def _questions(reader: Reader, root: Group, text: str, chosen: tuple[str, ...]) -> Iterator[PasteQuestion]:

@@ -172,7 +172,7 @@ class Points(Statements):
                 return None  # setTransform(1, 0, 0, 1, 5, 5) is no outline
             if len(flat) % 2:
                 raise Unreadable(
-                    f"a list of {len(flat)} numbers is not a list of x and y: one is missing, or there is one too many"
+                    f"a list of {len(flat)} numbers is no list of x and y: add the missing number, or remove one"
                 )
             return list(zip(flat[::2], flat[1::2], strict=True))
         found = self._points(items)
@@ -228,7 +228,7 @@ class Points(Statements):
         if first not in (0, 1):
             raise Unreadable(f"the corners begin with [{first}]: add those before it")
         if missing is not None:
-            raise Unreadable(f"v[{missing}] is missing between v[{first}] and v[{last}]")
+            raise Unreadable(f"v[{missing}] is missing between v[{first}] and v[{last}]: add it")
         if any(isinstance(v, Group) and any(map(is_pair, v.items)) for v in obj.rest):
             raise Unreadable("a list of corners is changed after it was made: write the corners that it has at the end")
         return [numbered[k] for k in range(first, last + 1)]
@@ -256,7 +256,7 @@ class Points(Statements):
             return None  # a center, a size and an angle
         if count < len(items):
             place = next(i for i, p in enumerate(found) if p is None)
-            raise Unreadable(why or f"item {place} (counted from 0) of a list of corners is not a pair of numbers")
+            raise Unreadable(why or f"item {place} (counted from 0) of a list is not a pair of numbers: write (x, y)")
         return [p for p in found if p is not None]
 
     def _is_number(self, item: Any) -> bool:

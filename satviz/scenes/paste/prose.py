@@ -5,11 +5,12 @@ from collections.abc import Iterator
 
 from .tokens import CLOSE, MARK, NAME, NUMBER, OPEN, Token, tokens
 
-_N = r"[-+\u2212]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?(?:[ ]?(?:px|[cmk]?m|ft)\b)?+"
+_N = r"[-+\u2212]?(?:[0-9]++\.?[0-9]*+|\.[0-9]++)(?:[eE][-+]?[0-9]++)?(?:[ ]?(?:px|[cmk]?m|ft)\b)?+"
 _PLACE = rf"(?:\([ ]?{_N}[ ]?,[ ]?{_N}[ ]?\)|\b(?:center|centre|at|position)[ ]{_N}[ ]?,[ ]?{_N})"
 _AT = r"(?:(?:centered|centred|at|on|with|and|its) +){0,3}"
 _M = r"-?\d+(?:\.\d+)?"  # a number in a range: 0..4
 _FILL = r"[ ,]{1,3}(?:(?:and|with|has|having|of|is|a|an|the|its|size|shape)[ ,]{1,3}){0,4}"
+_Q = rf"(?:\({_N}[ ]?,[ ]?{_N}\)|{_N}[ ]?,[ ]?{_N}(?![\w.%,]))"
 _P, _A = rf"\({_N}[ ]?,[ ]?{_N}\)", rf"(?:{_N}|\({_N}\))"
 _STYLE = r"(?:\[(?![^\]]*(?:scale|shift|rotate|slant|cm=))[^\]()\n]*\])?"  # of TikZ, without a change of place
 # One row for each kind of sentence, or of print: the call that it stands for, its words, and which numbers are its own.
@@ -25,16 +26,34 @@ SENTENCES = (
     ),  # DXF; 42 is the bulge of an arc, and 210 to 230 turn the plane
     (
         "circle",
-        re.compile(rf"{_PLACE}{_FILL}(?:radius(?:[ ](?:of|is|=))?|r[ ]?=)[ ]{_N}(?![\w.%]|[ ]*\}})", re.IGNORECASE),
+        re.compile(rf"{_PLACE}{_FILL}(?:radius(?:[ ](?:of|is|=))?|r[ ]?=)[ ]{_N}(?!\w|%|\.\w|[ ]*\}})", re.IGNORECASE),
     ),
     ("circle", re.compile(rf"radius(?:[ ](?:of|is|=))?[ ]{_N}[ ,]{{1,3}}{_AT}{_PLACE}", re.IGNORECASE)),
     ("qrect", re.compile(rf"(?<=QRect)\({_N},{_N} {_N}x{_N}\)|(?<=QRectF)\({_N},{_N} {_N}x{_N}\)")),
+    (
+        "circle",
+        re.compile(
+            rf"\b(?:circle|disc|disk|ball)[ ][(\[][ ]?{_N}[ ]?,[ ]?{_N}[ ]?[)\]](?:,[ ]?|[ ])"
+            rf"(?:r(?:adius)?[ ]?[=:]?[ ]?)?{_N}(?!\w|%|\.\w|[ ]*[x\u00d7*/+-])",
+            re.IGNORECASE,
+        ),
+    ),
+    (
+        "circle",
+        re.compile(rf"\bcenter point, +X= *{_N} +Y= *{_N} +Z= *0\.0*\s+radius +{_N}"),
+        re.compile(rf"(?:[XY]=|radius) *({_N})"),
+    ),  # AutoCAD
+    ("qrect", re.compile(rf"(?<=frame = )\({_N} {_N}; {_N} {_N}\)")),  # UIKit
+    ("image.rect", re.compile(rf"<QgsRectangle: {_N} {_N}, {_N} {_N}>")),
     ("qrect", re.compile(rf"<rect\({_N}, {_N}, {_N}, {_N}\)>")),  # pygame
     ("qrect", re.compile(rf"\[P: {_P}, S: {_P}\]")),  # Godot
     ("qrect", re.compile(rf"\(x:{_N}, y:{_N}, width:{_N}, height:{_N}\)")),  # Unity
     ("v2", re.compile(rf"<{_N}, {_N}>")),  # a vector of C#
     ("image.rect", re.compile(rf"\bmin(?:imum)?(?: at| =|:)? {_P},?(?: and)? (?:its )?max(?:imum)?(?: at| =|:)? {_P}")),
-    ("image.rect", re.compile(rf"\b(?:rect|rectangle|box)(?: [A-Za-z]+){{0,3}} from {_P} to {_P}", re.IGNORECASE)),
+    (
+        "image.rect",
+        re.compile(rf"\b(?:rect|rectangle|box|square|one|aabb)(?: [A-Za-z]+){{0,3}} from {_Q} to {_Q}", re.IGNORECASE),
+    ),
     (
         "svg.polygon",
         re.compile(rf"(?<![\d.])[-.\d]{{1,20}} {_N} moveto(?:\s+{_N} {_N} lineto)+\s+closepath"),
@@ -59,7 +78,7 @@ SENTENCES = (
         re.compile(rf":add\((?:[A-Za-z_][\w.]*|\"[^\"\n]*\"|'[^'\n]*')(?:[ ]?,[ ]?{_N}){{4}}[ ]?\)"),
         re.compile(rf",[ ]?({_N})"),
     ),  # bump of Lua
-    ("rect", re.compile(rf"{_PLACE}{_FILL}{_N}[ ]?[x\u00d7][ ]?{_N}(?![\w.%])", re.IGNORECASE)),
+    ("rect", re.compile(rf"{_PLACE}{_FILL}{_N}[ ]?[x\u00d7][ ]?{_N}(?![\w.%]| (?:square|rect|box))", re.IGNORECASE)),
 )
 _NUMBER = re.compile(rf"(?<!\bV){_N}")
 

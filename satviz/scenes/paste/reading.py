@@ -12,6 +12,7 @@ from .axis_lists import joined, lengths, pairs_of_lists
 from .boxes import CHOICES, Read, circle, moved, transformed
 from .calls import Calls
 from .cleaned import TYPE
+from .exact import Exact, where
 from .harmless import HARMLESS, OTHER_NUMBERS, TESTS, words
 from .names import Obj, Unreadable, is_block, short
 from .notations import (
@@ -44,12 +45,23 @@ SHORTENED = re.compile(
     re.MULTILINE,
 )
 _RESULT = re.compile(
-    r"(?i)(output|result|intersection)\b.*|(print\()?\w+\.(intersection|union|difference|buffer)\(.*\)"
+    r"(?i)(output|result|intersection|union|expected|actual|got|answer)(\b|_).*"
+    r"|(print\()?\w+\.(intersection|union|difference|buffer|clip)\(.*\)"
+    r"|\w+\([\w, ]*\) ?="
 )
+_SEGMENT = re.compile(r"(?<![A-Za-z])(?:line|segment|seg|edge|ray)(?![a-z])|(?:Line|Segment|Edge|Ray)(?![a-z])")
 # words of a line about something that was tried besides, or about what is no shape
 _ASIDE = re.compile(
     r"\b(?:edit|update|p\.?s)\W{0,3}\d*:|(?<![a-z])(?:works|worked|tried|instead|phone|call|tel|fax|mobile|versions?|date"
     r"|colou?rs?|rgba?)(?![a-z])",
+    re.IGNORECASE,
+)
+# words for kinds of shapes; those of a group are neither circles nor boxes
+_KIND = re.compile(
+    r"(?<![\w.<#])(?:circles?|ball|dis[ck]|rect(?:angle)?|box|aabb|obb"
+    r"|(?P<other>(?:regular )?(?:[a-z]{3,5}a|n-|\d-)gon(?:al)?|ellip(?:se|tic|tical|soid)|oval|capsule|rhombus"
+    r"|(?:semi|(?:half|quarter)[ -])circle|circular sector|stadium|cylinder|cone|sphere|annulus|rounded rect\w*"
+    r"|triang\w+|(?:diamond|pill|star|ring|wedge|donut|torus)(?![\"']?\s*[:=])))(?![\w(]|\s\()",
     re.IGNORECASE,
 )
 _COMMENT = re.compile(r"//|#|--|/\*")
@@ -101,7 +113,12 @@ class Reader(Calls):
                 self.used.add(id(points))
         kept = [(owner, shape) for owner, shape in found if owner not in self.used]
         self.asked = {}
-        earlier = {id(v) for values in self.env.earlier.values() for v in values if self._is_assigned(v)}
+        known = (key, notation, SHAPE_WORDS.search)
+        states = {name for name in map(str, self.env.earlier) if not any(look(name) for look in known)}
+        steps = states if len(states) > 1 else set()  # player: ..., enemy: ..., and both again
+        earlier = {
+            id(v) for name, values in self.env.earlier.items() for v in values if name in steps or self._is_assigned(v)
+        }
         if (
             any(owner in earlier for owner, _ in kept)
             and self._choose(Ask.TWICE, CHOICES[Ask.TWICE]) == Form.LAST_VALUE
@@ -113,11 +130,23 @@ class Reader(Calls):
         if Form.TAKE_IN not in self.chosen:
             fields = within([match.span() for match in TYPE.finditer(self.text)], shapes)
             beside = {s for s in shapes if _ASIDE.search(self._line_of(s)) or self._is_bare(s)}
-            for some, what in ((fields, "what a class begins with"), (beside, "one of something else")):
+            results = {s for s in shapes if _RESULT.fullmatch(s.label) or _RESULT.fullmatch(self._above(s))}
+            for some, what in (
+                (fields, "what a class begins with"),
+                (beside, "one of something else"),
+                (results, "a result"),
+            ):
                 doubtful |= dict.fromkeys(some if len(some) < len(shapes) else (), what)
-            doubtful |= {s: "a result" for s in shapes if _RESULT.fullmatch(s.label or self._above(s))}
-            doubtful |= {s: "a hole of the first outline of its list" for s in shapes if s.start in self.holes}
+            doubtful |= self._of_other_kinds(shapes)
+            doubtful |= {
+                s: "a hole of the first outline of its list, which is filled without it"
+                for s in shapes
+                if s.start in self.holes
+            }
             doubtful |= {s: "a bounding box" for p, s in pairwise(shapes) if s.form and _bounds(p) == s.points}
+            first = {(s.points, s.radius, s.label): s for s in reversed(shapes)}
+            twins = (s for s in shapes if first[s.points, s.radius, s.label] is not s and not s.repeats)
+            doubtful |= dict.fromkeys(twins if len(first) > 1 else (), "the same shape again")
         self.problems += [
             f"{short(self.text[s.start : s.end])}: a shape of its own, or {why}" for s, why in doubtful.items()
         ]
@@ -134,6 +163,19 @@ class Reader(Calls):
         again = [s for _, s in kept if (s.repeats and (s.points, s.radius) in made) or self._is_print(s, named)]
         self.parts += [(shape.start, shape.end) for shape in again]
         return [shape for _, shape in kept if shape not in again]
+
+    def _of_other_kinds(self, shapes: Sequence[Read]) -> Iterator[tuple[Read, str]]:
+        """Yield (shape, its kind) of each circle and box that the text calls otherwise: a hexagon with radius 5.
+
+        The last word for a kind counts, between the shape before it on its line and its own end.
+        """
+        for before, shape in zip([0, *(s.end for s in shapes)], shapes, strict=False):
+            begin = max(self.text.rfind("\n", 0, shape.start), before, shape.start - MAX_BESIDE, 0)
+            said = [m.lastgroup and m[0] for m in _KIND.finditer(self.text, begin, shape.end)]
+            if (shape.is_circle or shape.form) and not shape.repeats and said and said[-1]:
+                yield shape, f"of another kind: {said[-1]}"
+            elif shape.label == "edges" and ")-(" not in self.text[shape.start : shape.end]:
+                yield shape, "a list of edges"
 
     def _is_print(self, shape: Read, named: Collection[tuple[Any, ...]]) -> bool:
         """Return whether a shape without a name stands below the name of the same shape, as a session prints it."""
@@ -222,7 +264,7 @@ class Reader(Calls):
         if group.name == "map" and self._has_numbers(group):
             raise Unreadable("map(...) is not evaluated: write the result")
         if group.name == "LINESTRING":
-            raise Unreadable("a line is not a polygon: satviz takes outlines with an area")
+            raise Unreadable("a line is not a polygon: write three corners or more")
         if kind == Kind.ARC:
             ring = self._points(group.items) or []
             if len(ring) == 3 and ring[0] == ring[2] and ring[0][1] == ring[1][1]:
@@ -316,7 +358,7 @@ class Reader(Calls):
                 found = [transformed(shape, tuple(matrix), exact=bool(exact)) for shape in found]
                 continue
             if plain in MOVES and len(arguments.items) in (1, 2):
-                move = self.point(arguments) or self.point(arguments.items[0])
+                move = self.point(arguments) or self.vector(arguments.items[0])
                 if move:
                     found = [moved(shape, move) for shape in found]
                     continue
@@ -358,6 +400,9 @@ class Reader(Calls):
         if outline is not None and len(outline) > 2:
             return [self._outline(outline, group, label)]
         if outline is not None and len(outline) == 2 and not _is_call(group):
+            if _SEGMENT.search(label):
+                raise Unreadable("two points are a line segment: satviz takes outlines with an area")
+            self.remark("two points were read as a box: a line segment is no shape here")
             form = self._choose(
                 Ask.BOX_FORM, (Form.CORNER_CORNER, Form.CORNER_SIZE, Form.CENTER_SIZE, Form.CENTER_HALF)
             )
@@ -441,12 +486,11 @@ def _bounds(shape: Read) -> tuple[Pt, ...]:
 
 
 def _holes(rings: Sequence[Read]) -> Iterator[int]:
-    """Yield the start, in the text, of each outline that lies within the bounds of the first one: [[...], [...]]."""
-    if len(rings) > 1 and (bounds := _bounds(rings[0])):
-        (x0, y0), _, (x1, y1), _ = bounds
-        for ring in rings[1:]:
-            if _bounds(ring) and all(x0 <= x <= x1 and y0 <= y <= y1 for x, y in ring.points):
-                yield ring.start
+    """Yield the start, in the text, of each outline that lies inside the first one: [[...], [...]]."""
+    for ring in rings[1:] if rings and _bounds(rings[0]) else ():
+        lies = where(Exact(rings[0].points), Exact(ring.points)) if _bounds(ring) else None
+        if lies and lies.b_in_a and not lies.a_in_b:
+            yield ring.start
 
 
 def _is_three(value: Any) -> bool:

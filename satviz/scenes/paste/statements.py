@@ -38,7 +38,8 @@ RESULTS = frozenset(
     ["contact", "contacts", "manifold", "intersection", "overlap", "axes", "axis", "simplex", "normals", "minkowski"]
 )
 TYPES = frozenset(["float", "double", "number", "int", "integer", "f32", "f64"])
-BEFORE_POINTS = frozenset(["at", "with", "through", "by", "is", "are", "has"])  # words before corners in a sentence
+# words before corners in a sentence
+BEFORE_POINTS = frozenset(["at", "with", "through", "by", "is", "are", "has", "from", "to", "on", "of", "in"])
 _LETTERED = re.compile(r"(?P<owner>[a-dA-DpPqQ])(?P<key>[xywhr])")
 
 
@@ -59,6 +60,7 @@ class Statements(Names):
         # ("rect" or "ellipse", place in the text, mode) of each call such as rectMode(CENTER)
         self.modes = [(m[1], m.start(), m[2].lower()) for m in _MODE.finditer(text)]
         self._open: dict[str, Obj] = {}  # runs that may go on
+        self._in_row = False  # within pairs on one line, of which some may belong to no shape: x=0 y=0 vx=1 r=5
         self._grown: set[int] = set()  # lists to which corners were added
         self._pen: Group | None = None
         self._corners: Obj | None = None  # a numbered list that may go on
@@ -94,7 +96,7 @@ class Statements(Names):
         i = 0
         while i < len(items):
             item, i = items[i], i + 1
-            if isinstance(item, Pair) and _is_points(item.path[-1]) and _is_nameless_point(item.value):
+            if isinstance(item, Pair) and _is_nameless_point(item.value) and self._holds_points(item):
                 rows = [item.value]  # points: and the lines - [2, -1] of YAML
                 while i < len(items) and _is_nameless_point(items[i]):
                     rows.append(items[i])
@@ -141,6 +143,11 @@ class Statements(Names):
                 item = Pair(made.start, made.end, (self._said(says.get("name")) or kind,), made)
             yield item
 
+    def _holds_points(self, pair: Pair) -> bool:
+        """Return whether a key holds corners by its name, or begins a list of YAML, with `-` on the line below."""
+        before = self.text[pair.start : pair.value.start].rstrip(" \t")
+        return _is_points(pair.path[-1]) or (before.endswith("-") and before[:-1].rstrip(" \t").endswith("\n"))
+
     def _said(self, value: Any) -> str:
         """Return the text of a value in quotes, or of a number."""
         return self.text[value.start : value.end].strip("\"'") if isinstance(value, Value) else ""
@@ -174,8 +181,8 @@ class Statements(Names):
                 self._line(inner)
         elif isinstance(item, Group):
             declared = notation(item.before) if item.before else None
-            if is_pair(item) and key(item.name) == "center":
-                declared = None  # rectangle position (10, 10)
+            if (is_pair(item) and key(item.name) == "center") or item.name in BEFORE_POINTS:
+                declared = None  # rectangle position (10, 10), a shape is [(0, 0), (4, 0), (0, 3)]
             if declared and (
                 declared.kind in (Kind.BOX, Kind.CIRCLE, Kind.OTHER_SHAPE) or not notation(item.name)
             ):  # Circle c(0, 0, 1)
@@ -185,8 +192,10 @@ class Statements(Names):
                 self.assign(item.items)
             elif item.bracket in (",", "+") and item.items and all(isinstance(v, Pair) for v in item.items):
                 self._end_run("")  # x = 0, y = 0, r = 5
+                self._in_row = True
                 for inner in item.items:
                     self._line(inner)
+                self._in_row = False
                 self._end_run("")
             elif points := self._points_behind_words(item):
                 self.loose.append(points)
@@ -336,7 +345,8 @@ class Statements(Names):
         name = str(pair.path[0]) if len(pair.path) == 1 else ""
         owner, meaning = owner_of(name) if name else ("", "")
         if not meaning:
-            self._end_run("")
+            if not self._in_row:
+                self._end_run("")
             return
         if owner and not isinstance(pair.value, Num):
             return

@@ -101,6 +101,7 @@ def _tokens(table: Table) -> Iterator[Token]:
     columns = {key(name): i for i, name in enumerate(table.names) if key(name)}
     names = [name.lower() for name in table.names]
     columns.update({name: i for i, name in enumerate(names) if name in CORNERS})
+    columns.pop("points", None)  # poly, x, y: the name of the polygon
     numeric = all(len(_numbers(row[i])) == 1 for row in table.rows for i in columns.values())
     boxed = any(all(name in columns for name in wanted) for wanted in _OBJECTS)
     sized = not _SIZES.isdisjoint({*columns, *names})

@@ -135,6 +135,11 @@ def _holds(places: Sequence[int], value: Any) -> bool:
     return at < len(places) and places[at] <= value.end
 
 
+def numbers_by_key(tree: Tree, text: str) -> str:
+    """Return the first numbers of a text, each with the key or the call before it, in a short line: radius 10, x 5."""
+    return short(_named(list(_walk(tree, tree.root, "")), text))
+
+
 def _walk(tree: Tree, value: Any, name: str) -> Iterator[Left]:
     """Yield every number of a tree with the key or the call before it."""
     if isinstance(value, Num) and value.start < value.end:

@@ -69,8 +69,9 @@ def run_cells(
 ) -> Iterator[tuple[Cell, Any]]:
     """Yield each cell with its result or Failure: those kept in `folder` first, then new ones, saved at once.
 
-    A file with another key or a wrong checksum is ignored.  After a failed cell the others still run; an interrupt
-    stops after the running cells.
+    `executor` runs the cells that measure no time; the others run here, one by one.  A file with another key or a wrong
+    checksum is ignored, and `force` overwrites it.  After a failed cell the others still run; an interrupt stops after
+    the running cells.
     """
     todo = []
     for cell in cells:

@@ -22,7 +22,7 @@ FAMILY_ROLES = {
 
 
 def set_time_ticks(axis: XAxis | YAxis, limits: Sequence[float], *, step: int = 1) -> None:
-    """Set ticks in ns, µs, ms or s at the powers of ten within the limits; every `step`-th has a text."""
+    """Set ticks in ns, µs, ms or s at the powers of ten within the limits, in ns; every `step`-th has a text."""
     decades = [10.0**e for e in range(-1, 11) if limits[0] <= 10.0**e <= limits[1]]
     axis.set_ticks(
         decades, labels=["" if k % step else format_time(d).replace(".0", "") for k, d in enumerate(decades)]
@@ -51,7 +51,8 @@ def draw_time_curves(
 ) -> None:
     """Draw curves of times over xs, with bars for the spread of the processes, and write the label of each at its end.
 
-    `styles`: (label, family, line style) by method and column; methods without rows are left out.
+    A curve has one row for each x.  `styles`: (label, family, line style) by (method, column of the rows); methods
+    without rows are left out.
     """
     ends = []
     ax.set_yscale("log")
@@ -69,7 +70,7 @@ def draw_time_curves(
 
 
 def label_ends(ax: Axes, ends: Sequence[tuple[float, float, str, str]]) -> None:
-    """Write a label for each (x, y, text, colour) right of the axes, clear of each other, tied to its point."""
+    """Write the text of each (x, y, text, colour) right of the axes, clear of the others, with a line to its point."""
     if not ends:
         return
     scale = 72 / ax.figure.dpi
@@ -113,7 +114,7 @@ def label_ends(ax: Axes, ends: Sequence[tuple[float, float, str, str]]) -> None:
 
 
 def median_interval(values: Iterable[float]) -> tuple[float, float, float]:
-    """Return (median, low, high) of a sample of 8 or more; low and high are 95 % bounds of the median of the whole.
+    """Return (median, low, high) of a sample of 8 or more; low and high: 95 % interval of the population's median.
 
     Of n values about n / 2 are below the median, give or take 0.98 n ** 0.5 (the binomial distribution).
     """

@@ -22,7 +22,7 @@ BUSY_SPREAD = 0.25  # processes further apart than this share of their median ma
 
 @cache
 def _process(number: int) -> ProcessPoolExecutor:
-    """Return the process of this number, for all sections: each new one has to load numba and all kernels again."""
+    """Return the executor of process `number`, for all sections: a new one has to load numba and all kernels again."""
     return ProcessPoolExecutor(1, get_context("spawn"))
 
 
@@ -36,7 +36,7 @@ def in_process(number: int, work: Callable[..., Any], *arguments: Any) -> Any:
 
 
 def cells_by_process(name: str, work: Callable[..., Any], arguments: tuple[Any, ...], settings: Settings) -> list[Cell]:
-    """Return a timed cell for each process in which `work` is done."""
+    """Return timed cells name-0-times, name-1-times ..., each of which does work(*arguments) in its own process."""
     processes = range(2 if settings.quick else 6)
     return [Cell(f"{name}-{k}-times", in_process, (k, work, *arguments), timed=True) for k in processes]
 
@@ -68,7 +68,7 @@ def over_processes(found: Mapping[str, Any], name: str, columns: Sequence[str] =
 
 
 def ratio_interval(own: Sequence[float], other: Sequence[float]) -> tuple[float, float, float]:
-    """Return (median, least, largest) over the processes: the ratio of two times of one process.
+    """Return (median, least, largest) of the ratios own[k] / other[k]: the times of two methods in process k.
 
     The median of all possible processes lies between the least and the largest unless all n processes fell on one side
     of it, so with a probability of 1 - 2 / 2**n.  A bootstrap of so few processes covers less than it says.

@@ -74,14 +74,14 @@ def true_relations(a: Side, b: Side) -> NDArray[np.int8]:
 
 
 def answers_by_method(methods: Iterable[Method], a: Side, b: Side) -> Iterator[tuple[Method, Answers]]:
-    """Yield each method with its answers to all pairs."""
+    """Yield (method, its answers to all pairs of a[k] and b[k]) for each method."""
     for method in methods:
         with np.errstate(all="ignore"):
             yield method, np.asarray(method.hits(method.prepare(a), method.prepare(b)))
 
 
 def wrong_answers(answers: Answers, right: NDArray[np.int8]) -> NDArray[np.bool_]:
-    """Return True for each wrong answer; only answers that are relations must tell touching from overlapping."""
+    """Return the mask of the wrong answers; only answers that are relations must tell touching from overlapping."""
     return np.asarray(answers != (right > 0) if answers.dtype == bool else answers != right)
 
 
@@ -111,7 +111,7 @@ def _numba_methods() -> Iterator[Method]:
     from . import numba_rivals
 
     def on_columns(name: str, family: str, kernel_for: Callable[[int, int], Any], dtype: type = np.float64) -> Method:
-        """Return the Method of a kernel on the coordinate columns of both sides, from their numbers of corners."""
+        """Return the Method of a kernel(ax, ay, bx, by, out) on columns, which kernel_for(va, vb) returns."""
 
         def hits(a: numpy_rivals.Columns, b: numpy_rivals.Columns) -> Answers:
             """Return for each pair whether the kernel finds a hit."""
@@ -123,7 +123,7 @@ def _numba_methods() -> Iterator[Method]:
         return Method(name, COMPILED, family, partial(numpy_rivals.to_columns, dtype=dtype), hits, at_once=at_once)
 
     def sat(name: str, family: str, form: int, tolerance: float = 0.0, dtype: Any = np.float64) -> Method:
-        """Return SAT as a Method; its kernel takes the tolerance in the format of the columns."""
+        """Return SAT as a Method; form, tolerance: as in `sat_kernel`; dtype: the float format of the columns."""
         limit = dtype(tolerance)
 
         def kernel_for(va: int, vb: int) -> Callable[..., None]:
@@ -134,7 +134,7 @@ def _numba_methods() -> Iterator[Method]:
         return on_columns(name, family, kernel_for, dtype)
 
     def on_bounds(name: str, bound: Callable[[int | None], Callable[..., Any]], kernel: Callable[..., None]) -> Method:
-        """Return the Method of a kernel on bounding volumes; `bound(corners)(x, y)` makes these from columns."""
+        """Return the Method of a kernel(a, b, out) on bounding volumes; bound(corners)(x, y) makes these."""
 
         def prepare(side: Side) -> Any:
             """Return the bounding volumes of a workload's side."""

@@ -48,7 +48,7 @@ def shapely_hits(a: Any, b: Any) -> NDArray[np.bool_]:
 
 
 def tree_pairs(geometries: Any, **query: Any) -> NDArray[np.intp]:
-    """Return the (K, 2) pairs that shapely's STRtree finds; `query`: its options, without which boxes have to meet."""
+    """Return the (K, 2) pairs i < j that shapely's STRtree finds: boxes that meet, or what its options `query` say."""
     import shapely
 
     i, j = shapely.STRtree(geometries).query(geometries, **query)

@@ -39,7 +39,7 @@ PLAIN, UNIT, WITH_TOLERANCE = 0, 1, 2  # forms of `sat_kernel`
 
 
 def _merged(kernel: Kernel) -> Kernel:
-    """Return a function that LLVM merges into its callers: the numbers they pass become constants and loops unroll.
+    """Decorate a function that LLVM merges into its callers: the numbers they pass become constants and loops unroll.
 
     `inlined` merges before LLVM sees the code; then the loops are not vectorised.
     """
@@ -65,12 +65,12 @@ def read_once(columns: NDArray[np.int64]) -> int:
 def corners_kernel(corners: int | None) -> Callable[..., None]:
     """Return the kernel(rings, first, x, y) for so many corners; None for any number.
 
-    It writes the corners of the shapes from number `first` on into columns, for as many shapes as these take.
+    It writes the corners of (N, V, 2) rings, from ring `first` on, into (V, n) columns, for up to n shapes.
     """
 
     @compiled
     def kernel(rings: Array, first: int, x: Array, y: Array) -> None:
-        """Write corner v of the shapes into row v of x and y, in the format of these."""
+        """Write corner v of ring first + k into x[v, k] and y[v, k], in their float format."""
         count = rings.shape[1] if corners is None else corners
         for k in range(min(x.shape[1], len(rings) - first)):
             i, j = np.uintp(first + k), np.uintp(k)
@@ -111,7 +111,7 @@ def bounding_circles(corners: int | None) -> Callable[..., Array]:
 
 @compiled
 def circles_hit(a: Array, b: Array, out: Out) -> None:
-    """Write for each pair whether its bounding circles hit: centers no further apart than the sum of the radii."""
+    """Write for each pair whether its (3, N) bounding circles hit: centers no further apart than the sum of radii."""
     for i in range(out.size):
         dx, dy, radius_sum = a[0, i] - b[0, i], a[1, i] - b[1, i], a[2, i] + b[2, i]
         out[i] = dx * dx + dy * dy <= radius_sum * radius_sum
@@ -184,7 +184,7 @@ def oriented_boxes(corners: int | None) -> Callable[..., Array]:
 
 @compiled
 def oriented_boxes_hit(a: Array, b: Array, out: Out) -> None:
-    """Write for each pair whether its oriented bounding boxes meet on their four axes.
+    """Write for each pair whether its (6, N) oriented bounding boxes meet on their four axes.
 
     Source: Gottschalk, Lin and Manocha (1996).
     """
@@ -287,7 +287,10 @@ def _support(x: Array, y: Array, i: Any, corners: int, dx: float, dy: float) -> 
 
 @cache
 def gjk_kernel(va: int | None, vb: int | None) -> Callable[..., None]:
-    """Return GJK on floats (Gilbert, Johnson and Keerthi 1988) for va and vb corners; None for any number."""
+    """Return GJK on floats for va and vb corners (None: any number): kernel(ax, ay, bx, by, out).
+
+    Source: Gilbert, Johnson and Keerthi (1988).
+    """
 
     @compiled
     def kernel(ax: Array, ay: Array, bx: Array, by: Array, out: Out) -> None:
@@ -345,7 +348,7 @@ def support_search_sat(ax: Array, ay: Array, bx: Array, by: Array, out: Out) -> 
 
 @compiled
 def _edge_clears_lowest(x: Array, y: Array, p: Array, q: Array, i: int) -> bool:
-    """Return whether some edge of (x, y) clears (p, q): the lowest corner of (p, q) along its normal lies beyond it."""
+    """Return whether an edge of (x, y) clears (p, q) in pair i: the lowest corner along its normal lies beyond it."""
     for e in range(x.shape[0]):
         f = e + 1 if e + 1 < x.shape[0] else 0
         nx, ny = y[f, i] - y[e, i], x[e, i] - x[f, i]
@@ -357,7 +360,7 @@ def _edge_clears_lowest(x: Array, y: Array, p: Array, q: Array, i: int) -> bool:
 
 @compiled
 def _edge_rise(p: Array, q: Array, i: int, v: int, nx: float, ny: float) -> float:
-    """Return the component of the edge from corner v to the next along (nx, ny)."""
+    """Return the component along (nx, ny) of the edge from corner v of (p, q) to the next, in pair i."""
     w = v + 1 if v + 1 < p.shape[0] else 0
     return float(nx * (p[w, i] - p[v, i]) + ny * (q[w, i] - q[v, i]))
 

@@ -58,7 +58,7 @@ def sat_hits(a: Columns, b: Columns) -> Hits:
 
 
 def project(c: Columns, nx: Array, ny: Array) -> tuple[Array, Array]:
-    """Return (low, high): the range of each shape on the axis (nx, ny) of its pair, of length 1."""
+    """Return (low, high), (N,) each: the range of each shape on the axis (nx[k], ny[k]) of its pair, of length 1."""
     lo = hi = c.x[0] * nx + c.y[0] * ny
     for x, y in zip(c.x[1:], c.y[1:]):
         landing = x * nx + y * ny
@@ -67,7 +67,10 @@ def project(c: Columns, nx: Array, ny: Array) -> tuple[Array, Array]:
 
 
 def sat_axes(a: Columns, b: Columns) -> Iterator[tuple[Array, Array]]:
-    """Yield the axes of SAT: edge normals, and for circles the axis from the center to the nearest vertex or center."""
+    """Yield the axes (nx, ny) of SAT, (N,) each and of any length: edge normals.
+
+    For circles the last is the axis from the center to the nearest vertex or center.
+    """
     for c in (a, b):
         for i in range(len(c.x) if len(c.x) > 1 else 0):
             yield c.y[i] - c.y[i - 1], c.x[i - 1] - c.x[i]

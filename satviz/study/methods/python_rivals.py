@@ -58,9 +58,10 @@ def _support(shape: PointsAndRadius, dx: float, dy: float) -> tuple[float, float
 
 
 def _towards_origin(corners: Simplex, ax: float, ay: float) -> tuple[Simplex, tuple[float, float]]:
-    """Return the part of the simplex and (ax, ay) nearest to the origin, and the next search direction.
+    """Return (the part of the simplex nearest to the origin, the next search direction).
 
-    Three corners are returned where the origin lies inside.
+    The simplex is one or two older corners and (ax, ay), the newest.  All three are returned where the origin lies
+    inside.
     """
     a = ax, ay
     if len(corners) == 1:
@@ -76,7 +77,7 @@ def _towards_origin(corners: Simplex, ax: float, ay: float) -> tuple[Simplex, tu
 
 
 def _edge_towards_origin(a: tuple[float, float], b: tuple[float, float]) -> tuple[Simplex, tuple[float, float]]:
-    """Return the part of the edge from a, the newest corner, to b nearest to the origin, and the next direction."""
+    """Return (the part of the edge from a, the newest corner, to b nearest to the origin; the next direction)."""
     ex, ey = b[0] - a[0], b[1] - a[1]
     if ex * -a[0] + ey * -a[1] <= 0:
         return [a], (-a[0], -a[1])

@@ -164,7 +164,10 @@ class FrameJob:
 
 
 class FrameSample:
-    """The true colliding pairs among some shapes of a frame: those nearest to the field's lower left corner."""
+    """The true colliding pairs, `right`, among some shapes of a frame: those nearest to the field's lower left corner.
+
+    `most`: how many shapes at most; `chosen`: their indices; `checked`: how many of their pairs were tested.
+    """
 
     def __init__(self, frame: Frame, most: int) -> None:
         corners, counts, radii = frame.padded

@@ -155,25 +155,25 @@ def short_sweep(kind: int) -> Callable[[Array, Ints, Array], Ints]:
 
 
 @inlined
-def polygons_hit(at: Array, i: int, j: int, corners: int) -> bool:
-    """Return whether two polygons hit: no edge of either has all corners of the other beyond it."""
-    return bool(max(_clearance(at, i, j, corners), _clearance(at, j, i, corners)) <= 0)
+def polygons_hit(vertices: Array, i: int, j: int, corners: int) -> bool:
+    """Return whether polygons i and j hit: no edge of either has all vertices of the other beyond it."""
+    return bool(max(_clearance(vertices, i, j, corners), _clearance(vertices, j, i, corners)) <= 0)
 
 
 @inlined
-def _clearance(at: Array, i: int, j: int, corners: int) -> float:
-    """Return the largest clearance of polygon j over the edges of polygon i, each times its edge's length.
+def _clearance(vertices: Array, i: int, j: int, corners: int) -> float:
+    """Return the largest distance of polygon j from an edge of polygon i, each times its edge's length.
 
-    `at`: (N, corners, 2) vertices, counter-clockwise.  Positive: polygon j lies wholly beyond an edge of i.
+    vertices: (N, corners, 2), counter-clockwise.  Positive: polygon j lies wholly beyond an edge of i.
     """
     best = -np.inf
     for e in range(corners):
         f = (e + 1) % corners
-        ex, ey = at[i, e, 0], at[i, e, 1]
-        nx, ny = at[i, f, 1] - ey, ex - at[i, f, 0]
+        ex, ey = vertices[i, e, 0], vertices[i, e, 1]
+        nx, ny = vertices[i, f, 1] - ey, ex - vertices[i, f, 0]
         least = np.inf
         for v in range(corners):
-            least = min(least, nx * at[j, v, 0] + ny * at[j, v, 1])
+            least = min(least, nx * vertices[j, v, 0] + ny * vertices[j, v, 1])
         best = max(best, least - (nx * ex + ny * ey))
     return best
 

@@ -102,7 +102,7 @@ def cells(settings: Settings) -> list[Cell]:
 
 
 def rows(found: dict[str, Any]) -> dict[str, list[JsonRow]]:
-    """Return the rows of the chart."""
+    """Return {stem of the chart: its rows}; found: the results of all cells by their names."""
     return {"order-of-axes": found["order"]}
 
 

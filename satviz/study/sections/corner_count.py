@@ -70,7 +70,7 @@ def count_errors(corners: int, counts: Sequence[int], settings: Settings) -> lis
 
 
 def ready_jobs(a: Rings, b: Rings) -> dict[str, Callable[[], Any]]:
-    """Return a job for each method on these pairs, prepared beforehand; a job returns which pairs hit."""
+    """Return by method a function without arguments that returns which of these pairs hit, from shapes made before."""
     jobs: dict[str, Callable[[], Any]] = {}
     if is_installed("numba"):
         from ..methods import numba_rivals
@@ -98,7 +98,7 @@ def ready_jobs(a: Rings, b: Rings) -> dict[str, Callable[[], Any]]:
 
 
 def take_times(corners: int, rounds: int, counts: Sequence[int], settings: Settings) -> list[JsonRow]:
-    """Return for each method and corner count the ns per pair of regular v-gons; `corners`: as in `count_errors`."""
+    """Return for each method and corner count v the ns per pair of regular v-gons; `corners`: as in `count_errors`."""
     found = []
     for v in counts:
         n = max(100, corners // v)
@@ -109,7 +109,10 @@ def take_times(corners: int, rounds: int, counts: Sequence[int], settings: Setti
 
 
 def rows(found: dict[str, Any]) -> dict[str, list[JsonRow]]:
-    """Return the rows of the chart: the times of all processes, and the answers that were counted."""
+    """Return {stem of the chart: its rows}: the times over all processes, and the counts of wrong answers.
+
+    found: the results of all cells by their names.
+    """
     counted = {(row["corners"], row["method"]): row for row in found["corners-count"]}
     return {
         "corners": [

@@ -86,7 +86,10 @@ def _kind(kind: str, shapes: batch.Shapes) -> str:
 
 
 def rows(found: dict[str, Any]) -> dict[str, list[JsonRow]]:
-    """Return the rows of the table; times and the worst gap come from `speed_against_accuracy`, where all are there."""
+    """Return {stem of the table: its rows}; empty where `speed_against_accuracy` lacks the times or gaps of a model.
+
+    found: the results of all cells, also of that section, by their names.
+    """
     measured = {row["method"]: row for row in summaries(found)}
     if not measured.keys() >= set(MEASURED.values()):
         return {}

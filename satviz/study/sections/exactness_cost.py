@@ -76,7 +76,7 @@ def take_times(n: int, rounds: int, settings: Settings) -> list[JsonRow]:
 
 
 def rows(found: dict[str, Any]) -> dict[str, list[JsonRow]]:
-    """Return the rows of the chart; none where plain SAT is not compiled."""
+    """Return {stem of the chart: its rows}, no rows where plain SAT is not compiled; found: results by cell name."""
     merged = timings.over_processes(found, "price", ("ns", "whole"))
     return {"price-of-exactness": merged if any(row["method"] == PLAIN for row in merged) else []}
 
@@ -86,7 +86,7 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
     by = {(row["what"], row["much"], row["method"]): row for row in rows}
 
     def ratio(what: str, much: float, column: str = "ns") -> str:
-        """Return how many times as long as plain SAT satviz takes, with its interval, in words."""
+        """Return how many times as long as plain SAT satviz takes on workload (what, much), with its interval."""
         own, plain = (by[what, much, name][f"{column}_runs"] for name in (EXACT, PLAIN))
         return timings.format_ratio(timings.ratio_interval(own, plain))
 

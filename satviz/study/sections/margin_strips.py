@@ -81,7 +81,7 @@ def cells(settings: Settings) -> list[Cell]:
 
 
 def _methods() -> list[Method]:
-    """Return the methods that have a strip for polygons."""
+    """Return the compiled methods that have a strip for polygons in the chart."""
     return [m for m in all_methods() if m.language == COMPILED and (SHAPES, m.name) in ROWS]
 
 
@@ -116,7 +116,7 @@ def count_circles(per_octave: int, settings: Settings) -> list[JsonRow]:
 
 
 def _circle_methods() -> list[Method]:
-    """Return the methods that have a strip for circles."""
+    """Return the compiled methods that have a strip for circles in the chart, and `_squares` as one."""
     methods = [m for m in all_methods(circles=True) if m.language == COMPILED]
     return [*methods, Method("squares, float64", COMPILED, "float SAT", lambda side: side, _squares, circles=True)]
 
@@ -162,7 +162,10 @@ def _counted(what: str, method: Method, wrong: Any, margin: Any) -> JsonRow:
 
 
 def search(name: str, n: int, generations: int, settings: Settings) -> JsonRow:
-    """Return the largest relative margin at which a search finds a method wrong, confirmed by both oracles."""
+    """Return a row: the largest relative margin at which a search finds a method wrong, and that pair.
+
+    Both oracles confirm it.  n, generations: as in `worst_pair`.
+    """
     (method,) = (m for m in all_methods() if (m.language, m.name) == (COMPILED, name))
     found = worst_pair(method, worst_shapes_within_two, settings.rng("search", name), n, generations, metres=False)
     row: JsonRow = {"method": name, "margin": found.margin, "tried": found.tried}
@@ -188,7 +191,10 @@ def float32_beyond(settings: Settings) -> list[JsonRow]:
 
 
 def rows(found: dict[str, Any]) -> dict[str, list[JsonRow]]:
-    """Return a row for each strip, with shares by octave and the largest margins; and rows where float32 ends."""
+    """Return {stem of the chart: its rows}: one for each strip, with counts by octave and the largest margins.
+
+    Then follow the rows of `float32_beyond`.  found: the results of all cells by their names.
+    """
     counted = [row for name, own in found.items() if name.startswith("margin-") and name != "margin-float32"
                for row in own if "family" in row]  # fmt: skip
     strips = []

@@ -45,10 +45,13 @@ Vector = tuple[Fraction, Fraction]
 
 
 def sat_push(dtype: Any, *, unit: bool) -> Push:
-    """Return SAT's push of B along the edge normal of least depth; without `unit`, normals keep their lengths."""
+    """Return SAT as a function of (a, b) that returns the push of B along the edge normal of least depth.
+
+    dtype: the float format; without `unit`, normals keep their lengths, so that longer edges seem deeper.
+    """
 
     def push(a: Polygon, b: Polygon) -> tuple[float, float]:
-        """Return the push (dx, dy) of B for one pair."""
+        """Return the push (dx, dy) of B out of the overlap of a and b."""
         rings = [np.array(shape.corners, dtype) for shape in (a, b)]
         found = []
         for ring, other, sign in (rings[0], rings[1], 1), (rings[1], rings[0], -1):
@@ -73,7 +76,7 @@ def box_push(a: Polygon, b: Polygon) -> tuple[float, float]:
 
 
 def deepest_parts_push(a: Polygon, b: Polygon) -> tuple[float, float]:
-    """Return the longest push (dx, dy) of B over all pairs of convex parts, as engines with compound shapes do."""
+    """Return the longest of the MTVs (dx, dy) of all pairs of convex parts, as engines with compound shapes do."""
     pushes = [record(p, q).mtv for p in parts(a) for q in parts(b)]
     x, y = max((push for push in pushes if push), key=lambda push: push.x**2 + push.y**2)
     return x, y
@@ -129,7 +132,7 @@ def overlapping_pairs(kind: str, rng: np.random.Generator, n: int) -> list[tuple
 
 
 def _relation(a: Polygon, b: Polygon, move: tuple[float, float]) -> Relation:
-    """Return the exact relation after B has moved by exactly `move`."""
+    """Return the exact relation of two polygons, also concave ones, after B has moved by exactly `move`."""
     return max(truth.relation_moved(p, q, move) for p in _parts(a) for q in _parts(b))
 
 
@@ -191,7 +194,7 @@ def measure(kind: str, n: int, settings: Settings) -> list[JsonRow]:
 
 
 def rows(found: dict[str, Any]) -> dict[str, list[JsonRow]]:
-    """Return the rows of the chart: one for each kind of pairs and method."""
+    """Return {stem of the chart: its rows}, one for each kind of pairs and method; found: results by cell name."""
     return {"mtv": [row for name, own in found.items() if name.startswith("mtv-") for row in own]}
 
 
@@ -229,7 +232,7 @@ def chart(rows: Sequence[JsonRow], settings: Settings) -> Chart:
         ink = theme.roles["ink"]
 
         def panel(left: float, wide: float, heading: str) -> Axes:
-            """Add one column of the chart; they have the same lines."""
+            """Add the axes of one column with a heading and return them; left, wide: in points."""
             ax = add_axes(fig, (left, 76, wide, step * y), theme)
             ax.set(ylim=(y - 0.8, -0.6), yticks=[])
             ax.spines["left"].set_visible(False)

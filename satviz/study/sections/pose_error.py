@@ -85,7 +85,7 @@ def _exact_turn(angle: float) -> tuple[int, int]:
 
 
 def _exact_path(at: tuple[float, float], c: int, s: int) -> dict[int, tuple[Fraction, Fraction]]:
-    """Return the exact point after each number of STEPS; c, s: cosine and sine of a step, integers over 2**BITS."""
+    """Return {number of STEPS: the exact point after them} from `at`; c, s: a step's cosine and sine over 2**BITS."""
     x, y = (int(v.as_integer_ratio()[0] * (1 << BITS) // v.as_integer_ratio()[1]) for v in map(float, at))
     path = {}
     for step in range(1, STEPS[-1] + 1):
@@ -96,7 +96,7 @@ def _exact_path(at: tuple[float, float], c: int, s: int) -> dict[int, tuple[Frac
 
 
 def _by_steps(at: tuple[float, float], angle: float, dtype: Any) -> dict[int, tuple[Any, Any]]:
-    """Return the point after each number of STEPS; each step rotates the point of the step before, in floats."""
+    """Return {number of STEPS: the point after them} from `at`; each step rotates the last point by `angle`."""
     x, y, c, s = dtype(at[0]), dtype(at[1]), dtype(np.cos(angle)), dtype(np.sin(angle))
     path = {}
     for step in range(1, STEPS[-1] + 1):
@@ -107,15 +107,15 @@ def _by_steps(at: tuple[float, float], angle: float, dtype: Any) -> dict[int, tu
 
 
 def _added_up(angle: float) -> dict[int, float]:
-    """Return the sum of so many steps for each number of STEPS, one added after the other in float64."""
+    """Return {number of STEPS: the sum of so many angles}, one added after the other in float64."""
     sums = np.cumsum(np.full(STEPS[-1], angle))  # cumsum adds from left to right
     return {step: float(sums[step - 1]) for step in STEPS}
 
 
 def _by_angle(at: tuple[float, float], totals: dict[int, float], dtype: Any) -> dict[int, tuple[Any, Any]]:
-    """Return the place of the point after each number of STEPS: the first corner turned once by the angle of all steps.
+    """Return {number of STEPS: the point after them}: the first point `at` turned once by the angle of all steps.
 
-    totals: this angle in float64; its cosine and sine are rounded to the format of the corners.
+    totals: {number of STEPS: this angle} in float64; its cosine and sine are rounded to `dtype`, as the points are.
     """
     x, y = dtype(at[0]), dtype(at[1])
     turns: dict[int, NDArray[Any]] = {
@@ -125,7 +125,7 @@ def _by_angle(at: tuple[float, float], totals: dict[int, float], dtype: Any) -> 
 
 
 def rows(found: dict[str, Any]) -> dict[str, list[JsonRow]]:
-    """Return the rows of the chart."""
+    """Return {stem of the chart: its rows}; found: the results of all cells by their names."""
     return {"pose-error": found["pose"]}
 
 

@@ -37,17 +37,17 @@ MOST_ENERGY, LINEAR_ENERGY = 1e4, 1e-6  # joules: the highest that is drawn, and
 
 
 def exact_contact(a: Polygon, b: Polygon) -> Contact:
-    """Return the contact that satviz finds: none unless the shapes overlap."""
+    """Return satviz's (unit normal from A to B, depth) of an overlap, from the MTV; None unless the shapes overlap."""
     push = record(a, b).mtv
     length = hypot(*push) if push else 0.0
     return ((push.x / length, push.y / length), length) if push and length else None
 
 
 def by_push(push: Push) -> Test:
-    """Return a Test from a method that returns a push: a contact if the push points from A to B."""
+    """Return a Test, which finds a contact along the push of a method where that points from A to B, else None."""
 
     def test(a: Polygon, b: Polygon) -> Contact:
-        """Return the contact of one pair."""
+        """Return (unit normal from A to B, depth), or None."""
         x, y = push(a, b)
         depth = hypot(x, y)
         cx, cy = (sum(v[d] for v in b.corners) / 4 - sum(v[d] for v in a.corners) / 4 for d in (0, 1))
@@ -91,7 +91,7 @@ def measure(test: str, away: float, seconds: int, stacks: int) -> JsonRow:
 
 
 def rows(found: dict[str, Any]) -> dict[str, list[JsonRow]]:
-    """Return the rows of the chart: one for each method and place, with all steps."""
+    """Return {stem of the chart: its rows}, one for each method and place; found: the results by cell name."""
     return {"resting-stack": [row for name, row in found.items() if name.startswith("stack-")]}
 
 

@@ -69,7 +69,7 @@ TICKS = {"1 m": 0, "1 mm": -3, "1 µm": -6, "1 nm": -9, "1 pm": -12, "1 fm": -15
 
 
 def compiled_methods() -> list[Method]:
-    """Return the compiled methods."""
+    """Return the methods that run compiled code and are installed."""
     return [method for method in all_methods() if method.language == COMPILED]
 
 
@@ -101,7 +101,10 @@ def pairs_in_a_call(settings: Settings) -> int:
 
 
 def search(name: str, n: int, generations: int, settings: Settings) -> JsonRow:
-    """Return the worst pair of a method in a scene of 1 km; `metres`: its gap, or the depth of its overlap."""
+    """Return a row with a method's worst pair in a scene of 1 km; its `metres`: the gap, or the depth of the overlap.
+
+    n, generations: as in `worst_pair`.
+    """
     (method,) = (method for method in compiled_methods() if method.name == name)
     found = worst_pair(
         method, SEARCHED.get(name, worst_kilometre_shapes), settings.rng("worst", name), n, generations, metres=True
@@ -152,7 +155,7 @@ def take_times(n: int, rounds: int, settings: Settings) -> list[JsonRow]:
 
 
 def summaries(found: dict[str, Any]) -> list[JsonRow]:
-    """Return a row for each method: its worst gap, its wrong answers by workload, and its times."""
+    """Return a row for each method: worst gap, wrong answers by workload, and times; found: results by cell name."""
     rows = []
     for times in timings.over_processes(found, "speed", ("ns", "whole")):
         (worst,) = (
@@ -167,13 +170,16 @@ def summaries(found: dict[str, Any]) -> list[JsonRow]:
 
 
 def rows(found: dict[str, Any]) -> dict[str, list[JsonRow]]:
-    """Return the rows of both charts, which are the same; none where nothing is compiled."""
+    """Return {stem: rows} of both charts, whose rows are the same; empty where nothing is compiled.
+
+    found: the results of all cells by their names.
+    """
     found_rows = summaries(found)
     return dict.fromkeys(CHARTS, found_rows) if len(found_rows) > 2 else {}
 
 
 def in_metres(gap: float) -> str:
-    """Return a length with its unit, to two digits."""
+    """Return a length in metres as text, in a fitting unit and with up to two digits."""
     for size, unit in (1.0, "m"), (1e-3, "mm"), (1e-6, "µm"), (1e-9, "nm"), (1e-12, "pm"), (1e-15, "fm"):
         if gap >= size:
             return f"{float(f'{gap / size:.2g}'):g}\u00a0{unit}"  # not parted at the end of a line

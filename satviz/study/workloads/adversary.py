@@ -33,7 +33,10 @@ LEAST_BEND = 1e-6  # sine of the turn at a corner, below which a 4-gon counts as
 
 
 class WorstPair(NamedTuple):
-    """The worst pair that was found: its relative margin (0: none was wrong), its outlines, and how many were tried."""
+    """The worst pair that was found: its relative margin (0: none was wrong), its outlines, and how many were tried.
+
+    a, b: (1, V, 2), or (0, V, 2) if none was wrong.
+    """
 
     margin: float
     a: Rings
@@ -112,9 +115,9 @@ def worst_shapes_within_two(rng: Rng, n: int) -> tuple[Rings, Rings]:
 
 
 def _rounding_most(rng: Rng, at: Array, product: Array, depth: Array) -> Rings:
-    """Return boxes with a first edge at `at` for which both products of a landing are just above a power of two.
+    """Return boxes whose first edges make both products of a landing, nx * x and ny * y, just above a power of two.
 
-    product: (N,) these powers of two.  depth: (N,) the length of the other side.
+    at: (N, 2) middles of these edges.  product: (N,) the powers of two.  depth: (N,) lengths of the other sides.
     """
     normal = product[:, None] / at * rng.uniform(1, JUST_ABOVE, at.shape)
     edge = np.stack([-normal[:, 1], normal[:, 0]], axis=1)
@@ -157,7 +160,7 @@ def _diagonal(rings: Rings) -> Rings:
 
 
 def beside(rng: Rng, a: Rings, b: Rings, gap: Array) -> Rings:
-    """Return the B's, each moved until its nearest corner is `gap` beyond A's first edge; below 0 it overlaps."""
+    """Return the B's, each moved until its nearest corner is its `gap` beyond A's first edge; below 0 it overlaps."""
     p, q = a[:, 0], a[:, 1]
     out = outward_normals(p, q)
     spot = p + rng.uniform(0.1, 0.9, (len(a), 1)) * (q - p)
@@ -191,7 +194,7 @@ def _at_the_origin(rng: Rng, n: int) -> tuple[Rings, Rings]:
 
 
 def search_size(name: str, settings: Settings) -> tuple[int, int]:
-    """Return how many pairs a generation of a method's search has, and how many generations.
+    """Return (pairs in a generation, number of generations) of the search for the method of this name.
 
     shapely gets fewer pairs, because it takes a hundred times as long.
     """
@@ -201,7 +204,7 @@ def search_size(name: str, settings: Settings) -> tuple[int, int]:
 
 
 def worst_pair(method: Method, make: MakePairs, rng: Rng, n: int, generations: int, *, metres: bool) -> WorstPair:
-    """Return the worst pair that the search finds in so many generations of n pairs and n children.
+    """Return the worst pair that the search finds in so many generations of n pairs, of make(rng, n), and n children.
 
     The worst is that of the largest gap (with `metres`, within `_in_the_scene`) or of the largest relative margin.
     Answers are compared with those of satviz; what is found is to be checked by `truth`.  The search begins anew after
@@ -217,7 +220,7 @@ def worst_pair(method: Method, make: MakePairs, rng: Rng, n: int, generations: i
 def _search_once(
     method: Method, make: MakePairs, rng: Rng, n: int, generations: int, *, metres: bool
 ) -> tuple[float, Rings, Rings, int]:
-    """Return the worst gap or margin of one search, its pair (none if nothing was wrong), and how many were tried."""
+    """Return (worst gap or margin, A, B, number of pairs tried) of one search, with A and B empty if none was wrong."""
     a, b = make(rng, 0)
     best, tried = np.empty(0), 0
     for _ in range(generations):
@@ -233,7 +236,7 @@ def _search_once(
             new_a[::8], new_b[::8] = _at_the_origin(rng, len(new_a[::8]))
         new_a, new_b = _swapped(rng, _first_corner_changed(rng, new_a), _first_corner_changed(rng, new_b))
         if len(best):
-            child_a, child_b = _changed(rng, a, b, n)
+            child_a, child_b = _children(rng, a, b, n)
             new_a, new_b = np.concatenate([new_a, child_a]), np.concatenate([new_b, child_b])
         valid = _convex(new_a) & _convex(new_b)
         if metres:
@@ -264,8 +267,8 @@ def _swapped(rng: Rng, a: Rings, b: Rings) -> tuple[Rings, Rings]:
     return np.where(swap, b, a), np.where(swap, a, b)
 
 
-def _changed(rng: Rng, a: Rings, b: Rings, n: int) -> tuple[Rings, Rings]:
-    """Return n children of the pairs, changed in one of four ways.
+def _children(rng: Rng, a: Rings, b: Rings, n: int) -> tuple[Rings, Rings]:
+    """Return n children: copies of some of the pairs, the first ones most often, each changed in one of four ways.
 
     A or B slides along the edge that decides; some coordinates change by a few floats; or by anything up to metres.
     In half of them B also moves across that edge, by a few floats or by a share of the gap.
@@ -290,7 +293,7 @@ def _changed(rng: Rng, a: Rings, b: Rings, n: int) -> tuple[Rings, Rings]:
 
 
 def _deciding_edge(a: Rings, b: Rings) -> tuple[Array, Array, Array]:
-    """Return for each pair the largest gap on an edge normal, that edge (N, 2), and the unit normal from A to B.
+    """Return for each pair (largest gap on an edge normal, vector of that edge (N, 2), unit normal from A to B).
 
     The gap is below 0 for an overlap.  It is right to a few roundings of the shapes' own size: differences of corners
     near each other are exact.

@@ -99,7 +99,7 @@ def touching_pairs(rng: np.random.Generator, n: int, v: int) -> tuple[Rings, Rin
 
 
 def tiles(n: int) -> Rings:
-    """Return a map of n by n upright boxes, each of which touches its eight neighbours."""
+    """Return a map of n by n upright boxes of side 0.25, each of which touches its eight neighbours."""
     at = np.stack(np.meshgrid(np.arange(n), np.arange(n)), axis=-1).reshape(-1, 1, 2) * 0.25
     return np.asarray(at + np.array([[0, 0], [0.25, 0], [0.25, 0.25], [0, 0.25]]))
 
@@ -111,7 +111,7 @@ def scattered_polygons(rng: np.random.Generator, n: int) -> Rings:
 
 
 def nearly_touching_pairs(rng: np.random.Generator, n: int) -> tuple[Rings, Rings]:
-    """Return n pairs of triangles: a corner of B lies on an edge of A, but for up to 4 ulps and rounding."""
+    """Return n pairs of triangles: a corner of B lies on an edge of A, but for up to 4 ulps along x and rounding."""
     a = ngons(rng, n, 3, 2.0)
     along = rng.uniform(0.1, 0.9, (n, 1))
     spot = a[:, 0] + along * (a[:, 1] - a[:, 0])
@@ -166,23 +166,23 @@ CORNER_WORKLOADS = {"apart": (apart_pairs, 0), "overlapping": (overlapping_pairs
 
 
 def _boxes_at(at: Array, size: Array) -> Array:
-    """Return (N, 4) boxes (x0, y0, x1, y1) from lower left corners and sizes."""
+    """Return (N, 4) boxes (x0, y0, x1, y1) from (N, 2) lower left corners and (N, 2) sizes."""
     return np.concatenate([at, at + size], axis=1)
 
 
 def _even_places_and_sizes(rng: np.random.Generator, n: int) -> tuple[Array, Array]:
-    """Return n random lower left corners, on average 1.5 units apart, and sizes from 0.3 to 1."""
+    """Return ((n, 2) random lower left corners, on average 1.5 units apart; (n, 2) sizes from 0.3 to 1)."""
     return rng.uniform(0, np.sqrt(n) * 1.5, (n, 2)), rng.uniform(0.3, 1, (n, 2))
 
 
 def _boxes_of_many_sizes(rng: np.random.Generator, n: int) -> Array:
-    """Return boxes spread evenly whose sizes differ up to a thousandfold."""
+    """Return (n, 4) boxes spread evenly whose sizes differ up to a thousandfold."""
     at, size = _even_places_and_sizes(rng, n)
     return _boxes_at(at * 6, size * 10 ** rng.uniform(-1.5, 1.5, (n, 1)))
 
 
-def _tiny_boxes_beside_a_large_one(rng: np.random.Generator, n: int) -> Array:
-    """Return one large box and tiny ones inside it, which all lie in one cell of a grid."""
+def _tiny_boxes_in_a_large_one(rng: np.random.Generator, n: int) -> Array:
+    """Return (n, 4) boxes: a large one and tiny ones inside it, which all lie in one cell of a grid."""
     at, size = _even_places_and_sizes(rng, n)
     at, size = at * 1e-6, size * 1e-6
     at[0], size[0] = 0, 1
@@ -190,7 +190,7 @@ def _tiny_boxes_beside_a_large_one(rng: np.random.Generator, n: int) -> Array:
 
 
 def _boxes_with_one_far_away(rng: np.random.Generator, n: int) -> Array:
-    """Return boxes spread evenly and one at 1e300, which stretches the bounds of the whole scene."""
+    """Return (n, 4) boxes spread evenly, but one at 1e300, which stretches the bounds of the whole scene."""
     at, size = _even_places_and_sizes(rng, n)
     at[0], size[0] = 1e300, 1e285
     return _boxes_at(at, size)
@@ -200,6 +200,6 @@ def _boxes_with_one_far_away(rng: np.random.Generator, n: int) -> Array:
 BOX_LAYOUTS: dict[str, Callable[[np.random.Generator, int], Array]] = {
     "even": lambda rng, n: _boxes_at(*_even_places_and_sizes(rng, n)),
     "sizes thousandfold": _boxes_of_many_sizes,
-    "all in one cell": _tiny_boxes_beside_a_large_one,
+    "all in one cell": _tiny_boxes_in_a_large_one,
     "one at 1e300": _boxes_with_one_far_away,
 }

@@ -64,7 +64,7 @@ def hard_pairs(kind: HardKind, rng: Rng, per_octave: int) -> tuple[Rings, Rings,
 
 
 def margins_of(a: batch.Shapes, b: batch.Shapes) -> Array:
-    """Return the relative margin of each pair; for so few pairs NumPy is done before numba has compiled its kernels."""
+    """Return the (n,) relative margins of the pairs a[k], b[k], computed with NumPy: numba would compile for longer."""
     every = np.arange(len(a))
     return np.abs(signed_relative_margins(paired(a, every, b, every), engine="numpy"))
 
@@ -72,9 +72,8 @@ def margins_of(a: batch.Shapes, b: batch.Shapes) -> Array:
 def moved_to_margin(rng: Rng, a: Rings, b: Rings, margin: Array) -> RingPairs:
     """Return the pairs with B moved along the normal of A's first edge until the relative margin is about `margin`.
 
-    margin: (n,) relative margins, negative for pairs that overlap.
-
-    Pairs that rounding makes invalid or concave are left out.
+    margin: (n,) relative margins, negative for pairs that overlap.  Pairs that rounding makes invalid or concave are
+    left out.
     """
     p, q = a[:, 0], a[:, 1]
     edge, out = q - p, outward_normals(p, q)
@@ -151,7 +150,7 @@ def _needles(rng: Rng, n: int) -> RingPairs:
 
 
 def _needle(rng: Rng, n: int) -> Rings:
-    """Return rhombi of length 2 whose half widths go down to 2**-17, turned and moved at random."""
+    """Return rhombi of length 2 whose half widths go down to 2**-18, turned and moved at random."""
     thin = np.array([(-1.0, 0.0), (0.0, -1.0), (1.0, 0.0), (0.0, 1.0)]) * np.ones((n, 1, 1))
     thin[..., 1:] /= _log_uniform(rng, n, MAX_OCTAVES)
     return turn_rings(thin, unit_vectors(rng, n)) + rng.uniform(-2, 2, (n, 1, 2))

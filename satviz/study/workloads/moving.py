@@ -47,7 +47,7 @@ class MovingScene(NamedTuple):
 
 
 def moving_scene(rng: np.random.Generator, shapes: Sequence[Array]) -> MovingScene:
-    """Return these shapes spread evenly and turned at random, and the same a small step later."""
+    """Return the scene of these shapes, by kind as in MovingScene: placed and turned at random, and a step later."""
     n = sum(map(len, shapes))
     centers, directions = rng.uniform(0, FIELD * np.sqrt(n), (n, 2)), unit_vectors(rng, n)
     later = directions + rng.uniform(-TURN, TURN, (n, 2))

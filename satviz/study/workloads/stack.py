@@ -48,7 +48,10 @@ class Body(NamedTuple):
 
 @dataclass
 class ContactPoint:
-    """One point of a contact between bodies i and j, with its impulses: along the normal, and of friction across it."""
+    """One point of a contact between bodies i and j, with its impulses: along the normal, and of friction across it.
+
+    at: where it is; contact: (unit normal from i to j, depth in metres).
+    """
 
     i: int
     j: int
@@ -65,7 +68,10 @@ class StackState(NamedTuple):
 
 
 def simulate(test: Test, boxes: int, steps: int, away: float) -> list[StackState]:
-    """Simulate a stack of 1 kg boxes that starts at rest, `away` metres from the origin; return its state each step."""
+    """Simulate a stack of 1 kg boxes that starts at rest; return its state after each of `steps` steps.
+
+    away: x of its foot, in metres; y is half of that.
+    """
     origin = away, away / 2
     bodies = [Body((6.0, 0.5), _on_slope(origin, -0.5), inverse=0.0)]
     bodies += [Body(HALF, _on_slope(origin, (2 * k + 1) * HALF[1])) for k in range(boxes)]
@@ -81,12 +87,15 @@ def simulate(test: Test, boxes: int, steps: int, away: float) -> list[StackState
 
 
 def _on_slope(origin: Point, height: float) -> Point:
-    """Return the point at a height above the slope."""
+    """Return the point above `origin`, a point of the slope, at this height along the slope's normal."""
     return origin[0] + UP[0] * height, origin[1] + UP[1] * height
 
 
 def _stepped(bodies: list[Body], test: Test, kept: dict[tuple[int, int, int], list[float]]) -> list[Body]:
-    """Return the bodies one step later; `kept` is changed: the last step's impulses in, this step's impulses out."""
+    """Return the bodies one step later; `kept` holds the last step's impulses and is filled with those of this step.
+
+    Its keys are (i, j, k): contact point k of bodies i and j.
+    """
     pull = -GRAVITY * STEP
     speeds = [[b.speed[0] + UP[0] * pull, b.speed[1] + UP[1] * pull, b.spin] if b.inverse else [0.0, 0.0, 0.0]
               for b in bodies]  # fmt: skip
@@ -128,7 +137,7 @@ def contact_points(a: tuple[Point, ...], b: tuple[Point, ...], normal: Point) ->
 
 
 def _arms(bodies: list[Body], point: ContactPoint, k: int) -> tuple[Point, float, float]:
-    """Return the direction of impulse k (0: the normal, 1: across it) and its lever arms about both bodies' centers."""
+    """Return (unit direction of impulse k, 0: normal, 1: across it; lever arm about body i's center; about j's)."""
     (nx, ny), (px, py) = point.contact[0], point.at
     x, y = (nx, ny) if k == 0 else (-ny, nx)
     (ax, ay), (bx, by) = bodies[point.i].at, bodies[point.j].at
@@ -136,7 +145,10 @@ def _arms(bodies: list[Body], point: ContactPoint, k: int) -> tuple[Point, float
 
 
 def _apply(bodies: list[Body], speeds: list[list[float]], point: ContactPoint, k: int, impulse: float) -> None:
-    """Add an impulse at a contact point, along its normal (k = 0) or across it (1), to both bodies' velocities."""
+    """Add an impulse at a contact point, along its normal (k = 0) or across it (1), to both bodies' `speeds`, in place.
+
+    speeds: for each body [vx, vy, angular velocity].
+    """
     (x, y), *arms = _arms(bodies, point, k)
     for number, arm, size in zip((point.i, point.j), arms, (-impulse, impulse), strict=True):
         body, v = bodies[number], speeds[number]
@@ -146,7 +158,7 @@ def _apply(bodies: list[Body], speeds: list[list[float]], point: ContactPoint, k
 
 
 def _solve_point(bodies: list[Body], speeds: list[list[float]], point: ContactPoint) -> None:
-    """Update the impulses of one contact point in place: along its normal until nothing sinks, then friction."""
+    """Update a contact point's impulses and `speeds` in place: along the normal until nothing sinks, then friction."""
     a, b, va, vb = bodies[point.i], bodies[point.j], speeds[point.i], speeds[point.j]
     for k in (0, 1):
         (x, y), arm_a, arm_b = _arms(bodies, point, k)
