@@ -222,7 +222,8 @@ def _pairs_of_one_grid(bounds: Array) -> tuple[Pairs, bool]:
     table = build_table(bounds, np.arange(n).astype(np.int32), width, height, size)
     if count_candidates(table[2], True, table) > MAX_CANDIDATES_PER_BOX * n:
         return np.empty((0, 2), np.intp), False
-    out, begin, found = np.empty((4 * n, 2), np.intp), int(np.intp(0)), np.intp(0)  # 0 compiles calls twice
+    # A literal 0 would make numba compile the calls below twice: for the literal and for int64.
+    out, begin, found = np.empty((4 * n, 2), np.intp), int(np.intp(0)), np.intp(0)
     while begin < n:
         begin, added = fill_pairs(table[1], table[2], begin, True, table, out[found:])
         found += added
