@@ -2661,6 +2661,13 @@ structure(list(structure(c(5, 9, 9, 5, 5, 0, 0, 4, 4, 0), dim = c(5L, 2L))),
         says="tiled-rotation",
     ),
     Paste(
+        "two systems of coordinates in one query",
+        """SELECT ST_Intersects('SRID=3857;POLYGON((0 0,4 0,4 4,0 4,0 0))'::geometry,
+  ST_MakeEnvelope(4, 0, 8, 4, 4326));""",
+        asks=True,
+        says="3857",
+    ),
+    Paste(
         "ST_MakeEnvelope with an SRID",
         """SELECT ST_Intersects('SRID=4326;POLYGON((0 0,4 0,4 4,0 4,0 0))'::geometry,
   ST_MakeEnvelope(4, 0, 8, 4, 4326));""",

@@ -78,10 +78,9 @@ _ROWS = [
         (r"(?<=\bat )(?:the )?origin\b|(?<=\bon )the origin\b", lambda m: "(0, 0)".rjust(len(m[0]))),
         (r"\.map\((?:(\w+)[ ]?=>[ ]?\[\1\.x,[ ]?\1\.y\]|\(\{[ ]?x,[ ]?y[ ]?\}\)[ ]?=>[ ]?\[x,[ ]?y\])\)", blank),
         (r"\b(\w+)\.begin\(\),[ ]*\1\.end\(\)", lambda m: m[1].ljust(len(m[0]))),
-        (r"\bSRID=\d+;|(?<=[A-Za-z])#\d+(?= [A-Za-z])", blank),  # entity#17 circle ...
-        (rf"(?<=ST_MakeEnvelope\()((?:{_N}, ?){{3}}{_N}), ?\d+(?=\))", lambda m: m[1].ljust(len(m[0]))),
+        (r"(?<=[A-Za-z])#\d+(?= [A-Za-z])", blank),  # entity#17 circle ...
         (r"^[ \t]*[.#][a-z][\w-]*(?=[ \t]*\{)", lambda m: m[0].replace("-", "_")),  # a rule of CSS: .box-a {
-        (r"^(?:TEST(?:_F|_CASE)?|SECTION|BOOST_AUTO_TEST_CASE)\([^()\n]*\)(?=\s{0,9}\{)", blank),
+        (r"^[ \t]*(?:TEST(?:_F|_CASE)?|SECTION|BOOST_AUTO_TEST_CASE)\([^()\n]*\)(?=\s{0,9}\{)", blank),
         (r"(?<=[\d)\]])[.,](?= \w{1,40}: [a-z]\w{0,40} ?= ?[-.\d(\[])", lambda _: ";"),  # a: x=0 y=0, b: x=9 y=0
         (r"(?<=[\d)\]]) ?\|(?= ?[A-Za-z]\w{0,40}[:=])", lambda m: ",".rjust(len(m[0]))),  # x: 0 | y: 0 | w: 4 | h: 4
         (r"(?:(?<==)|(?<=: ))0x[0-9a-f]{8,16}\b", lambda m: "null".ljust(len(m[0]), "_")),
@@ -117,6 +116,8 @@ _WATCH = re.compile(
 )
 _WITH_Z = re.compile(r"(?P<head>\b(?:MULTI)?POLYGON ?)(?P<z>ZM?|M)(?P<data> ?\([-+.\de,()\s]*)", re.IGNORECASE)  # WKT
 _ROW_WITH_Z = re.compile(r"(?<![^\s(,])[-+.\de]++\s++[-+.\de]++((?:\s++[-+.\de]++){1,2})(?=\s*[,)])", re.IGNORECASE)
+# the coordinate reference system, by its number, before WKT and behind an envelope
+_SRID = re.compile(rf"\b(SRID=\d+;)|(?<=ST_MakeEnvelope\()(?:{_N}, ?){{3}}{_N}(, ?\d+)(?=\))")
 _QUOTE = re.compile(r"^>+ .*(?:\n>+(?: .*|$))*", re.MULTILINE)  # or the prompts of R and MATLAB
 _HEADS = re.compile(r"^(?:-.*|\+\+\+ .*|@@.*|diff --git.*|index [0-9a-f]{6,}\.\..*|\+)", re.MULTILINE)
 
@@ -141,6 +142,10 @@ def cleaned(text: str) -> tuple[str, list[str]]:
             lambda m: m["head"] + " " * len(m["z"]) + _ROW_WITH_Z.sub(lambda row: blank(row, 1), m["data"]), kept
         )
         remarks += ["the coordinates Z and M of WKT were left out, so the answer is about x and y alone"]
+    systems = {re.sub(r"\D", "", m[m.lastindex or 0]) for m in _SRID.finditer(kept)}
+    if len(systems) == 1:  # shapes in different systems cannot be compared
+        kept = _SRID.sub(lambda m: blank(m, m.lastindex or 0), kept)
+        remarks += [f"the SRID {systems.pop()} was left out: the coordinates are taken as x and y of one plane"]
     for pattern, write in _ROWS:
         kept = pattern.sub(write, kept)
     return TYPE.sub(lambda m: blank(m, m.lastgroup or 0) if _is_used(m, kept) else m[0], kept, MAX_TYPES), remarks

@@ -211,8 +211,8 @@ def _inside(outer: _Ints, inner: _Ints) -> int:
     if outer.radius is not None:
         (center,) = outer.ring
         reach = outer.radius - (inner.radius or 0)
-        room = [reach * reach - (x - center[0]) ** 2 - (y - center[1]) ** 2 for x, y in inner.ring]
-        return _sign(min(room)) if reach >= 0 else -1
+        left = [reach * reach - (x - center[0]) ** 2 - (y - center[1]) ** 2 for x, y in inner.ring]
+        return _sign(min(left)) if reach >= 0 else -1
     if inner.radius is not None:
         (center,), square = inner.ring, inner.radius**2
         if outer.convex:  # no square root: the signed distance of the center from each edge
