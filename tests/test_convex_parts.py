@@ -710,9 +710,18 @@ def test_pieces_that_are_halved_to_any_size_are_right(kind, most, monkeypatch):
         assert not refute_at_any_size(Polygon(polygon.vertices)), repr(polygon)
 
 
-def test_no_cut_ends_inside_a_diagonal_that_only_halves_so_that_it_can_be_taken_back(monkeypatch):
+@pytest.mark.parametrize(
+    ("outline", "many"),
+    [
+        ([(0, 4), (0, 1), (2, 1), (3, 0), (5, 1), (3, 2), (4, 4)], 4),
+        ([(3, 2), (3, 5), (4, 4), (6, 4), (4, 1), (1, 2)], 3),  # from either side of the diagonal
+        ([(7, 12), (10, 8), (12, 5), (10, 7), (1, 6), (7, 8), (6, 12)], 3),  # two diagonals
+    ],
+    ids=["one side", "either side", "two diagonals"],
+)
+def test_no_cut_ends_inside_a_diagonal_that_only_halves_so_that_it_can_be_taken_back(outline, many, monkeypatch):
     monkeypatch.setattr(convex_parts, "MAX_REFLEX_VERTICES", 1)
-    assert len(parts(Polygon([(0, 4), (0, 1), (2, 1), (3, 0), (5, 1), (3, 2), (4, 4)]))) == 4
+    assert len(parts(Polygon(outline))) == many
 
 
 @pytest.mark.parametrize("kind", one_in(10, BIG))

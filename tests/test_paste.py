@@ -628,7 +628,7 @@ def test_bad_input_gets_one_clear_line_in_linear_time(text):
     start = time.process_time()
     with pytest.raises(sv.InvalidScene) as error:
         sv.paste(text)
-    assert time.process_time() - start < 5  # at most 1.4 on a slow machine; quadratic time would be minutes
+    assert time.process_time() - start < 20  # a slow machine takes three; quadratic time would be minutes
     line = str(error.value)
     assert line and "\n" not in line and len(line) < 400
 

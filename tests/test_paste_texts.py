@@ -549,7 +549,7 @@ def test_a_long_text_in_these_notations_is_refused_in_linear_time(text):
     start = time.process_time()
     with pytest.raises(sv.InvalidScene):
         sv.paste(text)
-    assert time.process_time() - start < 5  # some take two on a slow machine; quadratic time would be minutes
+    assert time.process_time() - start < 20  # a slow machine takes five; quadratic time would be minutes
 
 
 @pytest.mark.parametrize(

@@ -99,7 +99,7 @@ def all_tokens(text: str) -> tuple[list[Token], list[Token], list[tuple[int, int
             parts.append((m.start(), m.end(), found))
     parts += [(m.start(), m.end(), []) for m in _OTHER.finditer(text)]
     parts += [*tables(text), *sentences(text)]
-    begins = [token.start for token in plain]
+    begins = [token.start for token in plain] if parts else []
     parts = [part for part in parts if bisect_left(begins, part[0]) < bisect_left(begins, part[1])]  # not in a comment
     if not parts:
         return plain, plain, []
