@@ -710,14 +710,25 @@ def test_pieces_that_are_halved_to_any_size_are_right(kind, most, monkeypatch):
         assert not refute_at_any_size(Polygon(polygon.vertices)), repr(polygon)
 
 
+@pytest.mark.parametrize("most", [1, 5])
+@every_kind
+def test_halving_leaves_no_piece_with_more_reflex_vertices_than_the_limit(kind, most, monkeypatch):
+    monkeypatch.setattr(convex_parts, "MAX_REFLEX_VERTICES", most)
+    for polygon in sample(kind):
+        pieces = convex_parts._Pieces(polygon)
+        pieces.halve()
+        assert max(Counter(map(id, pieces.home.values())).values(), default=0) <= most, repr(polygon)
+
+
 @pytest.mark.parametrize(
     ("outline", "many"),
     [
         ([(0, 4), (0, 1), (2, 1), (3, 0), (5, 1), (3, 2), (4, 4)], 4),
         ([(3, 2), (3, 5), (4, 4), (6, 4), (4, 1), (1, 2)], 3),  # from either side of the diagonal
         ([(7, 12), (10, 8), (12, 5), (10, 7), (1, 6), (7, 8), (6, 12)], 3),  # two diagonals
+        ([(1, 4), (1, 0), (3, 1), (6, 0), (9, 7), (7, 8), (3, 11), (9, 12), (6, 12), (3, 12)], 4),  # at its end
     ],
-    ids=["one side", "either side", "two diagonals"],
+    ids=["one side", "either side", "two diagonals", "at its end"],
 )
 def test_no_cut_ends_inside_a_diagonal_that_only_halves_so_that_it_can_be_taken_back(outline, many, monkeypatch):
     monkeypatch.setattr(convex_parts, "MAX_REFLEX_VERTICES", 1)
