@@ -275,7 +275,10 @@ def _require_list(values: Any) -> Sequence[Any]:
 
 
 def _recompute_axis(axis: Axis, known: dict[Source, Axis]) -> Axis:
-    """Return an axis from `known`, the pair's `axes_by_source`, or given anew; ValueError if none equals `axis`."""
+    """Return the pair's own axis of the same source: from `known`, its `axes_by_source`, or a given direction anew.
+
+    ValueError if there is none, or if its direction or length is another one than that of `axis`.
+    """
     source = axis.source
     ours = known.get(source)
     if source.kind == GIVEN and source.shape is None and len(source.ids) == 1:

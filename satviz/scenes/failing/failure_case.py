@@ -143,7 +143,10 @@ class FailureCase(NamedTuple):
         return f"{self.quantity} {digits.number(answer) if is_length else number_format.number(answer)}"
 
     def verdict_in_words(self, relation: Relation, answer: Answer, digits: Digits = USUAL_DIGITS) -> str:
-        """Return an answer in words after its relation, which is left out where a gap as answer implies it."""
+        """Return the relation and the answer in words, such as "overlapping, depth 1"; of a gap only its own words.
+
+        A gap's words already say the relation.  Where its sign contradicts `relation`, the relation stands before it.
+        """
         words = self.in_words(answer, digits)
         if not isinstance(answer, float | int) or self.quantity != "gap":
             return f"{relation}, {words}"

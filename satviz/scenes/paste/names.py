@@ -27,7 +27,7 @@ class Obj(Value):
     earlier: dict[str | int, list[Any]] = field(default_factory=dict)  # the values that a name had before
 
     def before(self, name: str, place: int) -> Any:
-        """Return the value that a name had at a place in the text, or None: the last one that was assigned before."""
+        """Return the last value that a name was given before an offset in the text; None if there is none."""
         last, earlier = self.fields.get(name), self.earlier.get(name, [])
         if last is not None and last.start <= place and not _holds(last, place):
             return last

@@ -22,7 +22,10 @@ class Numeral(Fraction):
 
 
 def angle_of(at: Value, flat: Sequence[Fraction]) -> Num:
-    """Return the angle of a box, its fifth number, as a value that ends in the text where this number ends."""
+    """Return the fifth number of a box, its angle, as a value with a place in the text.
+
+    at: the value that holds the box; flat: its numbers, five or more.
+    """
     number = flat[4]
     return Num(at.start, number.at if isinstance(number, Numeral) else at.end, number)
 

@@ -273,9 +273,9 @@ class Statements(Names):
         return True
 
     def _maker(self, owner: tuple[str, ...], call: Group) -> str:
-        """Return the name of the call that made what this call gives its numbers anew; "" for another call.
+        """Return the name of the call by which the numbers of this call are read; "" if it gives a shape no numbers.
 
-        That is the call that made a box or a circle, or this one if it says which numbers it gives.
+        box.set(0, 0, 4, 4) is read as the call that made `box`; b.setFromPoints([...]) says what it takes.
         """
         last = parts_of(call.name)[-1].lower()
         two = len(call.items) == 2 and all(isinstance(v, Group) for v in call.items)  # box.set(min, max)

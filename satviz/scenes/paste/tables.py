@@ -174,7 +174,7 @@ def _outlines(table: Table, x: int, y: int) -> Iterator[Token]:
 
 
 def _list(points: Sequence[Sequence[Token]]) -> Iterator[Token]:
-    """Yield a list of points."""
+    """Yield the tokens of a list of points, [(x, y), (x, y)], from the tokens of their numbers."""
     at = points[0][0].start
     yield Token(OPEN, "[", at, at)
     for first, second in points:

@@ -159,7 +159,7 @@ def least_push(kind: str, a: Polygon, b: Polygon) -> tuple[float, list[Vector]]:
 
 
 def angle_between(push: tuple[float, float], directions: Iterable[Vector]) -> float:
-    """Return the angle in degrees from a push to the nearest of the directions; a tiny one is not lost in rounding."""
+    """Return the angle in degrees from a push to the nearest of the directions; a tiny angle is not rounded to 0."""
     x, y = truth.exact(push)
     return min(math.degrees(math.atan2(abs(x * ny - y * nx), x * nx + y * ny)) for nx, ny in directions)
 
