@@ -590,6 +590,37 @@ def test_a_shape_of_another_kind_is_never_taken_for_a_circle_or_a_box(text, kind
     assert not pasted.shapes and f"of another kind: {kind}" in pasted.sentence
 
 
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("Square center (0, 0) radius 5\nCircle center (8, 0) radius 3", "Square"),
+        ("rectangle at (0, 0) with radius 5 and a circle at (9, 0) with radius 3", "rectangle"),
+        (
+            '[{"type": "arrow", "x": 0, "y": 0, "width": 9, "height": 5}, {"x": 5, "y": 0, "width": 4, "height": 4}]',
+            "arrow",
+        ),
+    ],
+)
+def test_a_square_with_a_radius_and_an_arrow_with_a_width_are_asked_about(text, kind):
+    pasted = sv.paste(text)
+    assert not pasted.shapes and f"of another kind: {kind}" in pasted.sentence
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "a: pos (0,0) size (2,2) angle {}\nb: pos (9,0) size (2,2)",
+        "a = {{x: 0, y: 0, w: 2, h: 2, rotation: {}}}\nb = {{x: 9, y: 0, w: 2, h: 2}}",
+    ],
+)
+@pytest.mark.parametrize("unit", ["deg", "degrees", "\u00b0", "rad", "radians"])
+@pytest.mark.parametrize("space", ["", " "])
+def test_an_angle_with_its_unit_turns_a_box_and_is_not_asked_about(text, unit, space):
+    pasted = sv.paste(text.format(f"0.5{space}{unit}"))
+    assert not {"angle", "rest"} & {question.what for question in pasted.questions}
+    assert pasted.readings[0].said.endswith(f"turned by 0.5 {'radians' if unit[0] == 'r' else 'degrees'}")
+
+
 BOTH = "a = [(0,0),(4,0),(4,4),(0,4)]\nb = [(2,2),(6,2),(6,6),(2,6)]\n"
 
 

@@ -216,7 +216,7 @@ def _models(pairs: PartPairs, kinds: Collection[str], given: GivenPairs) -> tupl
 def _evaluate_model(
     model: Model, both: PartPairs, exact: NDArray[np.int8], near: PartPairs, given: GivenPairs, engine: str | None
 ) -> ModelResult:
-    """Return the ModelResult of a model on the pairs `both`, and on `near` if no test of the boxes comes before it.
+    """Return the ModelResult of a model on the pairs `both`, and on `near` unless it tests the boxes first or alone.
 
     exact: (n,) the exact relations of `both`; near: pairs that are apart by their boxes.
     """
@@ -237,7 +237,9 @@ def _evaluate_model(
 def _classify(
     model: Model, pairs: PartPairs, exact: NDArray[np.int8], given: GivenPairs, first: int, engine: str | None
 ) -> NDArray[np.int8]:
-    """Return the relation that the model certainly finds for each pair, -1 where it is uncertain.
+    """Return the relation that the model certainly finds for each pair, -1 where it is uncertain or not decided.
+
+    After the first pair that stays uncertain, pairs that arrays cannot decide are not decided by fractions any more.
 
     Pair k of `pairs` is number `first` + k of `given`; exact: (n,) their exact relations.
     """

@@ -73,7 +73,10 @@ def bounding_boxes(shapes: Shapes) -> Array:
 
 
 def bounding_circles(shapes: Shapes, widening: float = WIDENING) -> Array:
-    """Return (N, 3) x, y, radius of a circle around each shape, as `certified_bounds.bounding_circle`."""
+    """Return (N, 3) x, y, radius of a circle around each shape, as `certified_bounds.bounding_circle`.
+
+    A polygon's radius is multiplied by `widening`.
+    """
     found = np.empty((len(shapes), 3))
     x, y, start = shapes.rings
     box = shapes.bounds

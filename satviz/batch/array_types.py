@@ -7,7 +7,8 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 Complexes = NDArray[np.complex128]
-Signs = NDArray[np.int8]  # signs, or relations by their codes
+Signs = NDArray[np.int8]  # 1, 0, -1, or UNKNOWN
+Relations = NDArray[np.int8]  # APART, TOUCHING, OVERLAPPING or UNDECIDED, as in codes.py
 Indices = NDArray[np.intp]
 Mask = NDArray[np.bool_]
 

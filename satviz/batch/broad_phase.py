@@ -81,7 +81,7 @@ def sort_pairs(blocks: list[Pairs]) -> Pairs:
 
 
 def _grid_blocks(bounds: NDArray[np.float64], kernels: Engine) -> Iterator[Pairs]:
-    """Yield the pairs (i < j) of boxes that share a point, by grids, one for each pair of size classes.
+    """Yield the pairs (i < j) of (N, 4) boxes that share a point, by grids, one for each pair of size classes.
 
     The cell is at least the largest width by the largest height of the boxes compared: then a
     box reaches at most into the next cell, and three rows of three cells hold all it

@@ -61,7 +61,10 @@ def rings_from_offsets(vertices: Points, offsets: Any) -> tuple[NDArray[np.float
 
 
 def rings_from_sequence(vertices: Any, name: Callable[[int], str]) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
-    """Return ((M, 2) corners, (N + 1,) starts) of N outlines; InvalidShape names the first wrong one by name(i)."""
+    """Return ((M, 2) corners, (N + 1,) starts) of N outlines, as given.
+
+    InvalidShape, which names outline i by name(i), if it is no list of points or has a number that is not finite.
+    """
     given = _as_list(vertices, "vertices")
     arrays: list[NDArray[np.float64]] = []
 

@@ -38,7 +38,8 @@ def line_for(a: Shape, b: Shape) -> str:
 class Program:
     """A program in another process that is started once, then reads a pair and writes an answer line by line.
 
-    `command`: the command line that starts it; `seconds`: the time for each answer.
+    `command`: the command line, run at the first pair; `seconds`: the time for each answer, and START_SECONDS more for
+    the first one.
     """
 
     def __init__(self, command: str, seconds: float) -> None:

@@ -322,7 +322,7 @@ class _Pieces:
 
 
 class _ReflexCount:
-    """Counts the reflex vertices on either side of a cut through a ring; `reflex`: which of its vertices are reflex."""
+    """Counts the reflex vertices on either side of a cut through a ring; `reflex[i]`: whether ring[i] is reflex."""
 
     def __init__(self, ring: Ring, reflex: list[bool]) -> None:
         self.place = {v: i for i, v in enumerate(ring)}

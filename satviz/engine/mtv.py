@@ -301,7 +301,10 @@ def _line_points(one: Border, other: Border, radius: float) -> Iterator[complex]
 
 
 def _circle_points(c: complex, d: complex, radius: float) -> Iterator[complex]:
-    """Yield the points where the circles of this radius round the centers c and d cross."""
+    """Yield the two points where the circles of this radius round the centers c and d cross, or none.
+
+    Where the circles touch, or miss each other by at most ROUNDING, the two points are equal.
+    """
     half = (d - c) / 2
     if 0 < abs(half) <= radius + ROUNDING:
         aside = 1j * half / abs(half) * max(0.0, radius * radius - abs(half) ** 2) ** 0.5

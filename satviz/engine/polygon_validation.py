@@ -134,7 +134,7 @@ def parse_list(values: Any, name: str, expected: str) -> list[Any]:
 
 
 def _geo_rings(interface: Any) -> list[Any]:
-    """Return the rings of a GeoJSON-like Polygon or LinearRing, or of a Feature with one."""
+    """Return the rings of a `__geo_interface__` dict: Polygon, LinearRing or Feature with one; else InvalidShape."""
     name = "__geo_interface__"
     if _geo_type(interface) == "Feature":
         interface, name = interface.get("geometry"), "the Feature's geometry"

@@ -31,7 +31,10 @@ def table(trace: Trace, width: int | None = None, sums: bool = False) -> str:
 
 
 def _rows(trace: Trace, width: int | None, sums: bool) -> str:
-    """Return the lines for all tests and untested axes as text, at most `width` characters wide where possible."""
+    """Return the lines for all tests and untested axes as text, at most `width` characters wide where possible.
+
+    `width`: None for no limit; `sums`: with the sum behind each end of a range below its test.
+    """
     shapes = trace.a, trace.b
     rows = [("axis", "direction", trace.names.a, trace.names.b, "gap", "")]
     for i, t in enumerate(trace.tests, 1):

@@ -83,7 +83,10 @@ def gap_curve(
 
 
 def sampled_gaps(a: Shape, b: Shape) -> tuple[list[tuple[float, float]], list[tuple[float, float, Axis]]]:
-    """Return (degree, gap) at each whole degree and at each axis of SAT, and (degree, gap, axis) of those axes."""
+    """Return (degree, gap) from 0 to 180 degrees, sorted, and (degree, gap, axis) of the axes of SAT.
+
+    The first list has each whole degree and each of these axes.
+    """
     candidates = [(_axis_degree(t.axis), t.gap, t.axis) for t in axis_tests(a, b)]
     grid = {float(d) for d in range(181)} | {d for d, _, _ in candidates}
     return [(d, gap_at(a, b, d)) for d in sorted(grid)], candidates

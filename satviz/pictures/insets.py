@@ -204,7 +204,10 @@ def a_is_left(test: AxisTest) -> bool:
 
 
 def _float_ticks(layout: Layout, inset: Inset, test: AxisTest) -> tuple[Vec, ...]:
-    """Return ticks on the axis of a gap's inset where float64 has a number; () where they are too dense to be seen."""
+    """Return the lower and the upper end of a tick at each number of float64 on the axis of a gap's inset.
+
+    Points are in scene units; () where the ticks are too dense to be seen.
+    """
     end = min(test.a.interval.hi, test.b.interval.hi)  # the end of the left range, where the gap or overlap begins
     step = ulp(end) * inset.times
     if step < layout.units(MIN_FLOAT_STEP_PT):

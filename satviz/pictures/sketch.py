@@ -102,7 +102,7 @@ class Sketch(ShapeSketch):
         return start, point_along(start, self.arrow_direction(test.axis), length)
 
     def upcoming_normals(self) -> list[Segment]:
-        """Return the arrow (tail, tip) of each test's normal and of each grey one, drawn already or not."""
+        """Return the arrow (tail, tip) of each test's normal and of each of `grey_normals`, drawn already or not."""
         arrows = [arrow for arrow in map(self.normal_arrow, self.trace.tests) if arrow]
         return [*arrows, *(self.small_normal_arrow(axis, GREY_NORMAL) for axis in self.grey_normals())]
 

@@ -138,7 +138,10 @@ def _solid_path(mark: Mark, scale: float) -> Path:
 
 
 def _arrow_geometry(mark: Mark, scale: float) -> tuple[Vec, Vec, float, float]:
-    """Return (unit direction, tip, length of the head, half of its width) of an arrow, in scene units."""
+    """Return (unit direction, tip, length of the head, half of its width) of an arrow, in scene units.
+
+    scale: points for one scene unit.
+    """
     (tail, tip), (length, width) = mark.points, mark.style.head
     size = hypot(tip.x - tail.x, tip.y - tail.y) or 1.0
     u = Vec((tip.x - tail.x) / size, (tip.y - tail.y) / size)

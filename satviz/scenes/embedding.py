@@ -41,7 +41,7 @@ class EmbedOptions(NamedTuple):
 
 
 def query(options: EmbedOptions) -> str:
-    """Return the query of an address; InvalidScene for options that cannot be read again."""
+    """Return the query of an address, without its "?"; InvalidScene for options that cannot be read again."""
     words = [EMBED, *(name for name in ("play", "predict") if getattr(options, name))]
     if options.steps:
         words.append("steps={}-{}".format(*options.steps))

@@ -9,7 +9,7 @@ from typing import SupportsIndex
 
 import numpy as np
 
-from ..array_types import Array, Indices, Mask, Pairs, Signs
+from ..array_types import Array, Indices, Mask, Pairs, Relations
 from ..arrays import Flat, Shapes
 from ..broad_rule import (
     ALL_PAIRS,
@@ -106,7 +106,7 @@ def _collide(x: Array, y: Array, start: Indices, radius: Array) -> tuple[Pairs, 
 
 
 @compiled
-def _hits_in_order(first: Indices, second: Indices, found: Signs, n: int) -> tuple[Pairs, bool]:
+def _hits_in_order(first: Indices, second: Indices, found: Relations, n: int) -> tuple[Pairs, bool]:
     """Return ((K, 2) pairs that are not apart, sorted by i, then by j; whether all pairs are decided).
 
     Pair k is (first[k], second[k]) with the relation found[k]; n is the number of shapes.  If one is UNDECIDED, no pair

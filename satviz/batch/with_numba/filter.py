@@ -16,7 +16,7 @@ import numpy as np
 
 from ...engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
 from ...engine.relate import ERROR_FACTOR_F64, MAX_ERROR_BOUND, MIN_ERROR_BOUND
-from ..array_types import Array, Signs
+from ..array_types import Array, Relations
 from ..arrays import TILE_SHAPES, CornerColumns
 from ..codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
 from .jit_cache import compiled, inlined
@@ -25,7 +25,7 @@ MAX_DIRECT_SHAPES = 1 << 17  # shapes up to which the rows of 8 corners stay nea
 BLOCK_PAIRS = 1 << 17  # pairs a call: enough that the time spent in Python does not matter
 
 
-def polygons(a: CornerColumns, b: CornerColumns, first: int, out: Signs) -> None:
+def polygons(a: CornerColumns, b: CornerColumns, first: int, out: Relations) -> None:
     """Fill out[k] with the relation of column first + k of A and B; UNDECIDED within the float64 error bound."""
     clearance_kernel(len(a.x), len(b.x))(a.x, a.y, b.x, b.y, first, error_bounds(a, b), out)
 
@@ -55,7 +55,7 @@ def _unrolled_kernel(va: int, vb: int) -> Callable[..., None]:
     """Return the filter compiled for exactly va and vb corners, whose loops the compiler unrolls and vectorises."""
 
     @compiled
-    def kernel(ax: Array, ay: Array, bx: Array, by: Array, first: int, error_bounds: Array, out: Signs) -> None:
+    def kernel(ax: Array, ay: Array, bx: Array, by: Array, first: int, error_bounds: Array, out: Relations) -> None:
         """Fill out[k] with the relation of column first + k, by its largest clearance; error_bounds: one for a tile."""
         for tile in range(first // TILE_SHAPES, (first + out.size - 1) // TILE_SHAPES + 1):
             error_bound = error_bounds[tile]
@@ -84,7 +84,7 @@ def _unrolled_kernel(va: int, vb: int) -> Callable[..., None]:
 
 
 @compiled
-def _tile_kernel(ax: Array, ay: Array, bx: Array, by: Array, first: int, error_bounds: Array, out: Signs) -> None:
+def _tile_kernel(ax: Array, ay: Array, bx: Array, by: Array, first: int, error_bounds: Array, out: Relations) -> None:
     """Fill `out` as the kernel of `_unrolled_kernel` does, for any numbers of corners, a tile of pairs at a time."""
     best, least, nx, ny = np.empty(TILE_SHAPES), np.empty(TILE_SHAPES), np.empty(TILE_SHAPES), np.empty(TILE_SHAPES)
     lanes = np.empty(
@@ -169,13 +169,13 @@ def _raise_clearance(
             best[i] = max(best[i], least[i] - (nx[i] * x0[i] + ny[i] * y0[i]))
 
 
-def boxes(a: CornerColumns, b: CornerColumns, first: int, out: Signs) -> None:
+def boxes(a: CornerColumns, b: CornerColumns, first: int, out: Relations) -> None:
     """Fill out[k] with the exact relation of the upright boxes in column first + k of A and B."""
     _boxes(a.x, a.y, b.x, b.y, first, out)
 
 
 @compiled
-def _boxes(ax: Array, ay: Array, bx: Array, by: Array, first: int, out: Signs) -> None:
+def _boxes(ax: Array, ay: Array, bx: Array, by: Array, first: int, out: Relations) -> None:
     """Fill out[k] with the exact relation of the upright boxes in column first + k, by comparing sides."""
     for k in range(out.size):
         i = np.uintp(first + k)
@@ -201,7 +201,7 @@ def relation_of_gap(gap: float) -> int:
 
 
 @compiled
-def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array, first: int, out: Signs) -> None:
+def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array, first: int, out: Relations) -> None:
     """Fill out[k] with the relation of the circles first + k of A and B as `relate_circles` returns it."""
     for k in range(out.size):
         i = np.uintp(first + k)
@@ -218,7 +218,7 @@ def relate_circles(ax: float, ay: float, ar: float, bx: float, by: float, br: fl
     return classify(distance - radius_squared, error_bound)
 
 
-def circle_polygons(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first: int, out: Signs) -> None:
+def circle_polygons(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first: int, out: Relations) -> None:
     """Fill out[k] with the relation of circle first + k and polygon column first + k, by squared distance to boundary.
 
     UNDECIDED within its error bound.
@@ -246,7 +246,7 @@ def _circle_kernel(corners: int | None) -> Callable[..., None]:
     """Return the kernel of `circle_polygons` compiled for `corners` corners, or for any number (None)."""
 
     @compiled
-    def kernel(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first: int, out: Signs) -> None:
+    def kernel(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first: int, out: Relations) -> None:
         """Fill `out` as `circle_polygons` says."""
         count = px.shape[0] if corners is None else corners
         for k in range(out.size):

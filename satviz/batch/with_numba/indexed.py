@@ -8,7 +8,7 @@ column of the scratch arrays x, y (corners of A) and p, q (corners of B).
 import numpy as np
 
 from ...engine.relate import ERROR_FACTOR_F64, MAX_ERROR_BOUND, MIN_ERROR_BOUND
-from ..array_types import Array, Indices, Mask, Signs
+from ..array_types import Array, Indices, Mask, Relations
 from ..arrays import TILE_SHAPES, CornerColumns, Flat
 from ..codes import OVERLAPPING, UNDECIDED
 from ..ragged import MAX_LANE_CORNERS
@@ -27,7 +27,7 @@ LANES = 128  # pairs whose corners stay in the first-level cache
 LANE_STRIDE = LANES + 8  # a power of two would put all corners of a pair into the same few places of the cache
 
 
-def relations(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Signs) -> None:
+def relations(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Relations) -> None:
     """Fill out[k] with the relation of a[ia[k]] and b[ib[k]].
 
     Polygons are decided exactly, but UNDECIDED where floats go out of range; pairs with a circle are UNDECIDED within
@@ -40,13 +40,15 @@ def relations(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Signs) -> None:
     )
 
 
-def exact_columns(a: CornerColumns, b: CornerColumns, first: int, out: Signs) -> None:
+def exact_columns(a: CornerColumns, b: CornerColumns, first: int, out: Relations) -> None:
     """Replace each UNDECIDED out[k] by the exact relation of column first + k, unless floats go out of range."""
     _exact_columns(a.x, a.y, b.x, b.y, first, a.tile_maxima.coordinate + b.tile_maxima.coordinate, out)
 
 
 @compiled
-def _exact_columns(ax: Array, ay: Array, bx: Array, by: Array, first: int, max_coordinates: Array, out: Signs) -> None:
+def _exact_columns(
+    ax: Array, ay: Array, bx: Array, by: Array, first: int, max_coordinates: Array, out: Relations
+) -> None:
     """Replace each UNDECIDED out[k] by the exact relation of column first + k, unless floats go out of range.
 
     `max_coordinates`: for each tile of columns, the sum of the largest absolute coordinates of A and of B.
@@ -67,7 +69,7 @@ def _exact_columns(ax: Array, ay: Array, bx: Array, by: Array, first: int, max_c
 def fill_relations(
     ax: Array, ay: Array, sa: Indices, ra: Array, box_a: Array, upright_a: Mask,
     bx: Array, by: Array, sb: Indices, rb: Array, box_b: Array, upright_b: Mask,
-    ia: Indices, ib: Indices, out: Signs,
+    ia: Indices, ib: Indices, out: Relations,
 ) -> None:  # fmt: skip
     """Fill out[k] with the relation of shape ia[k] of A and ib[k] of B: by boxes, then the float filter, then exactly.
 
@@ -171,7 +173,7 @@ def _clearance_of_few(x: Array, y: Array, i0: int, i1: int, p: Array, q: Array, 
 @compiled
 def _evaluate_lanes(
     ax: Array, ay: Array, sa: Indices, box_a: Array, bx: Array, by: Array, sb: Indices, box_b: Array,
-    ia: Indices, ib: Indices, which: Indices, out: Signs,
+    ia: Indices, ib: Indices, which: Indices, out: Relations,
 ) -> None:  # fmt: skip
     """Fill out[k] by the float filter for each k in `which` (up to LANES), one pair in each lane.
 

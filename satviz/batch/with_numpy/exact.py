@@ -6,7 +6,7 @@ import numpy as np
 
 from ...engine.relate import ERROR_FACTOR_F64, MAX_ERROR_BOUND, MIN_ERROR_BOUND
 from .. import exact_signs
-from ..array_types import Array, Indices, Signs
+from ..array_types import Array, Indices, Relations
 from ..arrays import CornerColumns, upright_box_mask
 from ..codes import APART, OVERLAPPING, TOUCHING
 from ..exact_signs import take_columns
@@ -19,7 +19,7 @@ BLOCK_SIGNS = 1 << 15  # exact signs computed at a time: each takes some hundred
 RELATION_OF_SIGN = np.array([TOUCHING, APART, OVERLAPPING], np.int8)  # indexed by a sign: 0, 1, -1
 
 
-def relations(a: CornerColumns, ia: Indices, b: CornerColumns, ib: Indices) -> Signs:
+def relations(a: CornerColumns, ia: Indices, b: CornerColumns, ib: Indices) -> Relations:
     """Return the exact relations of column ia[k] of group a with column ib[k] of group b."""
     found = np.empty(len(ia), np.int8)
     corners = max(len(a.x), len(b.x))
@@ -33,7 +33,7 @@ def relations(a: CornerColumns, ia: Indices, b: CornerColumns, ib: Indices) -> S
     return found
 
 
-def _relate_circles(a: CornerColumns, b: CornerColumns) -> Signs:
+def _relate_circles(a: CornerColumns, b: CornerColumns) -> Relations:
     """Return the exact relation of each column of a with that of b, where a or b or both are circles."""
     if a.r is not None and b.r is not None:
         return RELATION_OF_SIGN[exact_signs.circle_gap_signs(a.x[0], a.y[0], a.r, b.x[0], b.y[0], b.r)]
@@ -42,7 +42,7 @@ def _relate_circles(a: CornerColumns, b: CornerColumns) -> Signs:
     return RELATION_OF_SIGN[circle_polygons.gap_signs(circle.x[0], circle.y[0], radii, polygon.x, polygon.y)]
 
 
-def _relate_polygons(a: CornerColumns, b: CornerColumns) -> Signs:
+def _relate_polygons(a: CornerColumns, b: CornerColumns) -> Relations:
     """Return the exact relation of each column of a with that of b: upright boxes by sides, other polygons by edges."""
     upright = np.zeros(a.x.shape[1], bool)
     if len(a.x) == len(b.x) == 4:
@@ -55,7 +55,7 @@ def _relate_polygons(a: CornerColumns, b: CornerColumns) -> Signs:
     return found
 
 
-def _relate_boxes(a: CornerColumns, b: CornerColumns) -> Signs:
+def _relate_boxes(a: CornerColumns, b: CornerColumns) -> Relations:
     """Return the exact relation of each column of a with that of b, all of them upright boxes."""
     found = np.empty(a.x.shape[1], np.int8)
     boxes(a, b, 0, found)
@@ -73,7 +73,7 @@ class Edges(NamedTuple):
     edge_count: int
 
 
-def relate_edges(a: Edges, b: Edges) -> Signs:
+def relate_edges(a: Edges, b: Edges) -> Relations:
     """Return the exact relations of polygons by their edges, column by column.
 
     All edges at once for few pairs; for many, those edges first that are likeliest to clear the other polygon.
@@ -109,7 +109,7 @@ def _facing_corner(own: Edges, other: Edges) -> Indices:
     return found
 
 
-def _classify_edges(own: Edges, other: Edges, edges: Indices, columns: Indices, factor: Array) -> Signs:
+def _classify_edges(own: Edges, other: Edges, edges: Indices, columns: Indices, factor: Array) -> Relations:
     """Return the (k,) relations that one edge of `own` proves in each column: edges[i] in columns[i].
 
     APART where all corners of `other` lie beyond the edge.  Where some lie on its line and none before, the shapes can
@@ -136,7 +136,7 @@ def _classify_edges(own: Edges, other: Edges, edges: Indices, columns: Indices, 
     return tells
 
 
-def _classify_on_line(ex: Array, ey: Array, fx: Array, fy: Array, px: Array, py: Array, which: Indices) -> Signs:
+def _classify_on_line(ex: Array, ey: Array, fx: Array, fy: Array, px: Array, py: Array, which: Indices) -> Relations:
     """Return the (n,) relations that edges e-f prove, by the exact orientation of some corners of the other polygon.
 
     ex, ey, fx, fy: (n,) ends of the edges; px, py: (k,) all corners that are not certainly beyond the edge's line;

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...engine.predicates import MAX_SAFE_PRODUCT, MIN_SAFE_PRODUCT
-from ..array_types import Array, Signs
+from ..array_types import Array, Relations
 from ..arrays import TILE_SHAPES, CornerColumns
 from ..codes import OVERLAPPING, TOUCHING, UNDECIDED
 from . import gjk
@@ -32,7 +32,7 @@ MAX_AT_ONCE = 1 << 13  # corners of circles' partners up to which all edges are 
 MAX_F32_CORNERS = 16  # corners; above it float32 decides few pairs, and evaluating every vertex is slow
 
 
-def polygons(a: CornerColumns, b: CornerColumns, first: int, out: Signs) -> None:
+def polygons(a: CornerColumns, b: CornerColumns, first: int, out: Relations) -> None:
     """Fill out[k] with the relation of column first + k or UNDECIDED: by float32, or by GJK for many corners."""
     if max(len(a.x), len(b.x)) > MAX_F32_CORNERS:
         gjk.polygons(a, b, first, out)
@@ -117,14 +117,14 @@ def _raise_clearance(
         np.maximum(best, least, out=best)
 
 
-def classify_clearances(gap: Array32 | Array, error_bound: Array32 | Array, out: Signs) -> None:
+def classify_clearances(gap: Array32 | Array, error_bound: Array32 | Array, out: Relations) -> None:
     """Fill `out`: APART above the error bound, OVERLAPPING below its negative, else UNDECIDED."""
     np.multiply((gap < -error_bound).view(np.int8), OVERLAPPING - UNDECIDED, out=out)
     out += (gap > error_bound).view(np.int8)  # by APART - UNDECIDED, which is 1
     out += UNDECIDED
 
 
-def boxes(a: CornerColumns, b: CornerColumns, first: int, out: Signs) -> None:
+def boxes(a: CornerColumns, b: CornerColumns, first: int, out: Relations) -> None:
     """Fill out[k] with the exact relation of the upright boxes in column first + k of A and B, by comparing sides."""
     corners = ([c[k, first : first + out.size] for k in (0, 2) for c in (s.x, s.y)] for s in (a, b))
     gap = box_gap(*([*map(np.minimum, c[:2], c[2:]), *map(np.maximum, c[:2], c[2:])] for c in corners))
@@ -140,7 +140,7 @@ def box_gap(a: Array | Sequence[Array], b: Array | Sequence[Array]) -> Array:
     return gap
 
 
-def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array, first: int, out: Signs) -> None:
+def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array, first: int, out: Relations) -> None:
     """Fill out[k] with the relation of circles first + k of A and B, by squared distance and radii, or UNDECIDED."""
     ax, ay, ar, bx, by, br = (c[first : first + out.size] for c in (ax, ay, ar, bx, by, br))
     dx, dy, radius_sum = ax - bx, ay - by, ar + br
@@ -153,7 +153,7 @@ def circles(ax: Array, ay: Array, ar: Array, bx: Array, by: Array, br: Array, fi
     classify_clearances(distance - radius_sum, error_bound, out)
 
 
-def circle_polygons(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first: int, out: Signs) -> None:
+def circle_polygons(cx: Array, cy: Array, cr: Array, px: Array, py: Array, first: int, out: Relations) -> None:
     """Fill out[k] with the relation of circle first + k and polygon column first + k, by squared distance to boundary.
 
     UNDECIDED within its error bound.

@@ -4,7 +4,7 @@ import numpy as np
 
 from ...engine.predicates import MIN_SAFE_PRODUCT
 from ...engine.relate import ERROR_FACTOR_F64, MAX_ERROR_BOUND, MIN_ERROR_BOUND
-from ..array_types import Array, Signs
+from ..array_types import Array, Relations
 from ..arrays import TILE_SHAPES, CornerColumns
 from ..codes import APART, OVERLAPPING, UNDECIDED
 from ..exact_signs import ERRBOUND_A, take_columns
@@ -13,7 +13,7 @@ MAX_STEPS = 12  # steps of GJK before it gives up
 BLOCK_CORNERS = 1 << 16  # corners: they and the scratch arrays stay in the second-level cache
 
 
-def polygons(a: CornerColumns, b: CornerColumns, first: int, out: Signs) -> None:
+def polygons(a: CornerColumns, b: CornerColumns, first: int, out: Relations) -> None:
     """Fill out[k] for column first + k: APART or OVERLAPPING where a few steps of GJK prove it, else UNDECIDED.
 
     The differences of B's corners and A's span a polygon about the origin if the shapes overlap: its lowest
@@ -28,7 +28,7 @@ def polygons(a: CornerColumns, b: CornerColumns, first: int, out: Signs) -> None
         gjk(a.x[:, part], a.y[:, part], b.x[:, part], b.y[:, part], factor, out[start : start + size])
 
 
-def gjk(x: Array, y: Array, p: Array, q: Array, factor: Array, out: Signs) -> None:
+def gjk(x: Array, y: Array, p: Array, q: Array, factor: Array, out: Relations) -> None:
     """Run GJK on the difference B - A of each column; fill `out` with certified relations, else UNDECIDED.
 
     (x, y): (V, N) corners of A; (p, q): (W, N) corners of B; out: (N,) APART or OVERLAPPING where certified; factor:

@@ -3,7 +3,7 @@
 import numpy as np
 
 from ...engine.relate import ERROR_FACTOR_F64
-from ..array_types import Array, Indices, Signs
+from ..array_types import Array, Indices, Relations
 from ..arrays import Flat
 from ..codes import APART, OVERLAPPING, TOUCHING, UNDECIDED
 from ..exact_signs import pairs_per_block, take_columns
@@ -14,7 +14,7 @@ from .filter import MAX_F32_CORNERS, box_gap, classify_clearances, evaluate_f32
 BLOCK_CORNERS = 1 << 17  # corners of one shape of each pair at a time: what bounds the memory
 
 
-def relations(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Signs) -> None:
+def relations(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Relations) -> None:
     """Fill out[k] with the exact relation of a[ia[k]] and b[ib[k]]; UNDECIDED where one is a circle."""
     circles = (a.radius[ia] > 0) | (b.radius[ib] > 0)
     if not circles.any():
@@ -27,7 +27,7 @@ def relations(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Signs) -> None:
     out[polygons] = found
 
 
-def _relate_polygons(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Signs) -> None:
+def _relate_polygons(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Relations) -> None:
     """Fill out[k] with the exact relation of polygons a[ia[k]] and b[ib[k]]: by their boxes, then in columns."""
     boxes_a, boxes_b = a.bounds[ia], b.bounds[ib]
     with np.errstate(over="ignore"):
@@ -48,7 +48,7 @@ def _relate_polygons(a: Flat, ia: Indices, b: Flat, ib: Indices, out: Signs) -> 
                 out[part] = _relate_columns(a, ia[part], boxes_a[part], b, ib[part], boxes_b[part])
 
 
-def _relate_columns(a: Flat, ia: Indices, boxes_a: Array, b: Flat, ib: Indices, boxes_b: Array) -> Signs:
+def _relate_columns(a: Flat, ia: Indices, boxes_a: Array, b: Flat, ib: Indices, boxes_b: Array) -> Relations:
     """Return the exact relations of polygons a[ia[k]] and b[ib[k]], copied into columns: by the filter, then by edges.
 
     boxes_a, boxes_b: (K, 4) their bounding boxes.

@@ -198,6 +198,9 @@ class Boxes(Points):
         else:
             value = self.number(angle)
             shape = replace(shape, used=shape.used | places(value))
+            end = given.end if isinstance(given, Num) else 0
+            if self.text.endswith(("deg", "\u00b0", "rad"), 0, end):
+                unit = Form.RADIANS if self.text.endswith("rad", 0, end) else Form.DEGREES
         if value == 0 or (shape.is_circle and shape.points[0] == (pivot or ZERO)):
             return shape
         if not unit:

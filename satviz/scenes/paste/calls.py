@@ -306,7 +306,10 @@ class Calls(Keyed):
         return next((text for text in said if text in ("true", "false")), "")
 
     def _centers_and_radii(self, items: Sequence[Any], label: str) -> list[Read]:
-        """Return the shapes of a call such as CheckCollisionCircleRec(center, radius, box)."""
+        """Return the shapes of a call such as CheckCollisionCircleRec(center, radius, box); [] if it has no circle.
+
+        `label`: the name of shapes that have none of their own.
+        """
         found: list[Read] = []
         rest: list[Any] = []
         center: Pt | None = None

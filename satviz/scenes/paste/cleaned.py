@@ -61,7 +61,8 @@ _ROWS = [
         (_PROMPT, blank),
         (r"^ *\[,1\] +\[,2\] *$|^ *\[\d+,\](?= )", blank),  # a matrix of R
         (rf"\b(?!h){_LETTER} {_N}(?:[ ,;]+{_LETTER} {_N}(?![\w.])){{2,}}", keyed),
-        (rf"\b{_PLACED} \([^()\n]*\)[ ,;]+{_PLACED} \(", keyed),
+        (rf"\b{_PLACED} \([^()\n]*\)[ ,;]+{_PLACED} \((?:[^()\n]*\)[ ,;]+(?:angle|rot(?:ation)?) [-.\d])?", keyed),
+        (r"(?<=\d) ?(deg|rad|\u00b0)(?:rees|ians?)?(?!\w)", lambda m: m[1].ljust(len(m[0]))),
         (r"<br ?/?>|&(?:quot|#39|nbsp);", blank),
         (r"&(?:amp|lt|gt);", lambda m: unescape(m[0]).ljust(len(m[0]))),
         (rf"<([A-Za-z]\w*)>(\s*{_N}\s*)</\1>", lambda m: f" {m[1]}={m[2]};".ljust(len(m[0]))),

@@ -83,7 +83,10 @@ class _Parser:
         self.ended: set[int] = set()  # places of brackets with semicolons in them
 
     def items(self, bracket: str, depth: int) -> list[Any]:
-        """Return the items up to the bracket that closes this group ("" is the whole text)."""
+        """Return the items up to the sign that closes `bracket`, the opening one ("": the whole text).
+
+        depth: how many brackets are open; InvalidScene beyond MAX_DEPTH.
+        """
         if depth > MAX_DEPTH:
             raise InvalidScene(f"brackets are nested deeper than {MAX_DEPTH} levels: paste the shapes alone")
         items: list[Any] = []

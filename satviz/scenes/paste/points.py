@@ -22,7 +22,7 @@ class Numeral(Fraction):
 
 
 def angle_of(at: Value, flat: Sequence[Fraction]) -> Num:
-    """Return the fifth number of a box, its angle, as a value with a place in the text.
+    """Return the fifth number of a box, its angle as written, as a value with a place in the text.
 
     at: the value that holds the box; flat: its numbers, five or more.
     """

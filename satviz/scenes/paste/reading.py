@@ -56,12 +56,13 @@ _ASIDE = re.compile(
     r"|colou?rs?|rgba?)(?![a-z])",
     re.IGNORECASE,
 )
-# words for kinds of shapes; those of a group are neither circles nor boxes
+# words for kinds of shapes; those of one group are no circles, and those of the other are neither circles nor boxes
 _KIND = re.compile(
-    r"(?<![\w.<#])(?:circles?|ball|dis[ck]|rect(?:angle)?|box|aabb|obb"
+    r"(?<![\w.<#])(?:circles?|ball|dis[ck]|box|(?P<angular>rect(?:angle)?|square|aabb|obb)"
     r"|(?P<other>(?:regular )?(?:[a-z]{3,5}a|n-|\d-)gon(?:al)?|ellip(?:se|tic|tical|soid)|oval|capsule|rhombus"
     r"|(?:semi|(?:half|quarter)[ -])circle|circular sector|stadium|cylinder|cone|sphere|annulus|rounded rect\w*"
-    r"|triang\w+|(?:diamond|pill|star|ring|wedge|donut|torus)(?![\"']?\s*[:=])))(?![\w(]|\s\()",
+    r"|triang\w+|(?:(?<=type\": \")|(?<=type\":\")|(?<=type: [\"']))(?:line|arrow)(?=[\"'])"
+    r"|(?:diamond|pill|star|ring|wedge|donut|torus)(?![\"']?\s*[:=])))(?![\w(]|\s\()",
     re.IGNORECASE,
 )
 _COMMENT = re.compile(r"//|#|--|/\*")
@@ -171,14 +172,18 @@ class Reader(Calls):
         """
         for before, shape in zip([0, *(s.end for s in shapes)], shapes, strict=False):
             begin = max(self.text.rfind("\n", 0, shape.start), before, shape.start - MAX_BESIDE, 0)
-            said = [m.lastgroup and m[0] for m in _KIND.finditer(self.text, begin, shape.end)]
-            if (shape.is_circle or shape.form) and not shape.repeats and said and said[-1]:
-                yield shape, f"of another kind: {said[-1]}"
+            *_, said = (None, *_KIND.finditer(self.text, begin, shape.end))
+            other = said and (said["other"] or (shape.is_circle and said["angular"]))
+            if (shape.is_circle or shape.form) and not shape.repeats and other:
+                yield shape, f"of another kind: {other}"
             elif shape.label == "edges" and ")-(" not in self.text[shape.start : shape.end]:
                 yield shape, "a list of edges"
 
     def _is_print(self, shape: Read, named: Collection[tuple[Any, ...]]) -> bool:
-        """Return whether a shape without a name stands below the name of the same shape, as a session prints it."""
+        """Return whether a shape without a name stands below the name of the same shape, as a session prints it.
+
+        `named`: (points, radius, name) of each shape with a name.
+        """
         return not shape.label and (shape.points, shape.radius, self._above(shape)) in named
 
     def _above(self, shape: Read) -> str:

@@ -51,7 +51,10 @@ class Run(NamedTuple):
 
 
 class Statements(Names):
-    """Sorts the lines of a text: variables with their fields, and what stands alone."""
+    """Sorts the lines of a text: variables with their fields, and what stands alone.
+
+    `text`: all of it, which is searched here for modes such as rectMode(CENTER); its lines come parsed, by `assign`.
+    """
 
     def __init__(self, text: str) -> None:
         super().__init__(text)
@@ -275,7 +278,8 @@ class Statements(Names):
     def _maker(self, owner: tuple[str, ...], call: Group) -> str:
         """Return the name of the call by which the numbers of this call are read; "" if it gives a shape no numbers.
 
-        box.set(0, 0, 4, 4) is read as the call that made `box`; b.setFromPoints([...]) says what it takes.
+        a.box.set(0, 0, 4, 4) is read as the call that made the box of a, with `owner` ("a", "box"); a call such as
+        setFromPoints says itself what it takes.
         """
         last = parts_of(call.name)[-1].lower()
         two = len(call.items) == 2 and all(isinstance(v, Group) for v in call.items)  # box.set(min, max)

@@ -96,7 +96,10 @@ def in_one_unit(found: Iterable[Token]) -> Iterator[Token]:
 
 
 def _without_open_comments(text: str) -> str:
-    """Return the text without the signs of comments that are never closed; each would be searched to the end."""
+    """Return the text, as long as before, with the opening signs of comments that are never closed blanked.
+
+    The first character of each stays.  Otherwise each would be searched to the end of the text.
+    """
     for sign, end in (("/*", "*/"), ("<!--", "-->")):
         last = text.rfind(end) + 1
         text = text[:last] + text[last:].replace(sign, sign[0].ljust(len(sign)))

@@ -62,13 +62,17 @@ def workloads(n: int, rng: np.random.Generator) -> dict[tuple[str, float], tuple
 
 
 def take_times(n: int, rounds: int, settings: Settings) -> list[JsonRow]:
-    """Return for each workload and method the ns for a pair: `ns` of the answer alone, `whole` from the arrays."""
+    """Return for each workload and method the ns for a pair: `ns` of the answer alone, `whole` from the arrays.
+
+    `whole` is 0 for a method that has no time from arrays.
+    """
     timed = []
     methods = {m.name: m for m in all_methods() if m.language == COMPILED and (m.name, "ns") in LINES}
 
     for (what, much), (a, b) in workloads(n, settings.rng("price")).items():
         jobs = {f"{name}/ns": partial(m.hits, m.prepare(a), m.prepare(b)) for name, m in methods.items()}
-        jobs |= {f"{name}/whole": partial(methods[name].from_arrays, a, b) for name, key in LINES if key == "whole"}
+        whole = [name for name, key in LINES if key == "whole" and name in methods]
+        jobs |= {f"{name}/whole": partial(methods[name].from_arrays, a, b) for name in whole}
         times = timings.time_jobs(jobs, rounds, dict.fromkeys(jobs, n))
         timed += [{"what": what, "much": much, "method": name, "pairs": n, "ns": times[f"{name}/ns"],
                   "whole": times.get(f"{name}/whole", 0.0)} for name in methods]  # fmt: skip

@@ -190,7 +190,7 @@ def _tiny_boxes_in_a_large_one(rng: np.random.Generator, n: int) -> Array:
 
 
 def _boxes_with_one_far_away(rng: np.random.Generator, n: int) -> Array:
-    """Return (n, 4) boxes spread evenly, but one at 1e300, which stretches the bounds of the whole scene."""
+    """Return (n, 4) boxes (x0, y0, x1, y1), spread evenly but for one at 1e300, which stretches the scene's bounds."""
     at, size = _even_places_and_sizes(rng, n)
     at[0], size[0] = 1e300, 1e285
     return _boxes_at(at, size)
