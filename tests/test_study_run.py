@@ -26,9 +26,9 @@ from satviz.study.bench import CHECKED_BY, TimingRow
 from satviz.study.bench_table import spread_of
 from satviz.study.harness.cells import Cell, Failure, Settings, run_cells
 from satviz.study.harness.chart import wilson_interval
-from satviz.study.methods import ENGINES, answers_by_method
+from satviz.study.methods import ENGINES, all_methods, answers_by_method
 from satviz.study.run import SECTIONS, study
-from satviz.study.sections import axis_order, speed_against_accuracy
+from satviz.study.sections import axis_order, exactness_cost, speed_against_accuracy
 from satviz.study.stored_run import STORED_RUN, stored_charts, stored_run
 
 pytestmark = pytest.mark.slow
@@ -57,6 +57,13 @@ def blank(fig, theme):
 
 def contents(folder):
     return {p.relative_to(folder).as_posix(): p.read_bytes() for p in sorted(folder.rglob("*")) if p.is_file()}
+
+
+def test_the_price_of_exactness_has_no_rows_without_numba(monkeypatch):
+    monkeypatch.setattr(exactness_cost, "all_methods", lambda: [m for m in all_methods() if m.name == "shapely"])
+    timed = exactness_cost.take_times(50, 1, QUICK)
+    assert {row["method"] for row in timed} == {"shapely"} and {row["whole"] for row in timed} == {0.0}
+    assert exactness_cost.rows({"price-0": timed}) == {"price-of-exactness": []}
 
 
 def test_an_interrupted_study_ends_with_the_same_files(tmp_path):
