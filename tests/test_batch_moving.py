@@ -248,12 +248,13 @@ def test_a_place_is_computed_from_the_first_outlines_each_time(kind, made_by):
                 assert corners_of(shapes).tolist() == (right + 0.0).tolist()
 
 
+HOW_MANY = "give 3 offsets, and 3 angles or one"
 PLACES = [
-    (np.zeros((2, 2)), 0.0, "there are 2 offsets and 1 angles for 3 shapes: give 3 of each, or one angle"),
-    (np.zeros((4, 2)), 0.0, "there are 4 offsets and 1 angles for 3 shapes: give 3 of each, or one angle"),
-    (np.zeros((3, 2)), [1.0, 2.0], "there are 3 offsets and 2 angles for 3 shapes: give 3 of each, or one angle"),
-    (np.zeros((1, 2)), [1.0, 2.0, 3.0], "there are 1 offsets and 3 angles for 3 shapes: give 3 of each, or one angle"),
-    (np.zeros((3, 2)), np.zeros((3, 1)), "there are 3 offsets and 3 angles for 3 shapes: give 3 of each, or one angle"),
+    (np.zeros((2, 2)), 0.0, "there are 2 offsets and 1 angles for 3 shapes: " + HOW_MANY),
+    (np.zeros((4, 2)), 0.0, "there are 4 offsets and 1 angles for 3 shapes: " + HOW_MANY),
+    (np.zeros((3, 2)), [1.0, 2.0], "there are 3 offsets and 2 angles for 3 shapes: " + HOW_MANY),
+    (np.zeros((1, 2)), [1.0, 2.0, 3.0], "there are 1 offsets and 3 angles for 3 shapes: " + HOW_MANY),
+    (np.zeros((3, 2)), np.zeros((3, 1)), "there are 3 offsets and 3 angles for 3 shapes: " + HOW_MANY),
     (np.array([[0, 0], [np.nan, 1], [0, 0]]), 0.0, "offset 1.x is nan: numbers must be finite"),
     (np.zeros((3, 2)), [0, np.inf, 0], "angle 1 is inf: numbers must be finite"),
     (np.zeros((3, 2)), np.nan, "angle is nan: numbers must be finite"),

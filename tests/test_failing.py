@@ -408,12 +408,12 @@ def test_each_scene_is_recorded_described_and_drawn_by_its_name(case):
 
 @pytest.mark.parametrize("case", [case for case in FAILURE_CASES if case.how == REFUSED], ids=lambda case: case.name)
 def test_the_scene_of_a_refused_case_is_refused_with_the_reason(case, capsys, tmp_path):
-    with pytest.raises(sv.InvalidScene, match=r"the scene .* is refused: .*(line|cross)"):
+    with pytest.raises(sv.InvalidScene, match=r"the scene .* is refused on purpose: .*(line|cross)"):
         sv.scene(case.name)
     assert main(["trace", case.name]) == 2
-    assert capsys.readouterr().err == f"satviz: the scene {case.name} is refused: {case.actual}\n"
+    assert capsys.readouterr().err == f"satviz: the scene {case.name} is refused on purpose: {case.actual}\n"
     assert main(["draw", case.name, "--format", "link"]) == 2
-    assert capsys.readouterr().err == f"satviz: the scene {case.name} is refused: {case.actual}\n"
+    assert capsys.readouterr().err == f"satviz: the scene {case.name} is refused on purpose: {case.actual}\n"
     assert main(["draw", case.name, "--format", "svg", "--out", str(tmp_path / "out")]) == 0
 
 

@@ -61,7 +61,8 @@ def place(shapes: Shapes, offsets: validation.Points, angles: Any = 0.0) -> Shap
     angles = validation.numbers(angles, "angles", "angle", lambda i: f"angle {i}")
     if len(offsets) != n or angles.shape not in ((), (1,), (n,)):
         raise InvalidShape(
-            f"there are {len(offsets)} offsets and {angles.size} angles for {n} shapes: give {n} of each, or one angle"
+            f"there are {len(offsets)} offsets and {angles.size} angles for {n} shapes: "
+            f"give {n} offsets, and {n} angles or one"
         )
     many = np.diff(state.start)
     cos, sin = (np.repeat(np.broadcast_to(f(angles), (n,)), many) for f in (np.cos, np.sin))

@@ -139,7 +139,9 @@ def boxes(values: Points) -> NDArray[np.float64]:
                 raise InvalidShape(f"{name}[{i}] has {len(row)} numbers: expected x min, y min, x max, y max")
         values = np.array(rows, object).reshape(-1, 4)
     if values.ndim != 2 or values.shape[1] != 4:
-        raise InvalidShape(f"{name} has the shape {values.shape}: expected (N, 4)")
+        raise InvalidShape(
+            f"{name} has the shape {values.shape}: expected (N, 4), a row x min, y min, x max, y max for each box"
+        )
     found = floats(values, name, lambda i, k: f"{name}[{i}][{k}]")
     good = (found[:, 0] <= found[:, 2]) & (found[:, 1] <= found[:, 3])
     if (bad := np.flatnonzero(~good)).size:

@@ -41,7 +41,7 @@ def scene_of_case(case: FailureCase) -> Scene:
     try:
         a, b = case.shapes
     except InvalidShape as error:
-        raise InvalidScene(f"the scene {case.name} is refused: {error}") from None
+        raise InvalidScene(f"the scene {case.name} is refused on purpose: {error}") from None
     return Scene(case.name, a, b, case.name, title=case.claim)
 
 

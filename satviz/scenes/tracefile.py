@@ -200,7 +200,7 @@ def _parse_axis(data: Any, where: str, known: dict[Source, Axis]) -> Axis:
         )
     if not axes.same_axis(axis, ours):
         raise InvalidScene(
-            f"{where} has another direction or length than the edge or line that its source names: "
+            f"{where} has another direction or length than its edge or line, which `source` names: "
             "record the trace again"
         )
     return axis

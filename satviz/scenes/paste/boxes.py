@@ -245,7 +245,7 @@ class Boxes(Points):
                 w, h = self.number(get("width")), self.number(get("height"))
                 if (w, h) != (four[2] - four[0], abs(four[3] - four[1])):
                     raise Unreadable(
-                        f"its width and height ({plain(w)}, {plain(h)}) are not those of its corners: correct one"
+                        f"its width and height ({plain(w)}, {plain(h)}) are not those of its corners: delete one"
                     )
                 same = [get("width"), get("height")]
                 xy = (get("x"), get("y"))
