@@ -632,7 +632,7 @@ def test_copying_works_with_and_without_a_clipboard_and_a_line_confirms_it(brows
         assert [copy("copy JSON"), copy("copy link")] == ["Copied.", "Copied."]
         assert page.evaluate("() => copies") == [hand.state()["json"], "scene.html#circles"]
         page.evaluate("() => { document.execCommand = () => false; }")
-        assert "does not let" in copy("copy link")
+        assert "does not allow it" in copy("copy link")
 
 
 def test_the_hint_disappears_at_the_first_use(browser, errors):
